@@ -340,6 +340,7 @@ END_PROGRAM
         ("x := 40000.0; F_At := REAL_TO_INT(x);", 902270),
         ("x := -1.0; x := SQRT(x);", 902260),
         ("FOR n := 1 TO 3 BY a[1] DO ; END_FOR", 902271),
+        ("F_RaiseException(7);", 902360),
     ],
 )
 def test_each_fault_has_its_number_and_its_calls(tmp_path: Path, body: str, number: int) -> None:
@@ -398,7 +399,7 @@ def test_a_value_that_a_variable_cannot_hold_is_refused(
 @pytest.mark.parametrize(
     "text",
     [
-        'PROGRAM MAIN VAR w : WSTRING; END_VAR w := "a"; END_PROGRAM',
+        "PROGRAM MAIN TcUnit.RUN(); END_PROGRAM",
         "PROGRAM MAIN VAR x : BOOL; END_VAR x := gpCh[0]^.bahn_state.program_end_r; END_PROGRAM",
     ],
 )

@@ -94,6 +94,17 @@ INVALID_OPERATION = error(
     calls=_CALLS,
     time=_TIME,
 )
+EXCEPTION_RAISED = error(
+    902360,
+    en="the PLC stops at {time}: exception {code} of F_RaiseException; {values}{calls}",
+    de="die SPS hält bei {time}: Ausnahme {code} von F_RaiseException; {values}{calls}",
+    remedy_en="Remove what the code calls an exception, or the call.",
+    remedy_de="Beheben, was der Code als Ausnahme meldet, oder den Aufruf entfernen.",
+    code=("the number of the exception", "die Nummer der Ausnahme"),
+    values=_VALUES,
+    calls=_CALLS,
+    time=_TIME,
+)
 NOT_TRANSLATED = error(
     902261,
     en="{what} does not run here yet",

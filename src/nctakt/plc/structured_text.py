@@ -23,6 +23,7 @@ from nctakt.messages import Collector, diagnostic
 from nctakt.messages.plc_code import (
     CONVERSION_OUTSIDE,
     DIVISION_BY_ZERO,
+    EXCEPTION_RAISED,
     INVALID_OPERATION,
     NO_TASK,
     NOT_TRANSLATED,
@@ -59,6 +60,7 @@ _MESSAGES = {
     kinds.CONVERSION: CONVERSION_OUTSIDE,
     kinds.STEP: STEP_ZERO,
     kinds.INVALID: INVALID_OPERATION,
+    kinds.RAISED: EXCEPTION_RAISED,
 }
 
 
@@ -148,6 +150,8 @@ class StructuredPlc(RealtimePlc):
             words["index"] = str(context.fault_a)
         if context.fault == kinds.BUDGET:
             words["limit"] = str(context.fault_a)
+        if context.fault == kinds.RAISED:
+            words["code"] = str(context.fault_a)
         if context.fault == kinds.STACK:
             words["depth"] = str(context.fault_a)
         else:
@@ -210,6 +214,8 @@ class StructuredPlc(RealtimePlc):
     def _value(self, variable: PlacedVariable) -> float | bool | str:
         context, sought = self.translated.context, variable.type
         data = context.peek(variable.address, max(sought.size, 1))
+        if isinstance(sought, StringType) and sought.is_wide:
+            return data.decode("utf-16-le", "replace").partition("\0")[0]
         if isinstance(sought, StringType):
             return data.split(b"\0")[0].decode("latin-1")
         kind = kind_of(sought)
@@ -235,12 +241,13 @@ class StructuredPlc(RealtimePlc):
         refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
         if isinstance(sought, StringType) and isinstance(value, str):
             try:
-                data = value.encode("latin-1")
+                data = value.encode("utf-16-le" if sought.is_wide else "latin-1")
             except UnicodeEncodeError:
                 raise Failure(refused) from None
-            if len(data) > sought.length or 0 in data:
+            unit = 2 if sought.is_wide else 1
+            if len(data) > unit * sought.length or "\0" in value:
                 raise Failure(refused)
-            return data + b"\0"
+            return data + bytes(unit)
         if kind is None or isinstance(value, str) or variable.bit >= 0:
             raise Failure(refused)
         if is_real(sought):

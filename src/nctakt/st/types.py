@@ -184,7 +184,9 @@ class InterfaceType(Type):
 
 @dataclass(slots=True, eq=False)
 class AnyType(Type):
-    """ANY, ANY_NUM … of a VAR_INPUT: 16 bytes with pValue, diSize and TypeClass."""
+    """ANY, ANY_NUM … of a VAR_INPUT: TypeClass, pValue and diSize, as ``form`` has them."""
+
+    form: StructType
 
 
 @dataclass(slots=True, eq=False)
@@ -339,6 +341,7 @@ class Method(Callable):
     is_abstract: bool = False
     is_final: bool = False
     is_action: bool = False
+    attributes: dict[str, str] = field(default_factory=dict)
 
 
 @dataclass(slots=True, eq=False)

@@ -55,11 +55,17 @@ class Routines(Protocol):
     def virtual(self, called: Callable, declared: Pou | InterfaceType) -> Callee:
         """Return what finds the routine by the type of the instance."""
 
+    def types_of(self, declared: Pou | InterfaceType) -> list[tuple[int, int]]:
+        """Return the ranges of the numbers of types that derive from it or implement it."""
+
     def exact(self, called: Callable, declared: Pou) -> Callee:
         """Return the routine that instances of exactly this type have."""
 
     def image_of_variable(self, variable: Variable) -> bytes:
         """Return the bytes of a variable as it begins."""
+
+    def own_function(self, name: str) -> Pou | None:
+        """Return a function of the project by its name in lower case."""
 
     def starter(self, pou: Pou) -> Routine:
         """Return the routine that begins the members of an instance."""
@@ -78,6 +84,8 @@ class Body(ABC):
         #: The block or program whose variables are seen; ``None`` in functions.
         self.pou = pou
         self.frame = Frame(called.frame_size)
+        #: The dereference that the assignment at work writes through.
+        self.written: Expression | None = None
         #: Nodes of the statement at work: its cost.
         self.cost = 0
 

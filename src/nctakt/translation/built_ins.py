@@ -7,6 +7,7 @@ from collections.abc import Callable as Function
 
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.blocks_of_bytes import CompareBytes, FillBytes, MoveBytes
+from nctakt.kernel.st.kept import WholeAfter
 from nctakt.kernel.st.reals import (
     ExtremeReal,
     FunctionOfReal,
@@ -14,8 +15,11 @@ from nctakt.kernel.st.reals import (
     Real,
     SelectReal,
 )
+from nctakt.kernel.st.steps import Fail
 from nctakt.kernel.st.texts import (
     ChangeString,
+    ChosenText,
+    ExtremeText,
     FindString,
     LengthOfString,
     PartOfString,
@@ -23,16 +27,20 @@ from nctakt.kernel.st.texts import (
 )
 from nctakt.kernel.st.wholes import (
     AbsoluteWhole,
+    AndThen,
     CompareWhole,
     CycleTime,
+    ElementPlace,
     ExtremeWhole,
+    LoadAt,
     MoveBits,
+    OrElse,
     SelectWhole,
     Whole,
     WholeConstant,
 )
 from nctakt.st.tree import Call, CallKind
-from nctakt.st.types import ArrayType, Expression, StringType
+from nctakt.st.types import ArrayType, Expression, InterfaceType, StringType
 from nctakt.translation.body import CannotRunError, value_type
 from nctakt.translation.conversions import Conversions
 from nctakt.translation.layout import is_real, is_unsigned
@@ -81,20 +89,24 @@ class BuiltIns(Conversions):
         found = value_type(call)
         return self.rounded(node, found) if is_real(found) else node
 
-    def kept_text(self) -> int:
-        """Return where the frame keeps a text."""
-        return self.frame.take(kinds.TEXT_BYTES)
+    def kept_text(self, unit: int) -> int:
+        """Return where the frame keeps a text with characters of so many bytes."""
+        return self.frame.take(unit * kinds.TEXT_BYTES)
 
     def chosen(self, call: Call, truth: Whole, otherwise: Expression, chosen: Expression) -> Node:
         """Return one of two values; only that one is evaluated (ST-713)."""
         found = value_type(call)
         if isinstance(found, StringType):
             one, other = self.text(chosen), self.text(otherwise)
-            location = SelectWhole(truth, other.address, one.address)
-            return StringPart(location, min(one.capacity, other.capacity))
+            return chosen_text(SelectWhole(truth, other.address, one.address), one, other)
         if is_real(found):
             return SelectReal(truth, self.real(otherwise), self.real(chosen))
         return SelectWhole(truth, self.whole(otherwise), self.whole(chosen))
+
+
+def chosen_text(address: Whole, one: StringPart, other: StringPart) -> StringPart:
+    """Return one of two texts, of which the address says which one it is."""
+    return ChosenText(address, max(one.capacity, other.capacity), one.unit)
 
 
 def in_order(call: Call) -> list[Expression]:
@@ -127,7 +139,11 @@ def _extreme(is_maximum: bool) -> Function[[BuiltIns, Call, list[Expression]], N
                 real = ExtremeReal(real, body.real(one), is_maximum)
             return real
         if isinstance(found, StringType):
-            raise CannotRunError(call, f"{call.function} of texts")
+            text = body.text(operands[0])
+            for one in operands[1:]:
+                other = body.text(one)
+                text = chosen_text(ExtremeText(text, other, is_maximum), text, other)
+            return text
         node = body.whole(operands[0])
         for one in operands[1:]:
             node = ExtremeWhole(node, body.whole(one), is_unsigned(found), is_maximum)
@@ -153,19 +169,18 @@ def _select(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
 
 def _multiplex(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
     number, *values = operands
-    found = value_type(call)
-    if isinstance(found, StringType):
-        raise CannotRunError(call, "MUX of texts")
-    if is_real(found):
-        real = body.real(values[-1])
-        for location in range(len(values) - 2, -1, -1):
-            truth = CompareWhole(body.whole(number), WholeConstant(location), kinds.EQUAL)
-            real = SelectReal(truth, real, body.real(values[location]))
-        return real
-    node = body.whole(values[-1])
+    first, again = body.kept_number(body.whole(number))
+    node = _move(body, call, values[-1:])
     for location in range(len(values) - 2, -1, -1):
-        truth = CompareWhole(body.whole(number), WholeConstant(location), kinds.EQUAL)
-        node = SelectWhole(truth, node, body.whole(values[location]))
+        asked = again if location else first
+        truth = CompareWhole(asked, WholeConstant(location), kinds.EQUAL)
+        chosen = _move(body, call, values[location : location + 1])
+        if isinstance(node, StringPart) and isinstance(chosen, StringPart):
+            node = chosen_text(SelectWhole(truth, node.address, chosen.address), node, chosen)
+        elif isinstance(node, Real) and isinstance(chosen, Real):
+            node = SelectReal(truth, node, chosen)
+        elif isinstance(node, Whole) and isinstance(chosen, Whole):
+            node = SelectWhole(truth, node, chosen)
     return node
 
 
@@ -186,20 +201,20 @@ def _find(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
 
 def _part(function: int) -> Function[[BuiltIns, Call, list[Expression]], Node]:
     def build(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
-        kept = body.kept_text()
         text, length = body.text(operands[0]), body.whole(operands[1])
         position = body.whole(operands[2]) if len(operands) > 2 else Whole()
+        kept = body.kept_text(text.unit)
         node = PartOfString(text, length, position, function, kept)
-        return StringPart(node, kinds.MAX_TEXT)
+        return StringPart(node, kinds.MAX_TEXT, text.unit)
 
     return build
 
 
 def _change(function: int) -> Function[[BuiltIns, Call, list[Expression]], Node]:
     def build(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
-        kept = body.kept_text()
         text = body.text(operands[0])
-        inserted = StringPart(WholeConstant(body.layout.literal(b"\0")), 0)
+        kept = body.kept_text(text.unit)
+        inserted = StringPart(WholeConstant(body.layout.literal(b"\0")), 0, text.unit)
         length: Whole = Whole()
         position: Whole = Whole()
         if function == kinds.DELETE:
@@ -211,7 +226,7 @@ def _change(function: int) -> Function[[BuiltIns, Call, list[Expression]], Node]
         if function == kinds.REPLACE:
             length, position = body.whole(operands[2]), body.whole(operands[3])
         node = ChangeString(text, inserted, length, position, function, kept)
-        return StringPart(node, kinds.MAX_TEXT)
+        return StringPart(node, kinds.MAX_TEXT, text.unit)
 
     return build
 
@@ -230,13 +245,58 @@ def _address(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
 def _bound(is_upper: bool) -> Function[[BuiltIns, Call, list[Expression]], Node]:
     def build(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
         found, dimension = value_type(operands[0]), operands[1].value
-        if not isinstance(found, ArrayType) or not isinstance(dimension, int):
-            raise CannotRunError(call, f"{call.function} of a computed dimension")
-        if not found.is_open:
-            return WholeConstant(found.bounds[dimension - 1][is_upper])
-        return body.open_bound(operands[0], dimension - 1, is_upper)
+        if not isinstance(found, ArrayType):
+            raise CannotRunError(call, f"{call.function} of {found.name}")
+
+        def bound(number: int) -> Whole:
+            if not found.is_open:
+                return WholeConstant(found.bounds[number][is_upper])
+            return body.open_bound(operands[0], number, is_upper)
+
+        count = found.dimensions
+        if isinstance(dimension, int) and 1 <= dimension <= count:
+            return bound(dimension - 1)
+        first, again = body.kept_number(body.whole(operands[1]))
+        # What is no dimension stops the PLC as an index outside.
+        node: Whole = ElementPlace(WholeConstant(0), again, 1, count, 0)
+        for number in range(count):
+            asked = first if number == count - 1 else again
+            is_asked = CompareWhole(asked, WholeConstant(number + 1), kinds.EQUAL)
+            node = SelectWhole(is_asked, node, bound(number))
+        return node
 
     return build
+
+
+def _query(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    """``__QUERYINTERFACE``, ``__QUERYPOINTER``: bind the second to the instance of the first."""
+    source, target = operands
+    found = value_type(target)
+    asked: Whole
+    if isinstance(value_type(source), InterfaceType):
+        asked = body.whole(source)
+    else:
+        asked = body.pointer_of(source)
+    first, again = body.kept_number(asked)
+    truth: Whole = CompareWhole(first, WholeConstant(0), kinds.NOT_EQUAL)
+    if isinstance(found, InterfaceType):
+        is_one: Whole = WholeConstant(0)
+        for low, high in body.project.types_of(found):
+            number = LoadAt(again, 0, kinds.I64)
+            inside = AndThen(
+                CompareWhole(number, WholeConstant(low), kinds.GREATER_EQUAL),
+                CompareWhole(number, WholeConstant(high), kinds.LESS_EQUAL),
+            )
+            is_one = OrElse(inside, is_one)
+        truth = AndThen(truth, is_one)
+    known, kept = body.kept_number(truth)
+    bound = SelectWhole(known, WholeConstant(0), again)
+    store = body.slot(target).store(bound, call.start, 1, body.layout.data_end)
+    return WholeAfter(store, kept)
+
+
+def _raise(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return WholeAfter(Fail(kinds.RAISED, body.whole(operands[0]), call.start), Whole())
 
 
 def _is_valid_reference(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
@@ -262,6 +322,7 @@ _BUILDERS: dict[str, Function[[BuiltIns, Call, list[Expression]], Node]] = {
     "CONCAT": _change(kinds.CONCAT),
     "DELETE": _change(kinds.DELETE),
     "FIND": _find,
+    "F_RAISEEXCEPTION": _raise,
     "INSERT": _change(kinds.INSERT),
     "LEFT": _part(kinds.LEFT),
     "LEN": _length,
@@ -283,6 +344,12 @@ _BUILDERS: dict[str, Function[[BuiltIns, Call, list[Expression]], Node]] = {
     "TIME": _time(1000000),
     "UPPER_BOUND": _bound(True),
     "__ISVALIDREF": _is_valid_reference,
+    "__QUERYINTERFACE": _query,
+    "__QUERYPOINTER": _query,
+}
+_BUILDERS |= {
+    f"W{name}": _BUILDERS[name]
+    for name in ("CONCAT", "DELETE", "FIND", "INSERT", "LEFT", "LEN", "MID", "REPLACE", "RIGHT")
 }
 #: The functions that are translated, in upper case.
 KNOWN = frozenset({*_BUILDERS, *_OF_REAL, *_OF_TWO, *_MOVES})

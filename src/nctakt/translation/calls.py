@@ -9,10 +9,11 @@ from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.calls import Callee, ResultPlace
 from nctakt.kernel.st.reals import RealOfWhole
 from nctakt.kernel.st.steps import CopyBytes, Step, steps_in_order
-from nctakt.kernel.st.texts import AssignString, StringPart
+from nctakt.kernel.st.texts import AssignString
 from nctakt.kernel.st.wholes import PassingPlace, Whole, WholeConstant
 from nctakt.st import tree
 from nctakt.st.types import (
+    AnyType,
     ArrayType,
     BlockType,
     Callable,
@@ -26,14 +27,18 @@ from nctakt.st.types import (
     ReferenceType,
     Section,
     StringType,
+    StructType,
     Type,
     Variable,
+    same_type,
 )
-from nctakt.st.vocabulary.elementary import DINT, PVOID
+from nctakt.st.vocabulary.elementary import DINT, PVOID, string
 from nctakt.translation.body import CannotRunError, block_of, is_standard, value_type
 from nctakt.translation.built_ins import BuiltIns
 from nctakt.translation.layout import is_real, is_unsigned, kind_of
 from nctakt.translation.locations import Location, Origin
+from nctakt.translation.reflection import class_number, information
+from nctakt.translation.values import text_part
 
 
 class Calls(BuiltIns):
@@ -108,6 +113,8 @@ class Calls(BuiltIns):
     def hand_over(self, parameter: Variable, argument: Expression) -> Step:
         """Return the statement that hands over an argument."""
         location, source = passed_location(parameter), argument.start
+        if isinstance(parameter.type, AnyType):
+            return self._hand_over_any(location, parameter.type, argument)
         if parameter.section is Section.IN_OUT:
             return self._hand_over_address(parameter, argument)
         if isinstance(parameter.type, ReferenceType):
@@ -115,11 +122,44 @@ class Calls(BuiltIns):
             return location.store(address, source, self.take_cost(), self.layout.data_end)
         return self.assign(location, argument, source)
 
+    def _hand_over_any(self, location: Location, form: AnyType, argument: Expression) -> Step:
+        """Return the statements that hand over class, address and size of a value (ST-620)."""
+        found, source, end = value_type(argument), argument.start, self.layout.data_end
+        if isinstance(found, AnyType):
+            origin = self.location(argument).address()
+            return CopyBytes(location.address(), origin, form.size, source, self.take_cost())
+        if isinstance(found, ArrayType) and found.is_open:
+            raise CannotRunError(argument, "an ARRAY[*] as ANY")
+        before, address = self.addressed(argument, found)
+        members = form.form.members
+        values = {
+            "pvalue": address,
+            "typeclass": WholeConstant(class_number(found, form.form)),
+            "disize": WholeConstant(found.size),
+        }
+        steps = [
+            location.member(members[name].offset, members[name].type).store(
+                value, source, self.take_cost(), end
+            )
+            for name, value in values.items()
+        ]
+        return steps_in_order([before, *steps])
+
+    def addressed(self, value: Expression, found: Type) -> tuple[Step, Whole]:
+        """Return the address of a value, and what keeps it in the frame if it has none."""
+        if has_address(value) and same_type(value_type(value), found):
+            return Step(), self.pointer_of(value)
+        kept = Location(Origin.FRAME, self.frame.take(found.size), found)
+        return self.assign(kept, value, value.start), kept.address()
+
     def _hand_over_address(self, parameter: Variable, argument: Expression) -> Step:
         source, found = argument.start, parameter.type
         slot = Location(Origin.COMPUTED, 0, PVOID, PassingPlace(parameter.offset))
         end = self.layout.data_end
         given = value_type(argument)
+        if parameter.is_constant and (kind_of(found) is not None or isinstance(found, StringType)):
+            before, address = self.addressed(argument, found)
+            return steps_in_order([before, slot.store(address, source, self.take_cost(), end)])
         if isinstance(found, ArrayType) and found.is_open and isinstance(given, ArrayType):
             if given.is_open:
                 address = self.open_slot(argument).load(end)
@@ -153,7 +193,7 @@ class Calls(BuiltIns):
         """Return the statement that copies a value between locations, converted where it widens."""
         end = self.layout.data_end
         if isinstance(target.type, StringType) and isinstance(origin.type, StringType):
-            text = StringPart(origin.address(), origin.type.length)
+            text = text_part(origin.address(), origin.type)
             address, length = target.address(), target.type.length
             return AssignString(address, length, text, source, self.take_cost())
         if is_real(target.type):
@@ -172,9 +212,13 @@ class Calls(BuiltIns):
         """Return the assignment of a whole number, or of a bit."""
 
     def call_location(self, call: tree.Call) -> Location:
+        found = value_type(call)
+        if call.function == "__VARINFO" and isinstance(found, StructType):
+            at = self.layout.literal(information(call.operands[0], found))
+            return Location(Origin.COMPUTED, 0, found, WholeConstant(at))
         if is_standard(call):
             text = self.text(call)
-            found = StringType("STRING", text.capacity + 1, 1, text.capacity)
+            found = string(text.capacity, is_wide=text.unit > 1)
             return Location(Origin.COMPUTED, 0, found, text.address)
         if call.target is None or call.target.result is None:
             raise CannotRunError(call, "the value of a call without a result")
@@ -230,6 +274,16 @@ class Calls(BuiltIns):
 
 
 _NO_POU = Pou("", "")
+
+
+def has_address(value: Expression) -> bool:
+    """Return whether a value is a variable, or a part of one that has an address."""
+    match value:
+        case tree.Name(target=Variable() as variable) | tree.Member(target=Variable() as variable):
+            return variable.bit < 0
+        case tree.Index() | tree.Dereference():
+            return True
+    return False
 
 
 def passed_location(parameter: Variable) -> Location:

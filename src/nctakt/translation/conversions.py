@@ -5,13 +5,15 @@ from __future__ import annotations
 
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.conversions import (
+    MomentOfString,
     RealOfString,
     StringOfReal,
     StringOfWhole,
     WholeOfString,
 )
+from nctakt.kernel.st.kept import KeptWhole
 from nctakt.kernel.st.reals import Real, TruthOfReal, WholeOfReal
-from nctakt.kernel.st.texts import StringPart
+from nctakt.kernel.st.texts import ResizedText, StringPart
 from nctakt.kernel.st.wholes import (
     CompareWhole,
     DivideWhole,
@@ -24,12 +26,15 @@ from nctakt.kernel.st.wholes import (
 )
 from nctakt.st.tree import Call
 from nctakt.st.types import Elementary, EnumType, Expression, Family, StringType, Type
+from nctakt.st.vocabulary.elementary import LINT
 from nctakt.translation.body import CannotRunError, value_type
 from nctakt.translation.layout import is_real, is_unsigned, kind_of
+from nctakt.translation.locations import Location, Origin
 from nctakt.translation.values import Values
 
 _FINE = 1000000
 _DAY = 86400
+_MOMENTS = {"TOD": kinds.TIME_OF_DAY, "DATE": kinds.DATE, "DT": kinds.DATE_AND_TIME}
 
 
 def _is_length(found: Type) -> bool:
@@ -51,14 +56,22 @@ class Conversions(Values):
         operand, to = call.operands[0], value_type(call)
         found = value_type(operand)
         if isinstance(to, StringType):
-            return self._to_text(operand, found)
+            return self.resized(self._to_text(operand, found), to.is_wide)
         if isinstance(found, StringType):
-            return self._from_text(operand, to)
+            return self._from_text(self.resized(self.text(operand), False), operand, to)
         if is_real(to):
             return self.rounded(self.real(operand), to)
         if is_real(found):
             return self._from_real(call, operand, to)
         return self.cut(self._moment(self.whole(operand), found, to), to)
+
+    def resized(self, text: StringPart, is_wide: bool) -> StringPart:
+        """Return a text with characters of one or of two bytes."""
+        unit = 2 if is_wide else 1
+        if text.unit == unit:
+            return text
+        kept = self.frame.take(unit * kinds.TEXT_BYTES)
+        return StringPart(ResizedText(text, kept), kinds.MAX_TEXT, unit)
 
     @staticmethod
     def cut(node: Whole, to: Type) -> Whole:
@@ -105,23 +118,33 @@ class Conversions(Values):
 
     def _name_of_value(self, operand: Expression, found: EnumType) -> StringPart:
         """Return the name of an enumeration's value (``to_string``), else its number."""
-        kept = self.frame.take(kinds.TEXT_BYTES)
-        node: Whole = StringOfWhole(self.whole(operand), _form_of(found.base), 1, kept)
-        for one in found.values.values():
+        first, again = self.kept_number(self.whole(operand))
+        node: Whole = StringOfWhole(
+            again, _form_of(found.base), 1, self.frame.take(kinds.TEXT_BYTES)
+        )
+        for number, one in enumerate(reversed(found.values.values()), 1):
             literal = WholeConstant(self.layout.literal(one.name.encode("latin-1") + bytes(256)))
-            equal = CompareWhole(self.whole(operand), WholeConstant(one.number), kinds.EQUAL)
-            node = SelectWhole(equal, node, literal)
+            asked = first if number == len(found.values) else again
+            node = SelectWhole(
+                CompareWhole(asked, WholeConstant(one.number), kinds.EQUAL), node, literal
+            )
         return StringPart(node, kinds.MAX_TEXT)
 
-    def _from_text(self, operand: Expression, to: Type) -> Whole | Real:
+    def kept_number(self, node: Whole) -> tuple[Whole, Whole]:
+        """Return a number that the frame keeps, and what reads it after that."""
+        kept = self.frame.take(8)
+        return KeptWhole(node, kept), Location(Origin.FRAME, kept, LINT).load(self.layout.data_end)
+
+    def _from_text(self, text: StringPart, operand: Expression, to: Type) -> Whole | Real:
         if is_real(to):
-            return self.rounded(RealOfString(self.text(operand)), to)
-        kind = kind_of(to)
-        if kind is None or _date_name(to):
+            return self.rounded(RealOfString(text), to)
+        kind, name = kind_of(to), _date_name(to)
+        if kind is None:
             raise CannotRunError(operand, f"a text as {to.name}")
+        if name:
+            return self.cut(MomentOfString(text, _MOMENTS[name]), to)
         scale = _FINE if to.size == 8 else 1
-        node = WholeOfString(self.text(operand), kind, _is_length(to), scale)
-        return self.cut(node, to)
+        return self.cut(WholeOfString(text, kind, _is_length(to), scale), to)
 
 
 def _form_of(found: Type) -> int:

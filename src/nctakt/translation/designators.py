@@ -24,7 +24,6 @@ from nctakt.st.tree import (
     Call,
     Dereference,
     Index,
-    Literal,
     Member,
     Name,
     Super,
@@ -43,19 +42,22 @@ from nctakt.st.types import (
     Type,
     Variable,
 )
-from nctakt.st.vocabulary.elementary import BYTE, DINT, PVOID, UDINT, ULINT, WORD
-from nctakt.translation.body import Body, CannotRunError, value_type
+from nctakt.st.vocabulary.elementary import BYTE, DINT, PVOID, UDINT, ULINT, WORD, string
+from nctakt.translation.body import CannotRunError, value_type
+from nctakt.translation.checks import CheckFunctions
 from nctakt.translation.locations import Location, Origin
 
 #: Unsigned types by their size: bytes and units of texts, and initial values as bits.
 UNSIGNED = {one.size: one for one in (BYTE, WORD, UDINT, ULINT)}
 
 
-class Designators(Body):
+class Designators(CheckFunctions):
     """Places of what can be read or assigned."""
 
     def location(self, expression: Expression) -> Location:
         self.cost += 1
+        if isinstance(expression.value, bytes):
+            return self.literal_location(expression.value, value_type(expression))
         match expression:
             case Name(target=Variable() as variable):
                 return self.followed(self._named_location(variable, expression), variable)
@@ -71,13 +73,10 @@ class Designators(Body):
                 return self.own_instance(expression)
             case Dereference(base=base):
                 found = value_type(expression)
-                return self.pointed(self.whole(base), found)
+                pointer = self.checked_pointer(base, expression is self.written)
+                return self.pointed(self.whole(pointer), found)
             case Call():
                 return self.call_location(expression)
-            case Literal(value=bytes() as content):
-                return self.literal_location(content, value_type(expression))
-        if isinstance(expression.value, bytes):
-            return self.literal_location(expression.value, value_type(expression))
         if isinstance(expression, Name | Member) and isinstance(expression.target, Property):
             return self.property_location(expression)
         raise CannotRunError(expression, "an expression without a location")
@@ -88,9 +87,9 @@ class Designators(Body):
 
     def literal_location(self, content: bytes, found: Type) -> Location:
         """Return where a literal text lies."""
-        end = bytes(2 if isinstance(found, StringType) and found.is_wide else 1)
-        at = self.layout.literal(content + end)
-        text = StringType("STRING", len(content) + 1, 1, len(content))
+        is_wide = isinstance(found, StringType) and found.is_wide
+        text = string(len(content) // (2 if is_wide else 1), is_wide=is_wide)
+        at = self.layout.literal(content.ljust(text.size, b"\0"))
         return Location(Origin.COMPUTED, 0, text, WholeConstant(at))
 
     def own_instance(self, expression: Expression) -> Location:
@@ -199,7 +198,8 @@ class Designators(Body):
         """Return the location of an element; a constant index within the bounds is an offset."""
         if isinstance(index.value, int) and 0 <= index.value - lowest < count:
             return location.member((index.value - lowest) * stride, location.type)
-        node = ElementPlace(location.address(), self.whole(index), lowest, count, stride)
+        checked = self.checked_value("checkbounds", index, lowest, lowest + count - 1)
+        node = ElementPlace(location.address(), self.whole(checked), lowest, count, stride)
         return Location(Origin.COMPUTED, 0, location.type, node)
 
     def open_slot(self, base: Expression) -> Location:

@@ -30,12 +30,17 @@ from nctakt.translation.layout import kind_of
 from nctakt.translation.locations import Location
 from nctakt.translation.statements import Statements
 
-_INIT = "fb_init"
+_INIT, _LATE = "fb_init", "call_after_init"
 
 
 def own_init(pou: Pou) -> Method | None:
     """Return the FB_init that a block declares itself."""
     return pou.methods.get(_INIT)
+
+
+def late_methods(pou: Pou) -> list[Method]:
+    """Return the methods of a block that are called after its initial values are there."""
+    return [one for one in pou.methods.values() if _LATE in one.attributes]
 
 
 def needs_start(sought: Type) -> bool:
@@ -46,7 +51,9 @@ def needs_start(sought: Type) -> bool:
         return any(_member_needs_start(one) for one in sought.members.values())
     if not isinstance(sought, BlockType):
         return False
-    return any(own_init(pou) is not None for pou in sought.pou.bases()) or any(
+    if any(own_init(pou) is not None or late_methods(pou) for pou in sought.pou.bases()):
+        return True
+    return any(
         _member_needs_start(one)
         for one in sought.pou.members.values()
         if one.storage is Storage.INSTANCE
@@ -58,7 +65,7 @@ def _member_needs_start(variable: Variable) -> bool:
         return False
     if variable.initial is not None and not is_constant(variable.initial):
         return True
-    return needs_start(variable.type) or "instance-path" in variable.attributes
+    return needs_start(variable.type)
 
 
 class Initialisation(Statements):
@@ -108,7 +115,28 @@ class Initialisation(Statements):
         if initial is not None and (not is_constant(initial) or needs_start(sought)):
             steps.append(self.assign(location, initial, initial.start))
             self.frame.release()
-        return steps
+        return [*steps, *self._late_calls(location, sought, source)]
+
+    def _late_calls(self, location: Location, sought: Type, source: int) -> Iterator[Step]:
+        """Yield the calls of methods with ``call_after_init``, those of the base first."""
+        if isinstance(sought, ArrayType) and needs_start(sought):
+            for number in range(sought.size // max(sought.element.size, 1)):
+                part = location.member(number * sought.element.size, sought.element)
+                yield from self._late_calls(part, sought.element, source)
+        elif isinstance(sought, BlockType):
+            methods = [
+                one for pou in reversed(list(sought.pou.bases())) for one in late_methods(pou)
+            ]
+            for name in dict.fromkeys(one.name.lower() for one in methods):
+                method = sought.pou.find_method(name)
+                assert method is not None
+                shared = self.project.shared_bytes(method)
+                routine = self.project.routine(method)
+                yield Evaluate(
+                    CallNode(routine, location.address(), shared, Step(), Step(), False, source),
+                    source,
+                    1,
+                )
 
     def start_of(
         self, location: Location, sought: Type, arguments: list[tuple[str, Expression]], source: int

@@ -25,12 +25,14 @@ from nctakt.st.types import (
     Method,
     Pou,
     Storage,
+    Type,
     Variable,
 )
 from nctakt.translation.body import CannotRunError
-from nctakt.translation.initial_values import Images
+from nctakt.translation.initial_values import Images, put_scalar
 from nctakt.translation.initialisation import Initialisation
 from nctakt.translation.layout import Layout, lay_out_frame
+from nctakt.translation.reflection import InstancePaths
 
 
 @dataclass(slots=True, eq=False)
@@ -102,6 +104,12 @@ class _Project:
             self._kept.append(called)
         return found
 
+    def own_function(self, name: str) -> Pou | None:
+        """Return a function of the project by its name in lower case."""
+        found = self.program.pous.get(name)
+        is_own = found is not None and found.kind is Kind.FUNCTION and not found.library
+        return found if is_own else None
+
     def starter(self, pou: Pou) -> Routine:
         """Return the routine that begins the members of an instance."""
         found = self._starters.get(id(pou))
@@ -127,6 +135,16 @@ class _Project:
             else:
                 ranges.append((number, number, routine))
         return callee_of(ranges)
+
+    def types_of(self, declared: Pou | InterfaceType) -> list[tuple[int, int]]:
+        """Return the ranges of the numbers of types that derive from it or implement it."""
+        ranges: list[tuple[int, int]] = []
+        for number in map(self.number_of, self._candidates(declared)):
+            if ranges and ranges[-1][1] == number - 1:
+                ranges[-1] = ranges[-1][0], number
+            else:
+                ranges.append((number, number))
+        return ranges
 
     def _candidates(self, declared: Pou | InterfaceType) -> list[Pou]:
         if isinstance(declared, InterfaceType):
@@ -168,6 +186,7 @@ class _Project:
         for pou in self._blocks:
             if pou.kind is Kind.PROGRAM and pou.type is not None:
                 self._put(pou.instance, self._images.of_type(pou.type))
+        self._put_paths()
         for one in self._variables():
             steps += self._tried(body, one)
             body.frame.release()
@@ -190,6 +209,25 @@ class _Project:
 
     def _put(self, offset: int, image: bytes) -> None:
         self.layout.data[offset : offset + len(image)] = image
+
+    def _put_paths(self) -> None:
+        """Put the paths of instances into the variables that ask for them (ST-621)."""
+        paths = InstancePaths(self.program.name)
+        instances: list[tuple[int, Type, str]] = [
+            (pou.instance, pou.type, pou.name)
+            for pou in self._blocks
+            if pou.kind is Kind.PROGRAM and pou.type is not None
+        ]
+        for group in self.program.lists:
+            prefix = f"{group.name}." if group.name else ""
+            instances += [
+                (one.offset, one.type, f"{prefix}{one.name}")
+                for one in group.variables.values()
+                if one.storage is Storage.GLOBAL
+            ]
+        for offset, found, name in instances:
+            for at, kind, path in paths.below(offset, found, name):
+                put_scalar(self.layout.data, at, kind, path)
 
     def _variables(self) -> Iterator[Variable]:
         """Yield all variables of the data area but those of programs, in order of their begin."""

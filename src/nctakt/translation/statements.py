@@ -30,6 +30,7 @@ from nctakt.st.types import (
 )
 from nctakt.translation.body import CannotRunError, is_standard
 from nctakt.translation.calls import Calls
+from nctakt.translation.checks import written_pointer
 from nctakt.translation.layout import is_real, kind_of
 from nctakt.translation.locations import Location
 
@@ -94,7 +95,10 @@ class Statements(Calls):
             constant = WholeConstant(1 if written.operator == "S=" else 0)
             store = self.store(location, constant, source, 1)
             return branching.Alternative(truth, store, source, cost)
-        return self.assign(self.location(target), value, source)
+        self.written = written_pointer(target)
+        location = self.location(target)
+        self.written = None
+        return self.assign(location, self.checked_range(value, location.type), source)
 
     def store(self, location: Location, value: Whole, source: int, cost: int) -> Step:
         """Return the assignment of a whole number, or of a bit."""
@@ -105,8 +109,6 @@ class Statements(Calls):
     def assign(self, target: Location, value: Expression, source: int) -> Step:
         found = target.type
         if isinstance(found, StringType):
-            if found.is_wide:
-                raise CannotRunError(value, "WSTRING")
             address, text = target.address(), self.text(value)
             return AssignString(address, found.length, text, source, self.take_cost())
         if is_real(found):

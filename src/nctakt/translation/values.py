@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.kernel.st import kinds
+from nctakt.kernel.st.kept import RealAfter, WholeAfter
 from nctakt.kernel.st.reals import (
     AddReal,
     CompareReal,
@@ -17,6 +18,7 @@ from nctakt.kernel.st.reals import (
     RoundToSingle,
     SubtractReal,
 )
+from nctakt.kernel.st.steps import Step
 from nctakt.kernel.st.texts import CompareStrings, StringPart
 from nctakt.kernel.st.wholes import (
     AddWhole,
@@ -108,7 +110,8 @@ class Values(Designators):
             case Binary():
                 return self._binary(expression)
             case AssignmentExpression():
-                raise CannotRunError(expression, "an assignment within an expression")
+                before, target = self.assigned(expression)
+                return WholeAfter(before, target.load(self.layout.data_end))
         if isinstance(expression, Call) and is_standard(expression):
             node = self.built_in(expression)
             if isinstance(node, Whole):
@@ -137,7 +140,12 @@ class Values(Designators):
             case Binary(operator=Operator.POWER, left=left, right=right):
                 return FunctionOfTwo(kinds.EXPT, self.real(left), self.real(right))
             case Binary(operator=operator, left=left, right=right) if operator in _REAL:
+                if operator is Operator.DIVIDE:
+                    right = self.checked_divisor(right, found)
                 return self.rounded(_REAL[operator](self.real(left), self.real(right)), found)
+            case AssignmentExpression():
+                before, target = self.assigned(expression)
+                return RealAfter(before, target.load_real(self.layout.data_end))
         if isinstance(expression, Call) and is_standard(expression):
             result = self.built_in(expression)
             if isinstance(result, Real):
@@ -145,26 +153,34 @@ class Values(Designators):
             raise CannotRunError(expression, f"{expression.function} as a real number")
         return self.location(expression).load_real(self.layout.data_end)
 
+    def assigned(self, expression: AssignmentExpression) -> tuple[Step, Location]:
+        """Return an assignment within an expression, and what is read after it."""
+        target = self.location(expression.target)
+        return self.assign(target, expression.assigned, expression.start), target
+
     @staticmethod
     def rounded(node: Real, found: Type) -> Real:
         """Return a result rounded to REAL, if that is its type (ST-304)."""
         return RoundToSingle(node) if found.size == 4 else node
 
     def text(self, expression: Expression) -> StringPart:
-        if isinstance(expression, Call) and is_standard(expression):
+        is_computed = not isinstance(expression.value, bytes)
+        if is_computed and isinstance(expression, Call) and is_standard(expression):
             result = self.built_in(expression)
             if isinstance(result, StringPart):
                 return result
             raise CannotRunError(expression, f"{expression.function} as a text")
+        if isinstance(expression, AssignmentExpression):
+            before, target = self.assigned(expression)
+            part = self.text_at(target, expression)
+            return StringPart(WholeAfter(before, part.address), part.capacity, part.unit)
         return self.text_at(self.location(expression), expression)
 
     def text_at(self, location: Location, expression: Expression) -> StringPart:
         """Return the text of a variable."""
         if not isinstance(location.type, StringType):
             raise CannotRunError(expression, f"{location.type.name} as a text")
-        if location.type.is_wide:
-            raise CannotRunError(expression, "WSTRING")
-        return StringPart(location.address(), location.type.length)
+        return text_part(location.address(), location.type)
 
     def _unary(self, expression: Unary) -> Whole:
         operand = self.whole(expression.operand)
@@ -181,10 +197,12 @@ class Values(Designators):
         operator = expression.operator
         if operator in _RELATIONS:
             return self._comparison(expression, _RELATIONS[operator])
-        left, right = self.whole(expression.left), self.whole(expression.right)
+        left = self.whole(expression.left)
         if operator in (Operator.DIVIDE, Operator.MOD):
-            unsigned = is_unsigned(expression.operand_type or expression.type)
-            return DivideWhole(left, right, unsigned, operator is Operator.MOD)
+            found = expression.operand_type or value_type(expression)
+            right = self.whole(self.checked_divisor(expression.right, found))
+            return DivideWhole(left, right, is_unsigned(found), operator is Operator.MOD)
+        right = self.whole(expression.right)
         return _WHOLE[operator](left, right)
 
     def _comparison(self, expression: Binary, relation: int) -> Whole:
@@ -204,6 +222,11 @@ class Values(Designators):
     def bound(self, expression: Expression) -> Whole:
         """Return a value, of an interface or a block its address."""
         return self.whole(expression)
+
+
+def text_part(address: Whole, found: StringType) -> StringPart:
+    """Return the text at an address."""
+    return StringPart(address, found.length, 2 if found.is_wide else 1)
 
 
 def _shown(expression: Expression) -> Type | None:

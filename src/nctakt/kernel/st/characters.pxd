@@ -35,6 +35,8 @@ cdef enum:
     DIGIT_E = 14
     TRUE = 1702195828
     SMALL_LETTERS = 538976288
+    LATIN_LAST = 255
+    QUESTION = 63
     BINARY = 2
     OCTAL = 8
     HEXADECIMAL = 16

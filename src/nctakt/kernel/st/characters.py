@@ -17,5 +17,7 @@ DIGIT_E = 14
 #: ``true`` as four bytes.
 TRUE = 0x65757274
 SMALL_LETTERS = 0x20202020
+#: The last character of Latin-1, and what replaces others in a STRING.
+LATIN_LAST, QUESTION = 255, 63
 #: Bases of whole numbers beside ten (ST-206).
 BINARY, OCTAL, HEXADECIMAL = 2, 8, 16

@@ -43,3 +43,9 @@ cdef class RealOfString(Real):
     cdef StringPart text
     @cython.locals(begin=cython.longlong)
     cdef double number(self, PlcContext context) noexcept nogil
+
+cdef class MomentOfString(Whole):
+    cdef StringPart text
+    cdef int shown
+    @cython.locals(begin=cython.longlong, end=cython.longlong)
+    cdef long long value(self, PlcContext context) noexcept nogil

@@ -131,3 +131,20 @@ class RealOfString(Real):
             return 0.0
         context.steps += 16
         return digits.read_real(context, begin, begin + self.text.length(context, begin))
+
+
+class MomentOfString(Whole):
+    """The date, the time of day or both that a text spells."""
+
+    def __init__(self, text: StringPart, shown: int) -> None:
+        check_range(shown, kinds.TIME_OF_DAY, kinds.DATE_AND_TIME, "shown")
+        self.text = text
+        self.shown = shown
+
+    def value(self, context: PlcContext) -> int:
+        begin = self.text.begin(context)
+        if context.fault:
+            return 0
+        context.steps += 16
+        end = begin + self.text.length(context, begin)
+        return dates.read_moment(context, begin, end, self.shown)

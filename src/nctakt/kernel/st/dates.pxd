@@ -38,3 +38,16 @@ cdef double read_length(PlcContext context, long long at, long long end) noexcep
 
 @cython.locals(first=cython.longlong, second=cython.longlong)
 cdef double unit_at(PlcContext context, long long at, long long end) noexcept nogil
+
+cdef long long number_at(PlcContext context, long long at, long long end) noexcept nogil
+
+@cython.locals(shifted=cython.longlong, rest=cython.longlong, leaps=cython.longlong)
+cdef long long day_of(long long year, long long month, long long day) noexcept nogil
+
+@cython.locals(
+    seconds=cython.longlong, year=cython.longlong, month=cython.longlong, day=cython.longlong,
+    hour=cython.longlong, minute=cython.longlong, whole=cython.longlong, part=double
+)
+cdef long long read_moment(
+    PlcContext context, long long at, long long end, int shown
+) noexcept nogil

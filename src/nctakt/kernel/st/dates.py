@@ -125,3 +125,55 @@ def unit_at(context: PlcContext, at: int, end: int) -> float:
     if first == characters.SMALL_M:
         return 60000.0
     return 1000.0 if first == characters.SMALL_S else 0.0
+
+
+def number_at(context: PlcContext, at: int, end: int) -> int:
+    """Return the decimal number that begins there, -1 without a digit."""
+    if at >= end or digits.digit_of(context, at, 10) < 0:
+        return -1
+    return min(digits.read_digits(context, at, min(end, at + 9), 10), 999999)
+
+
+def day_of(year: int, month: int, day: int) -> int:
+    """Return the days from 1970-01-01 to a date of the Gregorian calendar."""
+    # Years begin in March, so that the leap day is the last one.
+    if month <= 2:
+        year -= 1
+    shifted = month - 3 if month > 2 else month + 9
+    rest = words.divide(153 * shifted + 2, 5) + day - 1
+    leaps = words.divide(year, 4) - words.divide(year, 100) + words.divide(year, 400)
+    return 365 * year + leaps + rest - 719468
+
+
+def read_moment(context: PlcContext, at: int, end: int, shown: int) -> int:
+    """Return what ``D#``, ``DT#`` or ``TOD#`` spells, prefix or not; 0 of anything else."""
+    at = digits.skip_prefix(context, digits.skip_blanks(context, at, end), end)
+    seconds = 0
+    if shown != kinds.TIME_OF_DAY:
+        year = number_at(context, at, end)
+        at = digits.behind_digits(context, at, end) + 1
+        month = number_at(context, at, end)
+        at = digits.behind_digits(context, at, end) + 1
+        day = number_at(context, at, end)
+        at = digits.behind_digits(context, at, end) + 1
+        if year < 1970 or year > 2106 or month < 1 or month > 12 or day < 1 or day > 31:
+            return 0
+        seconds = 86400 * day_of(year, month, day)
+        if shown == kinds.DATE:
+            return seconds
+    hour = number_at(context, at, end)
+    at = digits.behind_digits(context, at, end) + 1
+    minute = number_at(context, at, end)
+    at = digits.behind_digits(context, at, end) + 1
+    if hour < 0 or hour > 23 or minute < 0 or minute > 59:
+        return 0
+    seconds += 3600 * hour + 60 * minute
+    whole = max(number_at(context, at, end), 0)
+    if whole > 59:
+        return 0
+    if shown == kinds.DATE_AND_TIME:
+        return seconds + whole
+    part = digits.read_real(context, at, end) if at < end else 0.0
+    if part >= 60.0:
+        return 0
+    return 1000 * seconds + words.unsigned_of_real(part * 1000.0 + 0.5)

@@ -45,6 +45,7 @@ BUDGET = 902269
 CONVERSION = 902270
 INVALID = 902260
 STEP = 902271
+RAISED = 902360
 
 #: Bytes reserved after the memory: offsets of accesses without a check are smaller.
 SLACK = 65536

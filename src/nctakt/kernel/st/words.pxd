@@ -123,6 +123,25 @@ cdef inline long long length(
     cdef unsigned char *found = <unsigned char *>memchr(&memory[at], 0, count)
     return count if found == NULL else found - &memory[at]
 
+cdef inline long long length_wide(
+    unsigned char[::1] memory, long long at, long long count
+) noexcept nogil:
+    cdef long long i = 0
+    while i < count and (memory[at + 2 * i] or memory[at + 2 * i + 1]):
+        i += 1
+    return i
+
+cdef inline int compare_wide(
+    unsigned char[::1] memory, long long one, long long other, long long count
+) noexcept nogil:
+    cdef long long i, left, right
+    for i in range(count):
+        left = nctakt_load(&memory[one + 2 * i], 6)
+        right = nctakt_load(&memory[other + 2 * i], 6)
+        if left != right:
+            return 1 if left > right else -1
+    return 0
+
 cdef inline long long add(long long left, long long right) noexcept nogil:
     return <long long>(<unsigned long long>left + <unsigned long long>right)
 

@@ -72,6 +72,17 @@ def length(memory: memoryview, at: int, count: int) -> int:
     return count if found < 0 else found
 
 
+def length_wide(memory: memoryview, at: int, count: int) -> int:
+    """Return the number of pairs of bytes before the first that is zero, ``count`` at most."""
+    return next((i for i in range(count) if not any(memory[at + 2 * i : at + 2 * i + 2])), count)
+
+
+def compare_wide(memory: memoryview, one: int, other: int, count: int) -> int:
+    """Return -1, 0 or 1: the order of pairs of bytes as numbers."""
+    left, right = (struct.unpack_from(f"<{count}H", memory, at) for at in (one, other))
+    return (left > right) - (left < right)
+
+
 def add(left: int, right: int) -> int:
     """``left + right``."""
     return wrap(left + right, kinds.I64)

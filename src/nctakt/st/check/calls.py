@@ -360,7 +360,9 @@ class CallChecker(ExpressionChecker):
             self._reference(kind, value)
             return
         if isinstance(kind, AnyType):
-            self.expression(value)
+            found = self.expression(value)
+            if found is not None and not is_any_of(found, kind.name):
+                self.report(TYPE_MISMATCH, value, source=_shown(found), target=kind.name)
             return
         self.converted(value, kind)
 
@@ -735,7 +737,16 @@ class CallChecker(ExpressionChecker):
             self.report(VALUE_NEEDED, node.operands[0], name=found.name, kind=_shown(source))
         return BOOL
 
-    def _text(self, node: Call, _: BuiltIn) -> Type | None:
+    def _text(self, node: Call, found: BuiltIn) -> Type | None:
+        """Type ``__POUNAME`` and ``__POSITION``: constant texts (ST-621)."""
+        text = "" if self.unit is None else self.unit.path
+        piece = self.reporter.sources.piece_of(node.start)
+        if found.name == "__POSITION" and piece is not None:
+            before = piece.text[: node.start - piece.base]
+            line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+            part = "Decl" if piece.is_declaration else "Impl"
+            text = f"Line {line}, Column {column} ({part})"
+        node.value = text.encode("latin-1", "replace")
         return string(255)
 
     def _information(self, node: Call, _: BuiltIn) -> Type | None:
@@ -743,6 +754,25 @@ class CallChecker(ExpressionChecker):
         declared = self.names.find_type("var_info")
         target = None if declared is None else self.resolver.target_of(declared)
         return target if isinstance(target, StructType) else None
+
+
+_ANY_FAMILIES = {
+    "ANY_NUM": NUMBERS,
+    "ANY_INT": INTEGERS,
+    "ANY_REAL": NUMBERS - INTEGERS,
+    "ANY_BIT": frozenset((Family.BITS, Family.BOOL)),
+    "ANY_DATE": frozenset((Family.DATE,)),
+}
+
+
+def is_any_of(kind: Type, name: str) -> bool:
+    """Return whether a type is one of those that ``ANY``, ``ANY_NUM`` … stand for (ST-620)."""
+    if isinstance(kind, AnyType) or name == "ANY":
+        return name in ("ANY", kind.name)
+    if name == "ANY_STRING":
+        return isinstance(kind, StringType)
+    base = kind.base if isinstance(kind, EnumType) else kind
+    return isinstance(base, Elementary) and base.family in _ANY_FAMILIES[name]
 
 
 def _is_number(kind: Type | None) -> bool:

@@ -499,9 +499,7 @@ class ExpressionChecker:
                 if found is not None:
                     return found
         if isinstance(kind, AnyType):
-            declared = self.names.find_type("anytype")
-            target = None if declared is None else self.resolver.target_of(declared)
-            return target.members.get(key) if isinstance(target, StructType) else None
+            return kind.form.members.get(key)
         return None
 
     def _bit_by_name(self, node: Member, kind: Type) -> Type | None:

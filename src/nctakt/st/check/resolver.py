@@ -80,6 +80,7 @@ from nctakt.st.types import (
     Callable as CallableUnit,
 )
 from nctakt.st.vocabulary.elementary import BYTE, ELEMENTARY, INT, string
+from nctakt.st.vocabulary.libraries import SYSTEM
 
 #: Maximum size of a type in bytes; how much data a run may have is its own setting (ST-407).
 MAX_DATA = 1 << 30
@@ -186,13 +187,22 @@ class Resolver:
         if upper in ELEMENTARY:
             return ELEMENTARY[upper]
         if upper in _ANY:
-            return AnyType(upper, 24, MAX_ALIGN)
+            return self._any(upper)
         declared = self._declared(node.name.lower(), scope)
         if declared is None:
             self.evaluator.unknown(TYPE_UNKNOWN, node.name, node.start, node.end, scope)
             return None
         target = self.target_of(declared)
         return target.type if isinstance(target, Pou) else target
+
+    def _any(self, name: str) -> AnyType:
+        """Return ANY and the like: their form is declared in the system's own text (ST-620)."""
+        self.names.read(self.names.libraries[SYSTEM.lower()])
+        declared = self.names.find_type("anytype", SYSTEM)
+        form = None if declared is None else self.target_of(declared)
+        assert isinstance(form, StructType)
+        self.layout(form, None)
+        return AnyType(name, form.size, MAX_ALIGN, form)
 
     def _declared(self, name: str, scope: Scope) -> Declared | None:
         """Return the declaration of a type name, which may have its library before it."""
@@ -711,6 +721,7 @@ class Resolver:
             start=node.start,
             body=node.body,
             is_native=owner is not None and owner.is_native,
+            attributes=node.attributes,
         )
         local_names: dict[str, Target] = {}
         if node.is_action:

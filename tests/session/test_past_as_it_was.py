@@ -19,7 +19,15 @@ from nctakt.kernel import rows
 from nctakt.session import record
 from nctakt.session.engine import Engine, Slice
 from nctakt.session.listening import Notice
-from nctakt.session.parking import DENSE_US, MAX_PARKED, WINDOW_COUNT, first_gap, surplus
+from nctakt.session.parking import (
+    DENSE_US,
+    MAX_PARKED,
+    SPARSE_US,
+    WINDOW_COUNT,
+    approach,
+    first_gap,
+    surplus,
+)
 from nctakt.session.record import BranchRecord, PastMark
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
@@ -311,6 +319,12 @@ def test_a_gap_is_one_that_is_larger_than_the_way_to_it() -> None:
     works = [DENSE_US * work for work in (0, 60, 90, 105, 112, 116, 118, 120)]
     assert first_gap(works[:-1], works[-1]) is None
     assert first_gap([works[0], *works[3:-1]], works[-1]) == (0, DENSE_US * 52.5)
+
+
+def test_a_short_way_has_one_copy_on_it_and_a_long_one_few() -> None:
+    assert approach(0.0, 4 * DENSE_US) == []
+    assert approach(0.0, SPARSE_US) == [SPARSE_US * 3 / 4]
+    assert len(approach(0.0, 1000 * SPARSE_US)) == 11
 
 
 PRINTING = """\

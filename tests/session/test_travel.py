@@ -133,7 +133,7 @@ def long_program(path: Path, size: int, chance: random.Random) -> None:
 
 #: Bytes of the programs, ticks of them, jumps: a beginning, or all of it with ``NCTAKT_SEEDS``.
 SIZES = (500_000, 2_000_000, 10_000_000) if MANY else (500_000, 2_000_000)
-TICKS, JUMPS = (10_000_000, 200) if MANY else (5_000, 6)
+TICKS, JUMPS = (10_000_000, 40) if MANY else (5_000, 6)
 
 
 @pytest.mark.skipif(not can_fork(), reason="elsewhere the past is run again from the start")

@@ -120,9 +120,9 @@ class Recording:
         """Let a further listener have what is recorded from now on; it is not opened."""
         self._listen((*self._sinks, sink))
 
-    def remove(self, sink: Sink) -> None:
-        """Take a listener away that ``add`` has brought."""
-        self._listen([one for one in self._sinks if one is not sink])
+    def reduce_to(self, sink: Sink) -> None:
+        """Let no other listener have what is recorded from now on."""
+        self._listen([sink])
 
     def begin_step(self, events: EventList) -> None:
         """Let a step have the events from now on, until ``end_step``."""

@@ -191,7 +191,8 @@ class Engine:
         self._run = ProgramRun(self._loop, self._diagnostics, options)
         self._loop.attach(plc)
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
-        self._recorded_cells = [self._signals[name][0] for name in recorded]
+        self._recorded_cells = tuple(self._signals[name][0] for name in recorded)
+        self._selected: Sequence[int] | None = None
         self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
         self._run.load()
         self.description = Description(
@@ -339,6 +340,7 @@ class Engine:
             return self._slice(first, [], events=True, resting=resting)
         found: list[Mark] = []
         self._trail.keeps = False
+        self._select(self._recorded_cells if marks is None else ())
         if marks is None:
             self._trail.explore([self._machine.cells[cell] for cell in self._recorded_cells])
         while True:
@@ -357,6 +359,12 @@ class Engine:
         rows, columns = self._trail.take(), self._trail.take_columns()
         done = replace(done, marks=tuple(found), rows=rows, columns=columns)
         return done if since is None else since_tick(done, since, self._cycle_us)
+
+    def _select(self, cells: Sequence[int]) -> None:
+        """Record these cells in each tick from now on: what nobody keeps takes only time."""
+        if self._selected != cells:
+            self._machine.record.select(list(cells))
+            self._selected = cells
 
     @property
     def _next_look(self) -> int:
@@ -402,7 +410,8 @@ class Engine:
         """
         if stops != self._stops:
             self._watch(stops)
-            self._loop.recording.remove(self._happened)
+            self._loop.recording.reduce_to(self._trail)
+        self._select(())
         self._stop_builder.watch_pauses(None)
         found: list[Mark] = []
         self._repeat(end, marks, found)
@@ -603,7 +612,7 @@ class Engine:
         unknown = [name for name in signals if name not in known]
         if unknown:
             raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
-        cells = [known[name][0] for name in signals]
+        cells = tuple(known[name][0] for name in signals)
         self._watch(())
         found = bytearray()
         if every > 1:
@@ -614,7 +623,7 @@ class Engine:
                     found += memory[cell : cell + 1].tobytes()
             return bytes(found)
         collector = SignalRows(found)
-        self._machine.record.select(cells)
+        self._select(cells)
         self._loop.recording.add(collector)
         self._run.advance(end)
         return bytes(found)

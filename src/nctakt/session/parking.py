@@ -73,13 +73,13 @@ def _gap_without(parked: Sequence[float], kept: Sequence[int], index: int, prese
 def approach(start: float, target: float) -> list[float]:
     """Return where to park on the way from ``start`` to ``target``.
 
-    Half of what is left each time, down to ``DENSE_US`` in front of the target, so that going back
-    again from there is cheap.
+    Half of what is left each time, so that going back again from there is cheap; on a short way
+    once, since each copy takes its time as well. Nearer than ``DENSE_US`` there is none.
     """
     places = []
     left = target - start
-    while left > 2.0 * DENSE_US:
-        left /= 2.0
+    while left > 4.0 * DENSE_US:
+        left /= 2.0 if left > SPARSE_US else 4.0
         places.append(target - left)
     return places
 

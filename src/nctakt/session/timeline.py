@@ -56,9 +56,10 @@ ARRIVAL_TICKS = 100
 #: Steps back, or on, by blocks and by ticks, that need no proof of their own after another one.
 NEAR_TICKS = 8
 
-#: Work of the latest stretch that a search runs again, in microseconds; each other one is at least
-#: twice as long as the one behind it.
-SEARCHED_US = 8.0 * DENSE_US
+#: Work of the latest stretch that a search runs again, in microseconds, and how much longer each
+#: earlier one is at least: a copy of a controller takes as long as some 30 ms of a run.
+SEARCHED_US = 100_000.0
+SEARCHED_GROWTH = 3.0
 
 #: How often a stop may hold that only notes when it did last.
 _NEVER = 1 << 60
@@ -314,12 +315,14 @@ class Timeline:
             raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
         if target is self.branch and tick == self.tick and self._fault is None:
             return self._live.run(tick)
-        if self._can_copy and self.tick == self.branch.latest and self._fault is None:
+        is_front = self._can_copy and self.tick == self.branch.latest and self._fault is None
+        if is_front and self._setup.plc is not None:
             with contextlib.suppress(Failure):  # one that is gone is left behind
-                self._park()  # so that the way back to the front is short
+                self._park()  # what holds a file open shows now
         before_us = self.branch.work_at(self.tick)
         self._confirmed.enter(target.number)
         engine = self._on_the_way(target, tick)
+        begin_us = target.work_at(engine.tick)
         try:
             done = self._approach(engine, target, tick)
             self._confirm(engine, target)
@@ -331,11 +334,19 @@ class Timeline:
         finally:
             self.progress = None
         if engine is not self._live:
-            self._live.close()
-        self._parked.keep_candidate(target.work_at(tick))
+            self._leave(is_front=is_front)
+        present_us = target.work_at(tick)
+        self._parked.keep_candidate(present_us)
         self._live, self.branch, self._fault = engine, target, None
-        self._refine(is_step=abs(target.work_at(tick) - before_us) < SPARSE_US)
+        self._refine(present_us - begin_us, is_step=abs(present_us - before_us) < SPARSE_US)
         return done
+
+    def _leave(self, *, is_front: bool) -> None:
+        """Give the live controller up; at the front it is parked: so the way back is short."""
+        if is_front:
+            self._park(self._live)
+        else:
+            self._live.close()
 
     def _branch(self, number: int) -> Branch:
         if not 0 < number <= len(self.branches):
@@ -405,12 +416,12 @@ class Timeline:
         steps = range(max(first + 1, tick - NEAR_TICKS), tick + 1)
         return sorted({*(one + 1 for one in blocks), *steps})
 
-    def _refine(self, *, is_step: bool) -> None:
+    def _refine(self, spent_us: float, *, is_step: bool) -> None:
         """Park where it is far to the next parked controller, for those who go back from here.
 
-        Where somebody goes step by step this takes ``REFINED_US`` at most.
+        Where somebody goes step by step this takes ``REFINED_US`` at most, with the work that the
+        step itself has been.
         """
-        spent_us = 0.0
         if not self._can_copy or self._setup.plc is not None:
             return
         while spent_us < REFINED_US or not is_step:
@@ -547,10 +558,11 @@ class Timeline:
         """
         stops = [stop for stop, _, _ in others]
         end = self._possible_end(others, end)
-        whole, stretch_us = end - found, SEARCHED_US / 2.0
+        whole, stretch_us = end - found, SEARCHED_US / SEARCHED_GROWTH
         try:
             while end > found:
-                parked = self._parked.before_by(self.branch, end - 1, 2.0 * stretch_us)
+                before_us = SEARCHED_GROWTH * stretch_us
+                parked = self._parked.before_by(self.branch, end - 1, before_us)
                 stretch_us = self.branch.work_at(end) - (parked.work_us if parked else 0.0)
                 engine = self._woken(self.branch, parked)
                 try:

@@ -77,8 +77,10 @@ class BuiltIns(Conversions):
             left, right = self.real(operands[0]), self.real(operands[1])
             return self.of_result(call, FunctionOfTwo(_OF_TWO[name], left, right))
         if name in _MOVES:
-            bits = 8 * value_type(operands[0]).size
-            return MoveBits(self.whole(operands[0]), self.whole(operands[1]), _MOVES[name], bits)
+            found = value_type(call)
+            count = self.whole(operands[1])
+            node = MoveBits(self.whole(operands[0]), count, _MOVES[name], 8 * found.size)
+            return node if is_unsigned(found) else self.cut(node, found)
         build = _BUILDERS.get(name)
         if build is None:
             raise CannotRunError(call, name)

@@ -120,6 +120,7 @@ typedef struct hli_channel {
     uint32_t life_tool; /* the number of the tool whose life was sent last */
     double life_time; /* its time (s) */
     double life_distance; /* its distance (mm) */
+    uint32_t error_serial; /* how many errors have stopped the channel */
     uint32_t override_total; /* that acts (%) */
     double path_speed; /* the speed on the path (mm/s) */
     double distance_to_go; /* left of the block (mm) */
@@ -142,7 +143,8 @@ _Static_assert(offsetof(hli_channel, life_serial) == 40, "life_serial");
 _Static_assert(offsetof(hli_channel, life_tool) == 44, "life_tool");
 _Static_assert(offsetof(hli_channel, life_time) == 48, "life_time");
 _Static_assert(offsetof(hli_channel, life_distance) == 56, "life_distance");
-_Static_assert(offsetof(hli_channel, override_total) == 64, "override_total");
+_Static_assert(offsetof(hli_channel, error_serial) == 64, "error_serial");
+_Static_assert(offsetof(hli_channel, override_total) == 68, "override_total");
 _Static_assert(offsetof(hli_channel, path_speed) == 72, "path_speed");
 _Static_assert(offsetof(hli_channel, distance_to_go) == 80, "distance_to_go");
 _Static_assert(offsetof(hli_channel, block) == 88, "block");
@@ -218,6 +220,8 @@ typedef struct hli_command {
     uint8_t backward_motion; /* 1: the path is walked back, 0: forward again */
     uint8_t probe; /* 1: the probe touches (G100), or is on the edge (G108) */
     uint8_t optional_stop; /* 1: M01 stops as M00 does */
+    uint8_t watchdog; /* 1: the PLC shows in time that it lives, or it is an error */
+    uint8_t alive; /* the sign of life: the PLC writes 1, the CNC takes it, writes 0 */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
 } hli_command;
@@ -230,9 +234,11 @@ _Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
 _Static_assert(offsetof(hli_command, backward_motion) == 13, "backward_motion");
 _Static_assert(offsetof(hli_command, probe) == 14, "probe");
 _Static_assert(offsetof(hli_command, optional_stop) == 15, "optional_stop");
-_Static_assert(offsetof(hli_command, ack_program) == 16, "ack_program");
-_Static_assert(offsetof(hli_command, ack_realtime) == 96, "ack_realtime");
-_Static_assert(sizeof(hli_command) == 176, "hli_command");
+_Static_assert(offsetof(hli_command, watchdog) == 16, "watchdog");
+_Static_assert(offsetof(hli_command, alive) == 17, "alive");
+_Static_assert(offsetof(hli_command, ack_program) == 20, "ack_program");
+_Static_assert(offsetof(hli_command, ack_realtime) == 100, "ack_realtime");
+_Static_assert(sizeof(hli_command) == 184, "hli_command");
 
 /* what the PLC commands a spindle, and its answer for one that it turns */
 typedef struct hli_spindle_command {

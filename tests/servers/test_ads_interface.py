@@ -175,7 +175,7 @@ def test_the_operation_mode_manager_takes_a_transition_with_its_semaphore() -> N
 
 def test_an_error_is_new_until_its_reader_clears_the_semaphore() -> None:
     async def act(hmi: Hmi, found: Bench) -> None:
-        found.session.written["HLI.ERROR"] = 22009.0
+        found.session.written |= {"HLI.ERROR": 22009.0, "HLI.ERROR_SERIAL": 1.0}
         await hmi.tick()
         flag, number = (
             f"gpCh[0]^.mc_error.{one}" for one in ("semaphor_rw", "satz_r.kopf.error_id")
@@ -183,7 +183,7 @@ def test_an_error_is_new_until_its_reader_clears_the_semaphore() -> None:
         assert (await hmi.get(flag, "B"), await hmi.get(number, "I")) == (1, 22009)
         assert await hmi.put(flag, "B", 0) == 0
         assert await hmi.get(flag, "B") == 0
-        found.session.written["HLI.ERROR"] = 21003.0
+        found.session.written["HLI.ERROR_SERIAL"] = 2.0
         await hmi.tick()
         assert await hmi.get(flag, "B") == 1
         assert len(await hmi.bytes_of("gpCh[0]^.mc_error.satz_r", 942)) == 942

@@ -139,7 +139,7 @@ MISTAKES = [
     (request(Command.WRITE, b""), Error.SIZE),
     (by_name("V.E.NOTHING"), Error.SYMBOL),
     (write(SIGNALS, 0, bytes(8)), Error.ACCESS),
-    (write(0x123301, 0x109, bytes(1)), Error.ACCESS),
+    (write(0x123301, 0x10B, bytes(1)), Error.ACCESS),
     (notification(VARIABLES, 0, 8, mode=9), Error.PARAMETER),
     (request(Command.DELETE_NOTIFICATION, pack("<I", 5)), Error.NOTIFICATION_HANDLE),
     (request(Command.WRITE_CONTROL, pack("<HHI", 15, 0, 0)), Error.PARAMETER),

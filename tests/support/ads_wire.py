@@ -12,6 +12,8 @@ from typing import Any, cast
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.run.interface_access import InterfaceAccess
+from nctakt.run.variable_access import is_path
 from nctakt.servers.ads.codes import Command, Group
 from nctakt.servers.ads.frames import REQUEST, Frame, FrameReader
 from nctakt.servers.ads.server import AdsDoor, Connection
@@ -25,7 +27,10 @@ OWN, CLIENT = bytes((127, 0, 0, 1, 1, 1)), bytes((10, 0, 0, 9, 1, 1))
 
 
 class StandingSession:
-    """A session that stands: it takes writes, and shows them with the next ``tick``."""
+    """A session that stands: it takes writes, and shows them with the next ``tick``.
+
+    Its interface is the real one, on values that a test sets.
+    """
 
     def __init__(self, machine: Machine) -> None:
         self.description = SimpleNamespace(cycle_time_us=machine.cycle_time_us)
@@ -35,6 +40,10 @@ class StandingSession:
         self.sources: list[str] = []
         self.selected: list[tuple[str, int]] = []
         self.waiting: list[tuple[int, Any]] = []
+        self.acknowledged: list[Any] = []
+        self.locked: dict[int, bool] = {}
+        self._reports: list[Any] = []
+        self._interface = InterfaceAccess(cast("Any", _Machine(self, machine)), 1)
         self._listener: Listener | None = None
         self._signals: Sequence[str] = ()
 
@@ -57,18 +66,37 @@ class StandingSession:
         assert self._listener is not None
         self._listener.give(
             SessionFrame(
-                self.tick, self.tick, 1, 0, "ready", None, None, values, {}, (), 0, (), (), 0
+                *(self.tick, self.tick, 1, 0, "ready", None, None, values, {}, (), 0, ()),
+                *(tuple(self._reports), 0),
             )
         )
+        self._reports.clear()
+
+    def report(self, found: Any) -> None:
+        """Let a diagnostic come with the next frame."""
+        self._reports.append(found)
 
     def write_each(
         self, requests: Sequence[tuple[Mapping[str, float | bool | str], str]]
     ) -> list[Failure | int]:
-        """Take writes."""
+        """Take writes; those of the interface mean what they mean to a controller."""
+        answers: list[Failure | int] = []
         for values, source in requests:
-            self.written.update(values)
+            try:
+                for name, value in values.items():
+                    if is_path(name):
+                        self._interface.check(name, value)
+                        self._interface.write(name, value, source)
+                    else:
+                        self.written[name] = value
+            except Failure as failure:
+                answers.append(failure)
+                continue
             self.sources.append(source)
-        return [self.tick] * len(requests)
+            answers.append(self.tick)
+        if any(is_path(name) for values, _ in requests for name in values):
+            self._give()
+        return answers
 
     def select(self, program: str, channel: int, source: str) -> None:
         """Take a program."""
@@ -77,7 +105,12 @@ class StandingSession:
     def read(self, *names: str) -> list[float | bool | str]:
         """Return values."""
         texts = ("TEXT", "STRING")
-        return [self.written.get(name, "" if name.endswith(texts) else 0.0) for name in names]
+        return [
+            self._interface.read(name)
+            if is_path(name)
+            else self.written.get(name, "" if name.endswith(texts) else 0.0)
+            for name in names
+        ]
 
     def glance(self, *names: str) -> Any:
         """Return values, the tick, and a channel whose F is 600 mm/min."""
@@ -85,14 +118,66 @@ class StandingSession:
         values, waiting = self.read(*names), tuple(self.waiting)
         return SimpleNamespace(tick=self.tick, values=values, channels=(channel,), waiting=waiting)
 
-    def acknowledge(self, channel: int, entry: Any, source: str) -> None:
-        """Take an acknowledgement."""
-        self.waiting.remove((channel, entry))
-        self.sources.append(source)
-
     def decoders(self) -> list[Any]:
         """Return no open program."""
         return []
+
+
+class _Machine:
+    """What the interface needs of a machine, on the values of a session that stands."""
+
+    def __init__(self, session: StandingSession, configuration: Machine) -> None:
+        self.configuration = configuration
+        self.inputs = self
+        self.report = session.report
+        self.cells = _Cells(session)
+        self._session = session
+
+    def signals(self) -> Any:
+        """Each signal's cell is its name."""
+        return _Names()
+
+    def read(self, name: str) -> float | bool | str:
+        """Return a value."""
+        return self._session.read(name)[0]
+
+    def write(self, name: str, value: float | bool | str, source: str) -> None:
+        """Write a value."""
+        self._session.written[name] = value
+
+    def waiting_functions(self, channel: int) -> list[tuple[Any, int]]:
+        """Return what waits, with its units in the order of its areas."""
+        found: list[tuple[Any, int]] = []
+        for number, entry in self._session.waiting:
+            if number == channel + 1:
+                found.append((entry, sum(one.axis == entry.axis for one, _ in found)))
+        return found
+
+    def lock_axis(self, index: int, is_locked: bool) -> None:
+        """Note whether an axis lacks its releases."""
+        self._session.locked[index] = is_locked
+
+    def select(self, channel: int, program: str, source: str) -> None:
+        """Take a program."""
+        self._session.selected.append((program, channel + 1))
+
+    def acknowledge(self, channel: int, *words: Any) -> None:
+        """Take an acknowledgement."""
+        found = [one for one in self._session.waiting if one[1].slot == words[1]]
+        self._session.waiting.remove(found[0])
+
+
+class _Names(dict[str, tuple[str, str, bool]]):
+    def __missing__(self, name: str) -> tuple[str, str, bool]:
+        return name, "", False
+
+
+class _Cells:
+    def __init__(self, session: StandingSession) -> None:
+        self._session = session
+
+    def __getitem__(self, name: str) -> float:
+        return float(self._session.read(name)[0])
 
 
 class Wire(asyncio.Transport):

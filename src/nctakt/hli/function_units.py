@@ -20,6 +20,13 @@ from nctakt.lists.declared.technology_functions import SYNCHRONISATIONS
 #: What waits for the PLC.
 Waiting = TechnologyEntry | SpindleEntry
 
+#: A function that waits, and the unit of its area that the realtime part has given it.
+Placed = tuple[Waiting, int]
+
+#: The array and index of a unit; what tells a function from an earlier one.
+_UnitKey = tuple[str, int]
+_Identity = tuple[tuple[str, int], int]
+
 STANDARD, LATE = "techno_unit_std_sync", "techno_unit_late_sync"
 _USED = {STANDARD: "used_units_std_sync_r", LATE: "used_units_late_sync_r"}
 _UNIT = re.compile(rf"({STANDARD}|{LATE})\[(\d+)\]\.(please_rw|done_w)")
@@ -40,7 +47,9 @@ def is_unit(path: str) -> bool:
 class FunctionUnits:
     """The units of one area; ``put``: writes a number to an element of it.
 
-    ``takes``: whether a function is one of this area.
+    ``takes``: whether a function is one of this area. ``has_spindle``: the first unit is that of
+    the jobs of a spindle. What is shown follows from what waits and from what the PLC has written,
+    whether or not anybody has read it meanwhile.
     """
 
     def __init__(
@@ -49,59 +58,82 @@ class FunctionUnits:
         memory: bytearray,
         put: Callable[[str, float], None],
         takes: Callable[[Waiting], bool],
+        *,
+        has_spindle: bool,
     ) -> None:
         self._memory = memory
         self._put = put
         self._takes = takes
-        self._units: dict[tuple[str, int], Waiting] = {}
+        self._spindles = int(has_spindle)
+        self._units: dict[_UnitKey, Waiting] = {}
+        self._read: dict[_UnitKey, _Identity] = {}
+        self._done: dict[_UnitKey, _Identity] = {}
         arrays = {one.name: one for one in table.structure(table.ROOTS[root]).members}
         self._arrays = {name: arrays[name] for name in (STANDARD, LATE)}
         self._used = {name: path for name, path in _USED.items() if path in arrays}
 
-    def show(self, waiting: Sequence[Waiting]) -> None:
+    def show(self, waiting: Sequence[Placed]) -> None:
         """Show the functions that wait; each keeps its unit until it is acknowledged."""
-        own = {_identity(entry): entry for entry in waiting if self._takes(entry)}
-        for key, entry in list(self._units.items()):
-            if _identity(entry) not in own:
-                del self._units[key]
-                first = self._first(*key)
-                self._memory[first : first + _DATA + _DATA_BYTES] = bytes(_DATA + _DATA_BYTES)
-        shown = {_identity(entry) for entry in self._units.values()}
-        for identity, entry in own.items():
-            if identity not in shown:
-                self._add(entry)
+        placed = self._placed([one for one in waiting if self._takes(one[0])])
+        for unit_key in {*self._units, *placed}:
+            self._show_unit(unit_key, placed.get(unit_key))
+        self._units = placed
         for name, path in self._used.items():
-            indices = [index for array, index in self._units if array == name]
+            indices = [index for array, index in placed if array == name]
             self._put(path, max(indices, default=-1) + 1)
 
-    def _first(self, array: str, index: int) -> int:
-        member = self._arrays[array]
-        size = member.type.size_bytes // member.type.count
-        return member.offset + index * size
+    def _placed(self, waiting: Sequence[Placed]) -> dict[_UnitKey, Waiting]:
+        """Return the functions by their units; what finds its unit taken gets a free one."""
+        found: dict[_UnitKey, Waiting] = {}
+        left: list[tuple[str, Waiting]] = []
+        for entry, unit in waiting:
+            if isinstance(entry, SpindleEntry):
+                last = self._arrays[STANDARD].type.count - 1
+                unit_key = STANDARD, 0 if self._spindles else last - unit
+            elif entry.is_realtime:
+                unit_key = LATE, unit
+            else:
+                unit_key = STANDARD, unit + self._spindles
+            if unit_key[1] < self._arrays[unit_key[0]].type.count and unit_key not in found:
+                found[unit_key] = entry
+            else:
+                left.append((unit_key[0], entry))
+        for array, entry in left:
+            count = self._arrays[array].type.count
+            index = next((i for i in range(count) if (array, i) not in found), None)
+            if index is not None:  # else as many as there are units wait; it comes when one is free
+                found[array, index] = entry
+        return found
 
-    def _add(self, entry: Waiting) -> None:
-        is_late = isinstance(entry, TechnologyEntry) and entry.is_realtime
-        array = LATE if is_late else STANDARD
-        count = self._arrays[array].type.count
-        index = next((i for i in range(count) if (array, i) not in self._units), None)
-        if index is None:
-            return  # as many as there are units wait already; it comes when one is free
-        self._units[array, index] = entry
-        first = self._first(array, index)
-        self._memory[first + _PLEASE], self._memory[first + _DONE] = 1, 0
+    def _show_unit(self, unit_key: _UnitKey, entry: Waiting | None) -> None:
+        member = self._arrays[unit_key[0]]
+        first = member.offset + unit_key[1] * (member.type.size_bytes // member.type.count)
+        self._memory[first : first + _DATA + _DATA_BYTES] = bytes(_DATA + _DATA_BYTES)
+        if entry is None:
+            return
+        identity = _identity(entry)
+        self._memory[first + _PLEASE] = self._read.get(unit_key) != identity
+        self._memory[first + _DONE] = self._done.get(unit_key) == identity
         kind, data = _record(entry)
         struct.pack_into("<H", self._memory, first + _TYPE, kind)
         self._memory[first + _DATA : first + _DATA + _DATA_BYTES] = data.ljust(_DATA_BYTES, b"\0")
 
-    def acknowledged(self, path: str) -> Waiting | None:
-        """Return the function that a TRUE in ``done_w`` acknowledges; ``None``: none."""
+    def write(self, path: str, number: float) -> Waiting | None:
+        """Take what the PLC writes into a unit that is shown; return what it acknowledges."""
         match = _UNIT.fullmatch(path)
-        if match is None or match[3] != "done_w":
-            return None
-        return self._units.get((match[1], int(match[2])))
+        unit_key = ("", 0) if match is None else (match[1], int(match[2]))
+        entry = self._units.get(unit_key)
+        if match is None or entry is None:
+            return None  # nothing waits there: stale, or made up
+        kept = self._done if match[3] == "done_w" else self._read
+        if bool(number) == (kept is self._done):
+            kept[unit_key] = _identity(entry)
+        else:
+            kept.pop(unit_key, None)
+        return entry if kept is self._done and number else None
 
 
-def _identity(entry: Waiting) -> tuple[object, int]:
+def _identity(entry: Waiting) -> _Identity:
     return entry.key, entry.serial
 
 

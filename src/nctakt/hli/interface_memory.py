@@ -3,11 +3,14 @@
 
 In: the table of the interface, a machine, values of its session. Out: the bytes of any range, laid
 out as the table says, and what a write means: values of the session, a program that is selected.
-What has no effect here is kept, so that whoever has written it reads it again.
+What has no effect here is kept, so that whoever has written it reads it again. What is shown
+follows from values and from what was written, and not from who has read before: so it is the same
+whenever a run is repeated.
 
 Control units act for an area whose ``plc_present_w`` is set, while their ``enable_w`` is TRUE: then
 ``command_w`` counts, else what the HMI asks for. The operation mode manager takes the transition of
-``command_w`` when its semaphore is set, and clears it.
+``command_w`` when its semaphore is set, and clears it. An axis moves only with its three releases
+while a PLC is there for it.
 """
 
 from __future__ import annotations
@@ -17,13 +20,13 @@ import struct
 from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
-from functools import cache
+from functools import cache, partial
 from typing import cast
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.version import __version__
 from nctakt.hli import table
-from nctakt.hli.function_units import FunctionUnits, Waiting, is_unit
+from nctakt.hli.function_units import FunctionUnits, Placed, Waiting, is_unit
 from nctakt.hli.plc_entries import SpindleEntry
 from nctakt.hli.table import ACTS, MANAGED, UNSERVED, DataType, Element, Tie
 from nctakt.lists.machine.axis_configuration import AxisType
@@ -61,18 +64,28 @@ DESELECTED, SELECTED, READY, ACTIVE, HOLD, ERROR, RESETTING = 1, 2, 3, 4, 5, 6, 
 _MODE_NAMES = ("STATE", "PAUSED", "FEED_HOLD", "ARMED")
 _MODE = "channel_mc_control.mode_and_state"
 _ERROR_FLAG = "mc_error.semaphor_rw"
+_ERROR_NAMES = ("ERROR", "ERROR_SERIAL")
+
+#: The releases of an axis, in the order in which the table has them.
+RELEASES = tuple(
+    f"lr_mc_control.{name}" for name in ("release_feedhold", "drive_on", "torque_permission")
+)
 
 #: The initial commands of control units that do not start at 0.
 _INITIAL = {"HLI.OVERRIDE": 100.0, "OVERRIDE": 100.0}
 
 
 class NotWritable(Exception):
-    """A write that is refused: ``reason``; ``is_size``: for its length."""
+    """A write that is refused: ``reason``.
 
-    def __init__(self, reason: str, *, is_size: bool = False) -> None:
+    ``is_size``: for its length; ``is_of_cnc``: because the CNC writes it.
+    """
+
+    def __init__(self, reason: str, *, is_size: bool = False, is_of_cnc: bool = False) -> None:
         super().__init__(reason)
         self.reason = reason
         self.is_size = is_size
+        self.is_of_cnc = is_of_cnc
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +94,8 @@ class Written:
 
     ``known``: the elements that have no effect here; ``waiting``: the control units that act only
     when their area has ``plc_present_w``, and they have ``enable_w``. ``acknowledged``: functions.
+    ``locked``: axes by their index, and whether their releases are missing now. ``refused``:
+    semaphores of transitions that are not simulated, which are cleared.
     """
 
     values: dict[str, Scalar] = field(default_factory=dict)
@@ -88,6 +103,8 @@ class Written:
     known: list[str] = field(default_factory=list)
     waiting: list[str] = field(default_factory=list)
     acknowledged: list[tuple[int, Waiting]] = field(default_factory=list)
+    locked: dict[int, bool] = field(default_factory=dict)
+    refused: list[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,7 +154,13 @@ class Slot:
     @property
     def is_commanded(self) -> bool:
         """Whether the PLC writes it and it belongs to a control unit that acts."""
-        return self.path.endswith((".command_w", ".enable_w")) and self.element.effect == ACTS
+        is_command = self.path.endswith((".command_w", ".enable_w"))
+        return is_command and self.element.effect == ACTS and not self.is_of_watchdog
+
+    @property
+    def is_of_watchdog(self) -> bool:
+        """Whether it belongs to the sign of life of the PLC, which has no ``command_w``."""
+        return self.element.row is not None and self.element.row.handshake == "alive"
 
 
 #: Gives the number that a slot shows, from values of the session.
@@ -161,12 +184,13 @@ def _in_order(root: str) -> tuple[tuple[Slot, ...], tuple[int, ...]]:
     return found, tuple(slot.offset for slot in found)
 
 
-class Area:
-    """The bytes behind one pointer, such as ``gpCh[0]``.
+class AreaShape:
+    """What stands behind one pointer, such as ``gpCh[0]``, and what it shows.
 
     ``prefix``: that of the names of its channel in the session. ``axes``: the names of a channel's
     axes, or that of the axis itself. ``spindle``: the spindle that the axis turns; empty: none.
-    ``channel``: number of the channel whose functions it shows; 0: none.
+    ``channel``: number of the channel whose functions it shows; 0: none. ``elsewhere``: axes and
+    spindles whose functions stand at their own pointers.
     """
 
     def __init__(
@@ -177,48 +201,21 @@ class Area:
         axes: Sequence[str] = (),
         spindle: str = "",
         channel: int = 0,
+        elsewhere: frozenset[str] = frozenset(),
     ) -> None:
         self.root = root
         self.index = index
         self.prefix = prefix
-        self._axes = axes
-        self._spindle = spindle
-        self.memory = bytearray(table.root(root).type.size_bytes)
-        self._shown: dict[int, tuple[Slot, tuple[str, ...], _Show]] = {}
-        self._read_error = 0.0
-        self._is_announced = False  # here; another door may have done it, too
-        present = "plc_present_w" if root == "gpPform" else "head.plc_present_w"
-        self._present = slots(root)[present]
-        self._mode_names = tuple(map(self._panel, _MODE_NAMES))
-        self._channel = channel
-        self._functions = f"{ASKED}{channel}.functions" if channel else ""
-        self._units: FunctionUnits | None = None
-        if channel:
-            self._units = FunctionUnits(root, self.memory, self._put_number, self._takes)
-        for slot in slots(root).values():
-            self._prepare(slot)
-
-    def _takes(self, entry: Waiting) -> bool:
-        """Return whether a function is shown here: those of axes at the axis."""
-        if isinstance(entry, SpindleEntry):
-            return self.root == "gpCh"
-        return (entry.axis in self._axes) == (self.root == "gpAx")
-
-    def _put_number(self, path: str, number: float) -> None:
-        self._put(self._slot(path), number)
+        self.axes = axes
+        self.spindle = spindle
+        self.channel = channel
+        self.elsewhere = elsewhere
+        self.size_bytes = table.root(root).type.size_bytes
 
     @property
     def name(self) -> str:
         """The pointer: ``gpCh[0]^``."""
         return table.root(self.root, self.index).path
-
-    def _panel(self, name: str) -> str:
-        """Return the name in the session of an operator's value."""
-        return f"{self.prefix}HLI.{name}"
-
-    def announce(self) -> None:
-        """Let a PLC be there for this area, which need not say so by itself."""
-        self._is_announced = True
 
     def session_name(self, element: Element) -> str:
         """Return the value of the session that an element shows or sets; empty for none."""
@@ -226,19 +223,127 @@ class Area:
         if tie is None or tie.kind in ("fact", UNSERVED) or tie.name in MANAGED:
             return ""
         if tie.for_spindles:
-            if not self._spindle:
+            if not self.spindle:
                 return ""
             if tie.kind == ACTS:
-                return f"{self.prefix}HLI.{self._spindle}.{tie.name}".upper()
-            return f"{self.prefix}{self._spindle}.{tie.name}"
+                return f"{self.prefix}HLI.{self.spindle}.{tie.name}".upper()
+            return f"{self.prefix}{self.spindle}.{tie.name}"
         if self.root == "gpCh" and "coord_r" not in element.path:
             return f"{self.prefix}{tie.name}"
         number = element.indices[0] if self.root == "gpCh" else 0
-        return f"{self.prefix}{self._axes[number]}.{tie.name}" if number < len(self._axes) else ""
+        return f"{self.prefix}{self.axes[number]}.{tie.name}" if number < len(self.axes) else ""
+
+    def named(self, name: str) -> str:
+        """Return a value of the session by its name without channel and axis; empty: none."""
+        if self.root != "gpAx":
+            return f"{self.prefix}{name}"
+        return f"{self.prefix}{self.axes[0]}.{name}" if self.axes else ""
+
+    def between(self, offset: int, end: int) -> Sequence[Slot]:
+        """Return the slots that begin within a range."""
+        found, starts = _in_order(self.root)
+        return found[bisect_left(starts, offset) : bisect_left(starts, end)]
+
+    def begins(self, offset: int) -> bool:
+        """Return whether a slot begins at an offset."""
+        return bool(self.between(offset, offset + 1))
+
+    def fits(self, offset: int, size: int) -> bool:
+        """Return whether a range can be read: it is not the mere beginning of a number."""
+        found = self.between(offset, offset + size)
+        if not found or offset + size > self.size_bytes:
+            return False
+        return len(found) > 1 or not found[0].is_number or found[0].end <= offset + size
+
+    def hides(self, offset: int, size: int) -> str:
+        """Return the path of what alone is asked for and has no value here; else nothing."""
+        found = self.between(offset, offset + size)
+        if len(found) != 1:
+            return ""
+        slot, tie = found[0], found[0].element.tie
+        is_missing = tie is not None and (tie.kind == UNSERVED or tie.for_spindles)
+        if is_missing and slot.element.by == "CNC" and not self.session_name(slot.element):
+            return f"{self.name}.{slot.path}"
+        return ""
+
+    def checked(self, offset: int, data: bytes) -> tuple[Sequence[Slot], bytes]:
+        """Return the slots that bytes are for, and the bytes of all of them.
+
+        Bytes may be missing at the end of a text, and after the last number of a structure. Raises
+        ``NotWritable``.
+        """
+        end = offset + len(data)
+        touched = self.between(offset, end)
+        if not touched or touched[0].offset != offset or end > self.size_bytes:
+            raise NotWritable(f"{len(data)} bytes do not fit there", is_size=True)
+        last = touched[-1]
+        if last.end > end:
+            if not last.type.is_text and not last.element.name.startswith("fill_up"):
+                raise NotWritable(f"{last.path} is cut off", is_size=True)
+            data += bytes(last.end - end)
+        for slot in touched:
+            if slot.element.by == "CNC":
+                raise NotWritable(f"{self.name}.{slot.path} is written by the CNC", is_of_cnc=True)
+            part = data[slot.offset - offset : slot.end - offset]
+            if slot.code == "d" and not math.isfinite(*struct.unpack("<d", part)):
+                raise NotWritable(f"{self.name}.{slot.path} takes finite numbers only")
+        return touched, data
+
+
+class Area:
+    """The bytes behind one pointer: what was written, and what is shown."""
+
+    def __init__(self, shape: AreaShape) -> None:
+        self.shape = shape
+        self.memory = bytearray(shape.size_bytes)
+        self._shown: dict[int, tuple[Slot, tuple[str, ...], _Show]] = {}
+        self._read_error = 0.0
+        self._has_script = False
+        root = shape.root
+        present = "plc_present_w" if root == "gpPform" else "head.plc_present_w"
+        self._present = slots(root)[present]
+        self._mode_names = tuple(map(self._panel, _MODE_NAMES))
+        self._error_names = tuple(map(self._panel, _ERROR_NAMES))
+        self._functions = f"{ASKED}{shape.channel}.functions" if shape.channel else ""
+        self._units: FunctionUnits | None = None
+        if shape.channel:
+            has_spindle = root == "gpAx" and bool(shape.spindle)
+            self._units = FunctionUnits(
+                root, self.memory, self._put_number, self._takes, has_spindle=has_spindle
+            )
+        for slot in slots(root).values():
+            self._prepare(slot)
+
+    def _takes(self, entry: Waiting) -> bool:
+        """Return whether a function is shown here: those of axes and spindles at theirs."""
+        name = entry.spindle if isinstance(entry, SpindleEntry) else entry.axis
+        shape = self.shape
+        if shape.root == "gpCh":
+            return name not in shape.elsewhere
+        return bool(name) and name in (shape.spindle, *shape.axes)
+
+    def _put_number(self, path: str, number: float) -> None:
+        self._put(self._slot(path), number)
+
+    @property
+    def name(self) -> str:
+        """The pointer: ``gpCh[0]^``."""
+        return self.shape.name
+
+    def _panel(self, name: str) -> str:
+        """Return the name in the session of an operator's value."""
+        return f"{self.shape.prefix}HLI.{name}"
+
+    def announce(self) -> None:
+        """Let a PLC in Python be there for this area, which need not say so by itself.
+
+        Of its axis only the releases count whose units it has enabled.
+        """
+        self._has_script = True
 
     def tell(self, facts: Mapping[str, Scalar], inside: str = "") -> None:
         """Keep facts about the machine by the names of their ties, in the slots below a path."""
-        for slot in slots(self.root).values():
+        for slot in slots(self.shape.root).values():
             tie = slot.element.tie
             is_own = slot.path.startswith(inside) if inside else "coord_r" not in slot.path
             if is_own and tie is not None and tie.kind == "fact" and tie.name in facts:
@@ -248,12 +353,14 @@ class Area:
 
     def _prepare(self, slot: Slot) -> None:
         """Note what a slot shows, or keep what a control unit begins with."""
-        tie, name = slot.element.tie, self.session_name(slot.element)
+        tie, name = slot.element.tie, self.shape.session_name(slot.element)
         if slot.path.startswith(f"{_MODE}.state_r."):
             number = self._mode_state if slot.path.endswith(".state") else _automatic
             self._shown[slot.offset] = slot, self._mode_names, number
         elif slot.path == _ERROR_FLAG:
-            self._shown[slot.offset] = slot, (self._panel("ERROR"),), self._is_error_new
+            self._shown[slot.offset] = slot, self._error_names, self._is_error_new
+        elif slot.unit in RELEASES and slot.path.endswith(("request_r", "state_r")):
+            self._shown[slot.offset] = slot, (), partial(self._released, slot)
         elif tie is not None and name and not slot.is_commanded:
             self._shown[slot.offset] = slot, (name,), self._number(slot, tie, name)
         elif tie is not None and name and not slot.element.is_enable:
@@ -271,10 +378,24 @@ class Area:
 
         return requested
 
+    def _is_there(self) -> bool:
+        """Return whether a PLC is there for this area."""
+        return self._has_script or self._get(self._present) != 0.0
+
     def _is_decided(self, unit: str) -> bool:
         """Return whether the PLC decides about a control unit."""
-        is_enabled = self._get(self._slot(f"{unit}.enable_w")) != 0.0
-        return is_enabled and (self._is_announced or self._get(self._present) != 0.0)
+        return self._get(self._slot(f"{unit}.enable_w")) != 0.0 and self._is_there()
+
+    def _released(self, slot: Slot, values: Mapping[str, Scalar]) -> float:
+        """Return a release in force; as a request: that of the HMI, which always asks for it."""
+        return 1.0 if slot.path.endswith("request_r") else float(self._is_released(slot.unit))
+
+    def _is_released(self, unit: str) -> bool:
+        """Return whether an axis has one of its releases."""
+        enable, command = (self._slot(f"{unit}.{one}") for one in ("enable_w", "command_w"))
+        if not self._get(self._present) and (not self._has_script or not self._get(enable)):
+            return True  # nobody is there to release it, or a script that does not care
+        return bool(self._get(enable) and self._get(command))
 
     def _mode_state(self, values: Mapping[str, Scalar]) -> float:
         """Return the state of the automatic mode."""
@@ -286,20 +407,13 @@ class Area:
         return READY if is_armed else SELECTED
 
     def _is_error_new(self, values: Mapping[str, Scalar]) -> float:
-        error = float(values[self._panel("ERROR")])
-        if error == 0.0:
-            self._read_error = 0.0
-        return float(error not in (0.0, self._read_error))
+        error, serial = (float(values[name]) for name in self._error_names)
+        return float(error != 0.0 and serial != self._read_error)
 
     # --- bytes ----------------------------------------------------------------------------------
 
     def _slot(self, path: str) -> Slot:
-        return slots(self.root)[path]
-
-    def _between(self, offset: int, end: int) -> Sequence[Slot]:
-        """Return the slots that begin within a range."""
-        found, starts = _in_order(self.root)
-        return found[bisect_left(starts, offset) : bisect_left(starts, end)]
+        return slots(self.shape.root)[path]
 
     def _put(self, slot: Slot, value: Scalar) -> None:
         struct.pack_into(f"<{slot.code}", self.memory, slot.offset, _packed(slot, value))
@@ -308,155 +422,113 @@ class Area:
         (value,) = struct.unpack_from(f"<{slot.code}", self.memory, slot.offset)
         return float(value)
 
-    def begins(self, offset: int) -> bool:
-        """Return whether a slot begins at an offset."""
-        return bool(self._between(offset, offset + 1))
+    def _show(self, slot: Slot, values: Mapping[str, Scalar]) -> None:
+        """Put what a slot shows into the memory."""
+        shown = self._shown.get(slot.offset)
+        if shown is not None:
+            self._put(slot, shown[2](values))
 
-    def fits(self, offset: int, size: int) -> bool:
-        """Return whether a range can be read: it is not the mere beginning of a number."""
-        found = self._between(offset, offset + size)
-        if not found or offset + size > len(self.memory):
-            return False
-        return len(found) > 1 or not found[0].is_number or found[0].end <= offset + size
-
-    def hides(self, offset: int, size: int) -> str:
-        """Return the path of what alone is asked for and has no value here; else nothing."""
-        found = self._between(offset, offset + size)
-        if len(found) != 1:
-            return ""
-        tie = found[0].element.tie
-        is_missing = tie is not None and (tie.kind == UNSERVED or tie.for_spindles)
-        if is_missing and found[0].element.by == "CNC" and found[0].offset not in self._shown:
-            return f"{self.name}.{found[0].path}"
-        return ""
-
-    def names(self, offset: int, size: int) -> tuple[str, ...]:
-        """Return the values of the session that a range of bytes shows."""
-        found: dict[str, None] = {}
-        for slot in self._between(offset, offset + size):
-            if slot.offset in self._shown:
-                found |= dict.fromkeys(self._shown[slot.offset][1])
-            elif self._units is not None and is_unit(slot.path):
-                found[self._functions] = None
-        return tuple(found)
+    def _show_functions(self, values: Mapping[str, Scalar]) -> None:
+        """Put the functions that wait into their units."""
+        if self._units is not None:
+            self._units.show(cast("Sequence[Placed]", values[self._functions]))
 
     def read(self, offset: int, size: int, values: Mapping[str, Scalar]) -> bytes:
         """Return a range of bytes; raises ``KeyError`` for a value that is not there."""
-        found = self._between(offset, offset + size)
-        if self._units is not None and any(is_unit(slot.path) for slot in found):
-            self._units.show(cast("Sequence[Waiting]", values[self._functions]))
+        found = self.shape.between(offset, offset + size)
+        self._show(self._present, values)
+        if any(is_unit(slot.path) for slot in found):
+            self._show_functions(values)
         for slot in found:
-            shown = self._shown.get(slot.offset)
-            if shown is not None:
-                self._put(slot, shown[2](values))
+            self._show(slot, values)
         return bytes(self.memory[offset : offset + size])
 
     # --- writing --------------------------------------------------------------------------------
 
-    def needed(self, offset: int, size: int) -> tuple[str, ...]:
-        """Return the values of the session that a write of a range of bytes looks at."""
-        found = dict.fromkeys(self._shown[self._present.offset][1] if self._is_shown else ())
-        for slot in self._between(offset, offset + size):
-            if slot.path.startswith(_MODE) or slot is self._present:
-                found |= dict.fromkeys(self._mode_names if self.root == "gpCh" else ())
-                units = () if slot.path.startswith(_MODE) else self._enabled()
-                names = (self.session_name(switch.element) for switch in units)
-                found |= dict.fromkeys(filter(None, names))
-            elif slot.path == _ERROR_FLAG:
-                found[self._panel("ERROR")] = None
-            elif self._units is not None and is_unit(slot.path):
-                found[self._functions] = None
-            elif slot.is_commanded and self.session_name(slot.element):
-                found[self.session_name(slot.element)] = None
-        return tuple(found)
-
-    @property
-    def _is_shown(self) -> bool:
-        """Whether the presence of the PLC is a value of the session."""
-        return self._present.offset in self._shown
+    def check(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> None:
+        """Raise ``NotWritable`` for bytes that ``write`` would not take now."""
+        touched, data = self.shape.checked(offset, data)
+        if any(slot.path.startswith(_MODE) for slot in touched):
+            self._show(self._present, values)
+            kept = bytes(self.memory)
+            try:
+                self.memory[offset : offset + len(data)] = data
+                self._take_transition(Written(), values)
+            finally:
+                self.memory[:] = kept
 
     def write(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> Written:
-        """Take bytes; ``values``: of the session, those of ``needed``. Raises ``NotWritable``.
-
-        Bytes may be missing at the end of a text, and after the last number of a structure.
-        """
-        touched, data = self._checked(offset, data)
-        if self._is_shown:
-            self.read(self._present.offset, 1, values)
+        """Take bytes, and return what that means. Raises ``NotWritable``."""
+        self.check(offset, data, values)
+        touched, data = self.shape.checked(offset, data)
+        self._show(self._present, values)
+        if any(is_unit(slot.path) for slot in touched):
+            self._show_functions(values)
         before = {slot.path: self._get(slot) for slot in touched if slot.is_number}
         self.memory[offset : offset + len(data)] = data
-        if self._present in touched:
-            self._is_announced = self._get(self._present) != 0.0
         written = Written()
         for slot in touched:
             self._take(slot, before.get(slot.path, 0.0), written, values)
         if any(slot.path.startswith(_MODE) or slot is self._present for slot in touched):
-            self._take_transition(written, values)
+            try:
+                self._take_transition(written, values)
+            except NotWritable:  # it stood there from before the PLC was there
+                written.refused.append(f"{self.name}.{_MODE}.command_semaphor_rw")
+        if any(slot.unit in RELEASES or slot is self._present for slot in touched):
+            if self.shape.root == "gpAx":
+                is_locked = not all(map(self._is_released, RELEASES))
+                written.locked[self.shape.index] = is_locked
         return written
-
-    def _checked(self, offset: int, data: bytes) -> tuple[Sequence[Slot], bytes]:
-        """Return the slots that bytes are for, and the bytes of all of them."""
-        end = offset + len(data)
-        touched = self._between(offset, end)
-        if not touched or touched[0].offset != offset or end > len(self.memory):
-            raise NotWritable(f"{len(data)} bytes do not fit there", is_size=True)
-        last = touched[-1]
-        if last.end > end:
-            if not last.type.is_text and not last.element.name.startswith("fill_up"):
-                raise NotWritable(f"{last.path} is cut off", is_size=True)
-            data += bytes(last.end - end)
-        for slot in touched:
-            if slot.element.by == "CNC":
-                raise NotWritable(f"{self.name}.{slot.path} is written by the CNC")
-            part = data[slot.offset - offset : slot.end - offset]
-            if slot.code == "d" and not math.isfinite(*struct.unpack("<d", part)):
-                raise NotWritable(f"{self.name}.{slot.path} takes finite numbers only")
-        return touched, data
 
     def _take(
         self, slot: Slot, before: float, written: Written, values: Mapping[str, Scalar]
     ) -> None:
         """Let one written slot have its effect; ``before``: its number before."""
-        tie, name = slot.element.tie, self.session_name(slot.element)
+        tie, name = slot.element.tie, self.shape.session_name(slot.element)
         if slot.path == _ERROR_FLAG:
             if self._get(slot) == 0.0:
-                self._read_error = float(values[self._panel("ERROR")])
-        elif slot.path.startswith(_MODE):
+                self._read_error = float(values[self._error_names[1]])
+        elif slot.path.startswith(_MODE) or slot.unit in RELEASES:
             pass
         elif is_unit(slot.path):
-            self._acknowledge(slot, written)
+            entry = None if self._units is None else self._units.write(slot.path, self._get(slot))
+            if entry is not None:
+                written.acknowledged.append((self.shape.channel, entry))
         elif slot.is_commanded and name:
-            self._settle(slot, before, written, values)
+            was_decided = slot.element.is_enable and bool(before) and self._is_there()
+            self._settle(slot, before, written, values, was_decided=was_decided)
         elif tie is not None and name:
             written.values[name] = tie.commanded(self._get(slot))
         elif slot is not self._present and not slot.element.name.startswith("fill_up"):
             written.known.append(f"{self.name}.{slot.path}")
         if slot is self._present and bool(before) != bool(self._get(slot)):
             for switch in self._enabled():
-                self._settle(switch, before, written, values)
-
-    def _acknowledge(self, slot: Slot, written: Written) -> None:
-        """Acknowledge the function of a unit whose ``done_w`` was written."""
-        if self._units is None or not self._get(slot):
-            return
-        entry = self._units.acknowledged(slot.path)
-        if entry is not None:
-            written.acknowledged.append((self._channel, entry))
+                self._settle(switch, before, written, values, was_decided=bool(before))
 
     def _enabled(self) -> Iterator[Slot]:
         """Yield the switches of the control units that are enabled."""
-        for slot in slots(self.root).values():
+        for slot in slots(self.shape.root).values():
             is_switch = slot.is_commanded and slot.element.is_enable
-            if is_switch and self.session_name(slot.element) and self._get(slot):
+            if is_switch and self.shape.session_name(slot.element) and self._get(slot):
                 yield slot
 
     def _settle(
-        self, slot: Slot, before: float, written: Written, values: Mapping[str, Scalar]
+        self,
+        slot: Slot,
+        before: float,
+        written: Written,
+        values: Mapping[str, Scalar],
+        *,
+        was_decided: bool,
     ) -> None:
-        """Let a control unit act after a write to ``slot``, whose number was ``before``."""
+        """Let a control unit act after a write to ``slot``, whose number was ``before``.
+
+        ``was_decided``: until now the PLC has decided about it.
+        """
         unit = slot.unit
         command, request = (self._slot(f"{unit}.{one}") for one in ("command_w", "request_r"))
-        tie, row, name = command.element.tie, command.element.row, self.session_name(slot.element)
+        tie, row = command.element.tie, command.element.row
+        name = self.shape.session_name(slot.element)
         if tie is None or row is None:
             return
         is_edge = row.handshake == "edge"
@@ -467,44 +539,21 @@ class Area:
                     written.values[name] = 1.0
                 return
             if slot.element.is_enable and not before:
-                self._put(request, tie.shown(float(values.get(name, 0.0))))
+                self._put(request, tie.shown(float(values[name])))
             written.values[name] = tie.commanded(number)
-        elif slot.element.is_enable and before and not is_edge:
+        elif was_decided and not is_edge:
             written.values[name] = tie.commanded(self._get(request))
         elif slot is command or self._get(slot):
             written.waiting.append(f"{self.name}.{unit}")
 
-    def names_of(self, path: str) -> tuple[str, ...]:
-        """Return the values of the session that an element shows."""
-        slot = self._slot(path)
-        return self.names(slot.offset, slot.type.size_bytes)
-
-    def number(self, path: str, values: Mapping[str, Scalar]) -> float:
-        """Return the number of an element; raises ``KeyError`` for a value that is not there."""
-        slot = self._slot(path)
-        self.read(slot.offset, slot.type.size_bytes, values)
-        return self._get(slot)
-
-    def named(self, name: str) -> str:
-        """Return a value of the session by its name without channel and axis; empty: none."""
-        if self.root != "gpAx":
-            return f"{self.prefix}{name}"
-        return f"{self.prefix}{self._axes[0]}.{name}" if self._axes else ""
-
-    def needed_of(self, unit: str) -> tuple[str, ...]:
-        """Return the values of the session that ``ask`` looks at."""
-        slot = self._slot(f"{unit}.command_w")
-        return self.needed(slot.offset, slot.type.size_bytes)
-
     def ask(self, unit: str, number: float, values: Mapping[str, Scalar]) -> Written:
-        """Let the HMI ask a control unit for something; ``values``: those of ``needed_of``.
+        """Let the HMI ask a control unit for something.
 
         While the PLC decides, ``request_r`` shows it, and nothing else comes of it.
         """
-        if self._is_shown:
-            self.read(self._present.offset, 1, values)
+        self._show(self._present, values)
         command = self._slot(f"{unit}.command_w")
-        tie, name = command.element.tie, self.session_name(command.element)
+        tie, name = command.element.tie, self.shape.session_name(command.element)
         self._put(self._slot(f"{unit}.request_r"), number)
         if tie is None or not name:
             return Written(known=[f"{self.name}.{unit}"])
@@ -514,7 +563,7 @@ class Area:
 
     def _take_transition(self, written: Written, values: Mapping[str, Scalar]) -> None:
         """Take the transition that the PLC commands, where its semaphore is set."""
-        if self.root != "gpCh":
+        if self.shape.root != "gpCh":
             return
         semaphore = self._slot(f"{_MODE}.command_semaphor_rw")
         if not self._get(semaphore):
@@ -546,7 +595,7 @@ class Area:
         now = self._mode_state(values)
         written = Written()
         if program and state in (READY, ACTIVE) and now not in (ACTIVE, HOLD):
-            written.programs.append((self.index + 1, program))
+            written.programs.append((self.shape.index + 1, program))
         hold, start, reset = map(self._panel, ("FEED_HOLD", "START", "RESET"))
         if state == ACTIVE:
             written.values.update({hold: 0.0, start: 1.0})
@@ -578,48 +627,48 @@ def _packed(slot: Slot, value: Scalar) -> float | bytes:
     return min(max(round(number), -(1 << (bits - 1))), (1 << (bits - 1)) - 1)
 
 
-def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
-    """Return all areas of a machine by their pointers; ``prefixes``: of each channel's names."""
-    platform = Area("gpPform", 0, "")
-    platform.tell({"version": __version__})
-    channels: list[Area] = []
-    turned: dict[int, tuple[str, str]] = {}
+def shapes(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[AreaShape]]:
+    """Return what stands behind all pointers; ``prefixes``: of each channel's names."""
+    listed = {axis.logical_number for axis in machine.axes}
+    turned: dict[int, tuple[str, str, int]] = {}
     moved: dict[int, tuple[str, int]] = {}
+    channels: list[AreaShape] = []
     for prefix, channel in zip(prefixes, machine.channels, strict=True):
         number = len(channels) + 1
         names = [axis.name for axis in channel.axes]
-        area = Area("gpCh", number - 1, prefix, names, channel=number)
-        area.tell({"version": __version__, "size": len(area.memory), "channel": number})
+        spindles = channel.parameters.spindles
+        elsewhere = {*names, *(one.name for one in spindles if one.logical_number in listed)}
+        moved |= {axis.index: (prefix, number) for axis in channel.axes}
+        for spindle in spindles:
+            turned.setdefault(spindle.logical_number, (prefix, spindle.name, number))
+        channels.append(
+            AreaShape(
+                "gpCh", number - 1, prefix, names, channel=number, elsewhere=frozenset(elsewhere)
+            )
+        )
+    axes = []
+    for index, axis in enumerate(machine.axes):
+        prefix, name, number = turned.get(axis.logical_number, ("", "", 0))
+        owner, channel_number = moved.get(index, (prefix, number))
+        names = [axis.name] if index in moved else []
+        axes.append(AreaShape("gpAx", index, owner, names, name, channel_number))
+    return {"gpPform": [AreaShape("gpPform", 0, "")], "gpCh": channels, "gpAx": axes}
+
+
+def areas(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[Area]]:
+    """Return all areas of a machine by their pointers; ``prefixes``: of each channel's names."""
+    found = {
+        root: [Area(shape) for shape in all_] for root, all_ in shapes(machine, prefixes).items()
+    }
+    found["gpPform"][0].tell({"version": __version__})
+    for area, channel in zip(found["gpCh"], machine.channels, strict=True):
+        size = area.shape.size_bytes
+        area.tell({"version": __version__, "size": size, "channel": area.shape.channel})
         for at, axis in enumerate(channel.axes):
-            moved[axis.index] = prefix, number
             facts: dict[str, Scalar] = {"name": axis.name, "logical": axis.logical_number}
             facts["type"] = AXIS_TYPES[machine.axes[axis.index].type]
             area.tell(facts, f"bahn_state.coord_r[{at}].")
-        channels.append(area)
-        for spindle in channel.parameters.spindles:
-            turned.setdefault(spindle.logical_number, (prefix, spindle.name))
-    axes = [_axis(machine, index, moved, turned) for index in range(len(machine.axes))]
-    return {"gpPform": [platform], "gpCh": channels, "gpAx": axes}
-
-
-def _axis(
-    machine: Machine,
-    index: int,
-    moved: Mapping[int, tuple[str, int]],
-    turned: Mapping[int, tuple[str, str]],
-) -> Area:
-    """Return the area of an axis; ``moved``: prefix and number of the channel that has it."""
-    listed = machine.axes[index]
-    prefix, spindle = turned.get(listed.logical_number, ("", ""))
-    owner, channel = moved.get(index, (prefix, 0))
-    names = [listed.name] if index in moved else []
-    area = Area("gpAx", index, owner, names, spindle, channel)
-    area.tell(
-        {
-            "logical": listed.logical_number,
-            "type": AXIS_TYPES[listed.type],
-            "drive": _SIMULATED,
-            "spindle": bool(spindle),
-        }
-    )
-    return area
+    for area, listed in zip(found["gpAx"], machine.axes, strict=True):
+        facts = {"logical": listed.logical_number, "type": AXIS_TYPES[listed.type]}
+        area.tell({**facts, "drive": _SIMULATED, "spindle": bool(area.shape.spindle)})
+    return found

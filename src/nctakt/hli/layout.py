@@ -78,6 +78,8 @@ PANEL = (
     Entry("backward_motion", "BOOLEAN", "", "1: the path is walked back, 0: forward again"),
     Entry("probe", "BOOLEAN", "", "1: the probe touches (G100), or is on the edge (G108)"),
     Entry("optional_stop", "BOOLEAN", "", "1: M01 stops as M00 does"),
+    Entry("watchdog", "BOOLEAN", "", "1: the PLC shows in time that it lives, or it is an error"),
+    Entry("alive", "BOOLEAN", "", "the sign of life: the PLC writes 1, the CNC takes it, writes 0"),
 )
 
 #: The signals to the operator, written by the CNC.
@@ -96,6 +98,7 @@ LAMPS = (
     Entry("life_tool", "UNS32", "", "the number of the tool whose life was sent last"),
     Entry("life_time", "REAL64", "s", "its time"),
     Entry("life_distance", "REAL64", "mm", "its distance"),
+    Entry("error_serial", "UNS32", "", "how many errors have stopped the channel"),
 )
 
 #: Cells of a channel's panel.

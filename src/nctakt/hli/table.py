@@ -86,8 +86,8 @@ _TIE = re.compile(
 
 ACTS, SHOWS, KNOWN = "acts", "shows", "known"
 #: Elements with their own state machine, which the session does not provide as values: technology
-#: units, the operation mode manager, the error record.
-MANAGED = ("FUNCTIONS", "MODE", "ERROR")
+#: units, the operation mode manager, the error record, presence and releases of axes.
+MANAGED = ("FUNCTIONS", "MODE", "ERROR", "PRESENT", "RELEASE")
 #: The kind of the tie of what the CNC shows on the machine, and nctakt does not have.
 UNSERVED = "unserved"
 

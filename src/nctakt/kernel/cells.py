@@ -69,6 +69,8 @@ TIMERS = 128
     PANEL_BACKWARD_MOTION,
     PANEL_PROBE,
     PANEL_OPTIONAL_STOP,
+    PANEL_WATCHDOG,
+    PANEL_ALIVE,
     PANEL_STATE,  # the lamps begin
     PANEL_PAUSED,
     PANEL_ARMED,
@@ -83,8 +85,9 @@ TIMERS = 128
     PANEL_LIFE_TOOL,
     PANEL_LIFE_TIME,
     PANEL_LIFE_DISTANCE,
+    PANEL_ERROR_SERIAL,
     PANEL_CELLS,
-) = range(24)
+) = range(27)
 
 #: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
 #: ``nc/vocabulary/realtime_variables.py``.

@@ -141,6 +141,7 @@ cdef enum:
     IMAGE_REAL64 = 7
     IMAGE_STRING = 8
     FIXED_STOP_SIGNAL = 2
+    PLC_SILENT = 902320
     LIFE_SENT = 0
     LIFE_BEGUN = 1
     LIFE_READ = 2

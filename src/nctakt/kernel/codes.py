@@ -219,6 +219,9 @@ AT_FRONT, WALKS_BACKWARD, WALKS_FORWARD = range(3)
 #: ``TOUCH_LEVEL`` of a measuring motion to a fixed stop: the signal is not HLI.PROBE.
 FIXED_STOP_SIGNAL = 2
 
+#: The error of a PLC that does not show in time that it lives (``messages/plc.py``).
+PLC_SILENT = 902320
+
 # --- tool life ------------------------------------------------------------------------------------
 
 #: What becomes of the tool life, in ``LIFE_ACTION``.

@@ -71,8 +71,8 @@ PATH_HAS_NO_EFFECT = note(
 )
 UNIT_NOT_ENABLED = note(
     902107,
-    en="the control unit {path} has no effect: its enable_w is FALSE",
-    de="die Control Unit {path} hat keine Wirkung: ihr enable_w ist FALSE",
+    en="the control unit {path} acts with its enable_w and plc_present_w of its area only",
+    de="die Control Unit {path} wirkt nur mit ihrem enable_w und plc_present_w ihres Bereichs",
     path=("the path of the control unit", "der Pfad der Control Unit"),
 )
 NO_SUCH_TRANSITION = error(
@@ -81,6 +81,21 @@ NO_SUCH_TRANSITION = error(
     de="{path}: eine Zahl ist nicht endlich, oder der Übergang führt zu nicht Simuliertem",
     remedy_en="Go to mode 2 (automatic), state 1 … 5 or 15.",
     remedy_de="In Betriebsart 2 (Automatik) gehen, Zustand 1 … 5 oder 15.",
+    path=_PATH,
+)
+NO_SUCH_BYTES = error(
+    902321,
+    en="{path}: no element begins and ends there; {size} bytes are behind the pointer",
+    de="{path}: dort beginnt und endet kein Element; hinter dem Zeiger sind {size} Byte",
+    remedy_en="nctakt explain elements lists where each element begins.",
+    remedy_de="nctakt explain elements listet auf, wo jedes Element beginnt.",
+    path=_PATH,
+    size=("the bytes behind the pointer", "die Bytes hinter dem Zeiger"),
+)
+TRANSITION_DROPPED = note(
+    902322,
+    en="{path}: a transition to a mode or state that is not simulated stood there, and is dropped",
+    de="{path}: dort stand ein Übergang zu nicht Simuliertem; er ist verworfen",
     path=_PATH,
 )
 PATH_NOT_SERVED = error(

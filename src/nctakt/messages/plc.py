@@ -230,6 +230,13 @@ HANDLER_NOT_CALLED = note(
     name=("the method", "die Methode"),
     reason=("what did not come to pass", "was nicht eingetreten ist"),
 )
+PLC_SILENT = error(
+    902320,
+    en="the PLC has not shown for 100 ms that it lives",
+    de="die SPS hat seit 100 ms kein Lebenszeichen gegeben",
+    remedy_en="Set mc_watchdog.alive_rw in each cycle of the PLC, or take enable_w away.",
+    remedy_de="mc_watchdog.alive_rw in jedem Zyklus der SPS setzen oder enable_w wegnehmen.",
+)
 WHEN_CALLED_EACH_TICK = note(
     902140,
     en="the condition of {name} is a Python function, so the PLC is called after each tick",

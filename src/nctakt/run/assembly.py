@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
@@ -41,8 +42,10 @@ from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine
 from nctakt.run.realtime_part import NAMED_SIGNALS, RealtimePart
 from nctakt.run.spindle_setup import all_names, at_start_up, follow_executed
 from nctakt.run.variable_access import VariableAccess
+from nctakt.run.waiting_entries import placed_entries
 
 if TYPE_CHECKING:
+    from nctakt.hli.function_units import Placed
     from nctakt.run.interface_access import InterfaceAccess
 
 
@@ -182,7 +185,7 @@ class AssembledMachine:
             self.kernel,
             (diagnostic(NAMES_OF_DEMO_MACHINE),) if configuration.is_demo else (),
         )
-        self._interface: InterfaceAccess | None = None
+        self.access.interface = lambda: self.interface
         self.inputs = Inputs(self.kernel, self.channels, self.access, self.report_stale)
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
@@ -311,14 +314,23 @@ class AssembledMachine:
 
     # --- variables by name ----------------------------------------------------------------------
 
-    @property
+    @cached_property
     def interface(self) -> InterfaceAccess:
         """The interface by the controller's paths, made when it is first used."""
-        if self._interface is None:
-            from nctakt.run.interface_access import InterfaceAccess  # noqa: PLC0415 - few need it
+        from nctakt.run.interface_access import InterfaceAccess  # noqa: PLC0415 - few need it
 
-            self._interface = InterfaceAccess(self, len(self.channels))
-        return self._interface
+        return InterfaceAccess(self, len(self.channels))
+
+    def waiting_functions(self, channel: int) -> list[Placed]:
+        """Return what waits for the PLC of a channel, each with its unit of the interface."""
+        part, parameters = self.channels[channel], self.assembled[channel].parameters
+        cycle_time_us = self.configuration.cycle_time_us
+        spindles = part.context.spindles
+        return placed_entries(part.hli, spindles, parameters, self.registry, cycle_time_us)
+
+    def lock_axis(self, index: int, is_locked: bool) -> None:
+        """Take an axis its releases from the next tick on, or give them to it."""
+        self.axes.lock(index, is_locked)
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""

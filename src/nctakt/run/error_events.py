@@ -41,7 +41,7 @@ from nctakt.messages.feed import WAITING_FOR_MAIN_SPINDLE
 from nctakt.messages.fixed_stops import FIXED_STOP_NOT_FOUND
 from nctakt.messages.measuring import NO_PROBE_SIGNAL, PROBE_PRESSED
 from nctakt.messages.memory import PLC_VALUE_NOT_FINITE
-from nctakt.messages.plc import CHANNEL_BEING_RESET
+from nctakt.messages.plc import CHANNEL_BEING_RESET, PLC_SILENT
 from nctakt.messages.realtime import (
     BLOCK_CYCLE_NEVER_RAN,
     BLOCK_PASSED_OVER,
@@ -283,6 +283,7 @@ _VALUES: dict[Message, Callable[[_Report], _Values]] = {
             EDGE_NOT_FOUND,
             PROBE_PRESSED,
             NO_PROBE_SIGNAL,
+            PLC_SILENT,
             NO_CYCLE_TO_DELETE,
             HOLD_WITHOUT_EFFECT,
             CONTINUE_WITHOUT_EFFECT,

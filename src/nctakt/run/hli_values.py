@@ -119,6 +119,7 @@ class ChannelValues(HliValues):
         life_tool: float
         life_time: float
         life_distance: float
+        error_serial: float
         override: float
         override_total: float
         path_speed: float

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Variables by names that are not the machine's own: those of a PLC that runs in the tick."""
+"""Values by names that are not the machine's own: of a PLC that runs in the tick, and of the
+interface by the controller's paths.
+"""
 
 from __future__ import annotations
 
@@ -23,3 +25,16 @@ class NamedValues(Protocol):
 
     def signal(self, name: str) -> tuple[int, str, bool] | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""
+
+
+class InterfaceValues(Protocol):
+    """Elements of the interface by the controller's paths, and ranges of its bytes."""
+
+    def read(self, name: str) -> float | bool | str:
+        """Return what is there."""
+
+    def check(self, name: str, value: float | bool | str) -> None:
+        """Raise ``Failure`` for a name or value that ``write`` would not take now."""
+
+    def write(self, name: str, value: float | bool | str, source: str) -> None:
+        """Write, with effect from the next tick on."""

@@ -7,7 +7,7 @@ Everything that it writes counts from the next tick on (RC-002).
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, NoReturn, Protocol
 
 from nctakt.base.dataclass import dataclass
@@ -15,7 +15,6 @@ from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.hli.checked_values import split_channel
-from nctakt.hli.function_codes import function_of
 from nctakt.hli.layout import AXIS, CHANNEL
 from nctakt.hli.operator_panel import SETTABLE, OperatorPanel
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
@@ -36,6 +35,7 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.bound_values import BoundValue
 from nctakt.run.hli_values import AxisValues, ChannelValues
 from nctakt.run.inputs import PLC
+from nctakt.run.waiting_entries import waiting_functions, waiting_jobs
 
 
 class AnyPlc(Protocol):
@@ -268,31 +268,8 @@ class PlcView(OperatorPanel):
 
     def functions(self) -> list[TechnologyEntry]:
         """Return the waiting functions, those of the main program first, in their order."""
-        if not self._hli.waiting_count():
-            return []
-        return [*self._waiting(is_realtime=False), *self._waiting(is_realtime=True)]
-
-    def _waiting(self, *, is_realtime: bool) -> Iterator[TechnologyEntry]:
-        section = self._hli.realtime if is_realtime else self._hli.program
-        cycle_time_us = self._machine.configuration.cycle_time_us
         parameters = self._machine.assembled[self._index].parameters
-        for slot, function, sequence, tick, serial in section.entries():
-            letter, number = function_of(function)
-            stamp_us = tick * cycle_time_us
-            parameter = parameters.function(letter, number)
-            yield TechnologyEntry(
-                letter,
-                number,
-                sequence,
-                stamp_us,
-                is_realtime,
-                parameter.process_time_us,
-                parameter.axis_name,
-                slot,
-                section.value_of(slot),
-                serial,
-                "MOS" if is_realtime else parameter.synchronisation,
-            )
+        return waiting_functions(self._hli, parameters, self._cycle_time_us)
 
     def acknowledge(self, entry: TechnologyEntry) -> None:
         """Acknowledge a function; a warning (900671) is reported if it no longer waits.
@@ -305,24 +282,7 @@ class PlcView(OperatorPanel):
 
     def spindle_jobs(self) -> list[SpindleEntry]:
         """Return the jobs of spindles that the PLC turns, in the order of the channel list."""
-        spindles, cycle_time_us = self._spindles, self._cycle_time_us
-        if not spindles.has_jobs():
-            return []
-        name, jobs = self._machine.registry.spindle, spindles.jobs()
-        return [
-            SpindleEntry(
-                name(spindles.first_number + index),
-                function,
-                speed_v / 6.0,
-                position,
-                sense,
-                tick * cycle_time_us,
-                before_v / 6.0,
-                index,
-                serial,
-            )
-            for index, function, speed_v, position, sense, tick, before_v, serial in jobs
-        ]
+        return waiting_jobs(self._spindles, self._machine.registry, self._cycle_time_us)
 
     def acknowledge_spindle(self, job: SpindleEntry) -> None:
         """Acknowledge a job as done; a warning (900671) is reported if it no longer waits.
@@ -358,7 +318,7 @@ class PlcView(OperatorPanel):
 
     def __setitem__(self, path: str, value: float | bool | str) -> None:
         """Write an element of the interface by the controller's path; raises ``Failure``."""
-        self._machine.interface.put(path, value, PLC)
+        self._machine.write(path, value, PLC)
 
     def _own(self, name: str) -> str:
         """Return the name with its channel; raises ``Failure`` for V.CH (RC-309)."""

@@ -7,6 +7,8 @@ In: ``Machine`` and the layout of its memory. Out: ``RealtimePart``. It knows no
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from nctakt.decoder.axis_limits import history_blocks, listed_limits, look_ahead, single_axes
@@ -21,10 +23,11 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
+from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.lists.machine.axes_by_number import path_axes, spindle_numbers
 from nctakt.lists.machine.channel_configuration import ONLY_MOTIONS
 from nctakt.lists.machine.gantries import gantries
-from nctakt.lists.machine.machine import Machine
+from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.nc.vocabulary.variable_table import Layout, Location
 from nctakt.run.spindle_setup import channel_spindles, gear_steps
 
@@ -37,6 +40,9 @@ INSTRUCTION_COST_NS = 10
 
 #: Cells behind those of the machine, for variables of a PLC that are signals.
 NAMED_SIGNALS = 256
+
+#: How long a PLC that is watched may show no sign of life, in microseconds.
+SILENCE_US = 100_000
 
 #: V.RTG.CYCLES.DIAG_LEVEL at start-up (RC-603).
 DEFAULT_DIAGNOSIS_LEVEL = 3.0
@@ -116,6 +122,7 @@ class RealtimePart:
             ),
             self.single_axes,
         )
+        _set_areas(channel.hli, own)
         limits = parameters.realtime_cycles
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
         channel.executor.set_spindles(spindles, limits.buffers)
@@ -126,6 +133,7 @@ class RealtimePart:
         if c_axis >= 0:
             main = [spindle.is_main for spindle in parameters.spindles].index(True)
             channel.exchange.c_axis.configure(c_axis, spindles, main)
+        channel.silence_ticks = SILENCE_US // configuration.cycle_time_us
         channel.panel.show_size(channel.path.history_size)
         context = channel.context
         context.max_steps = limits.max_steps
@@ -137,3 +145,30 @@ class RealtimePart:
         self.cells[first + cells.CHANNEL_OVERRIDE_VEL_TOTAL] = 100.0
         self.cells[first + cells.CHANNEL_CYCLES_DIAG_LEVEL] = DEFAULT_DIAGNOSIS_LEVEL
         return channel
+
+
+def _set_areas(hli: Hli, channel: ChannelConfiguration) -> None:
+    """Tell the sections of a channel which axis each of its functions is for."""
+    parameters = channel.parameters
+    for section in (hli.program, hli.realtime):
+        section.set_areas(
+            _axes_of(parameters.m_functions, channel), _axes_of(parameters.h_functions, channel)
+        )
+
+
+def _axes_of(
+    functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
+) -> bytearray:
+    """Return the logical number of the axis or spindle of each function by its number, 0: none.
+
+    Functions behind the last one that has an axis are left out.
+    """
+    numbers = {axis.name: axis.logical_number for axis in channel.axes}
+    numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
+    found = {one.number: numbers.get(one.axis_name, 0) for one in functions.values()}
+    last = max((number for number, logical in found.items() if logical), default=0)
+    table = bytearray(8 * (last + 1))
+    for number, logical in found.items():
+        if logical:
+            struct.pack_into("=q", table, 8 * number, logical)
+    return table

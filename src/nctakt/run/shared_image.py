@@ -46,7 +46,7 @@ from nctakt.kernel.plc.interface_image import KINDS
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.technology_functions import MAX_FUNCTIONS, TechnologyFunction
 from nctakt.lists.machine.channel_configuration import Spindle
-from nctakt.lists.machine.machine import ChannelConfiguration, Machine
+from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.variables_layout import fields, pack_of
 from nctakt.messages import diagnostic
 from nctakt.messages.memory import (
@@ -369,27 +369,12 @@ def _units(
                 layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
                 cycle_time_us,
                 identifier,
-                _axes_of(m_functions, own),
-                _axes_of(h_functions, own),
                 _types_of(m_functions),
                 _types_of(h_functions),
                 0 if tool is None else tool.synchronisation_bits,
                 units,
             )
     return units
-
-
-def _axes_of(
-    functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
-) -> bytearray:
-    """Return the logical number of the axis or spindle of each function by its number, 0: none."""
-    numbers = {axis.name: axis.logical_number for axis in channel.axes}
-    numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
-    table = bytearray(8 * MAX_FUNCTIONS)
-    for function in functions.values():
-        logical = numbers.get(function.axis_name, 0)
-        struct.pack_into("=q", table, 8 * function.number, logical)
-    return table
 
 
 def _types_of(functions: Mapping[int, TechnologyFunction]) -> bytearray:

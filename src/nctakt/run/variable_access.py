@@ -7,7 +7,7 @@ latches (RC-002). Values are checked at once (RC-307); an invalid one is a ``Fai
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
@@ -35,8 +35,8 @@ from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
 from nctakt.run.bound_values import BoundValue, InputNotes
-from nctakt.run.input_words import API
-from nctakt.run.named_values import NamedValues
+from nctakt.run.input_words import API, WRITE
+from nctakt.run.named_values import InterfaceValues, NamedValues
 
 #: Names that are kept bound; there are as many spellings of them as one likes.
 _MAX_BOUND = 10_000
@@ -75,6 +75,8 @@ class VariableAccess:
         self.named: NamedValues | None = None
         #: Those of them that are signals: their cells, units, and whether they are integers.
         self.named_signals: dict[str, tuple[int, str, bool]] = {}
+        #: The interface by the controller's paths, when it is first used.
+        self.interface: Callable[[], InterfaceValues] | None = None
         self.notes = InputNotes(kernel)
 
     def _find(self, name: str) -> tuple[Location, int]:
@@ -131,6 +133,8 @@ class VariableAccess:
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; a written value is returned before it is latched."""
+        if is_path(name) and self.interface is not None:
+            return self.interface().read(name)
         if self.named is not None and self.named.knows(name):
             return self.named.read(name)
         return self.bind(name).value
@@ -143,7 +147,9 @@ class VariableAccess:
 
     def check(self, name: str, value: float | bool | str) -> None:
         """Raise ``Failure`` for an unknown name and for a value that it cannot hold."""
-        if self.named is not None and self.named.knows(name):
+        if is_path(name) and self.interface is not None:
+            self.interface().check(name, value)
+        elif self.named is not None and self.named.knows(name):
             self.named.check(name, value)
         else:
             self.converted(name, value)
@@ -165,10 +171,25 @@ class VariableAccess:
 
     def write(self, name: str, value: float | bool | str, source: str = API) -> None:
         """Write a variable with effect from the next tick."""
+        if is_path(name) and self.interface is not None:
+            self._write_path(self.interface(), name, value, source)
+            return
         if self.named is not None and self.named.knows(name):
             self.named.write(name, value)
             return
         self.bind(name).write(value, source)
+
+    def _write_path(
+        self, interface: InterfaceValues, name: str, value: float | bool | str, source: str
+    ) -> None:
+        """Write an element of the interface: it is the input, and not what follows from it."""
+        interface.check(name, value)
+        self.notes.add(source, WRITE, name, value if isinstance(value, str) else float(value))
+        is_listening, self.notes.is_listening = self.notes.is_listening, False
+        try:
+            interface.write(name, value, source)
+        finally:
+            self.notes.is_listening = is_listening
 
     def write_checked(self, name: str, value: float | bool | str) -> None:
         """Write what needs a look at its type; raises ``Failure`` as ``converted``."""
@@ -181,6 +202,11 @@ class VariableAccess:
     def apply_writes(self) -> None:
         """Apply the writes at once, before the first tick, so that the decoder sees them."""
         self._kernel.latch_posted()
+
+
+def is_path(name: str) -> bool:
+    """Return whether a name is one of the interface: all pointers have a caret."""
+    return "^" in name
 
 
 def _characters(name: str, location: Location, text: str) -> bytes:

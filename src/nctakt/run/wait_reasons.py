@@ -88,6 +88,16 @@ _REASONS = {
         Text("the end of the feed hold", "das Ende des Vorschubhalts"),
         Text("--at TIME {hli}FEED_HOLD=0 ends it", "--at ZEIT {hli}FEED_HOLD=0 beendet ihn"),
     ),
+    "release": Reason(
+        Text(
+            "the releases of axis {name}: drive_on, torque_permission, release_feedhold",
+            "die Freigaben der Achse {name}: drive_on, torque_permission, release_feedhold",
+        ),
+        Text(
+            "The PLC has to set command_w and enable_w of each in gpAx[]^.lr_mc_control",
+            "Die SPS muss bei jeder command_w und enable_w in gpAx[]^.lr_mc_control setzen",
+        ),
+    ),
     "override": Reason(
         Text(
             "an override above 0: the operator's override is 0 %",
@@ -279,7 +289,9 @@ def _name(machine: AssembledMachine, index: int, word: str, detail: int) -> Text
     if word.startswith("spindle"):
         name = machine.registry.spindle(detail)
     else:
-        name = machine.registry.axis(detail) if word == "axis" else function_name(detail)
+        name = (
+            machine.registry.axis(detail) if word in ("axis", "release") else function_name(detail)
+        )
     return Text(name, name)
 
 

@@ -16,6 +16,11 @@ from typing import Literal, ParamSpec, Protocol, Self, TypeVar
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import Machine
+from nctakt.messages.hli_table import (
+    PATH_HAS_NO_EFFECT,
+    TRANSITION_DROPPED,
+    UNIT_NOT_ENABLED,
+)
 from nctakt.run.machine_names import names_of_machine
 from nctakt.servers.catalogue import Catalogue
 from nctakt.servers.clock import MachineClock
@@ -42,6 +47,9 @@ KEYS: Mapping[str, tuple[str, float]] = {
     "hold": ("HLI.FEED_HOLD", 1.0),
     "go_on": ("HLI.FEED_HOLD", 0.0),
 }
+
+#: What is also in the log: clients have no answer that tells them that a write has no effect.
+_OF_INTERFACE = (PATH_HAS_NO_EFFECT.id, UNIT_NOT_ENABLED.id, TRANSITION_DROPPED.id)
 
 Key = Literal["start", "reset", "hold", "go_on"]
 
@@ -119,6 +127,8 @@ class Host:
         for message in frame.messages:
             self.notices.tell(ServerNotice("message", frame.tick, message.text, message=message))
         for found in frame.diagnostics:
+            if found.id in _OF_INTERFACE:
+                self.log.note("interface", tick=frame.tick, text=found.text("en"))
             self.notices.tell(ServerNotice("diagnostic", frame.tick, str(found), diagnostic=found))
 
     def _take_notice(self, notice: Notice) -> None:

@@ -30,6 +30,7 @@ PAUSED = StopAt("paused")
 #: What the operator alone can end, and what other programs can, which wait as well.
 _WAITING = (
     "program start", "programmed stop", "single block", "reset", "feed hold", "override",
+    "release",
     "signal", "exchange",
 )  # fmt: skip
 

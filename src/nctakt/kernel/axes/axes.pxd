@@ -31,6 +31,8 @@ cdef class Axes:
     cdef double[::1] override_pct
     cdef double[::1] max_override_pct
     cdef double[::1] independent_pct
+    cdef long long[::1] locked
+    cdef readonly long long locked_count
     cdef bint has_stops
     cdef double[::1] stop_low
     cdef double[::1] stop_high

@@ -20,6 +20,7 @@ it. The cells of an axis are written where its positions are others than those s
 ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
 (MO-13); ``independent_pct`` is the override of the latter (RC-305). These, ``command`` and
 ``target`` have one element more, for places of a channel without an axis (``path_axes.py``).
+So has ``locked``: the axes that a PLC does not release, which brake and stand.
 """
 
 from __future__ import annotations
@@ -64,6 +65,8 @@ class Axes:
             self.override_pct[i] = 100.0
             self.max_override_pct[i] = 100.0
             self.independent_pct[i] = 100.0
+        self.locked = memoryview(bytearray(8 * (count + 1))).cast("q")
+        self.locked_count = 0
         self.has_stops = False
         self.stop_low = memoryview(bytearray(8 * count)).cast("d")
         self.stop_high = memoryview(bytearray(8 * count)).cast("d")
@@ -280,6 +283,8 @@ class Axes:
             pct = self.override_pct[i]
         cycle_pct = self.cells[cell + cells.AXIS_OVERRIDE_VEL_CYCLE]
         pct = min(pct * cycle_pct / 100.0, self.max_override_pct[i])
+        if self.locked[i]:
+            pct = 0.0
         self.independent_pct[i] = pct
         if pct != self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL]:
             self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL] = arithmetic.round_half_even(pct)
@@ -373,6 +378,17 @@ class Axes:
         """Delay each command of the drives by a tick (P-RTCF-00018); before the first tick."""
         self.has_lag = True
         self.is_late = True
+
+    def lock(self, index: int, is_locked: bool) -> None:
+        """Let the PLC take an axis its releases from the next tick on, or give them to it."""
+        check_index(index, self.count, "axis")
+        self.locked_count += (1 if is_locked else 0) - self.locked[index]
+        self.locked[index] = 1 if is_locked else 0
+
+    def is_locked(self, index: int) -> bool:
+        """Return whether the PLC has taken an axis its releases."""
+        check_index(index, self.count, "axis")
+        return self.locked[index] != 0
 
     def set_override(self, index: int, mode: int, max_pct: float) -> None:
         """Set override mode and highest override in percent (P-AXIS-00491, P-AXIS-00109)."""

@@ -24,6 +24,8 @@ cdef class PathAxes:
     cdef double[::1] standing
 
     cdef int is_place_free(self, Py_ssize_t i) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef Py_ssize_t locked_axis(self) noexcept nogil
     @cython.locals(number=Py_ssize_t)
     cdef void transform(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef long long shown_map(self) noexcept nogil

@@ -60,6 +60,13 @@ class PathAxes:
         """Return whether no axis stands at a place of the channel."""
         return 1 if self.members[i] == self.axes.count else 0
 
+    def locked_axis(self) -> int:
+        """Return an axis of the path that the PLC does not release; -1 for none."""
+        for i in range(self.count):
+            if self.axes.locked[self.members[i]]:
+                return int(self.members[i])
+        return -1
+
     def transform(self, queue: memoryview[float], row: int) -> None:
         """Let the transformation of the command at ``row`` be active (MO-8)."""
         number = int(queue[row + rows.TRANSFORMATION_NUMBER])

@@ -17,8 +17,6 @@ cdef class SectionUnits(Units):
     cdef Py_ssize_t first
     cdef Py_ssize_t acknowledged
     cdef long long cycle_time_us
-    cdef long long[::1] m_axes
-    cdef long long[::1] h_axes
     cdef int identifier
     cdef long long[::1] m_types
     cdef long long[::1] h_types

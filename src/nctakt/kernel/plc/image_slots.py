@@ -33,10 +33,9 @@ class SectionUnits(Units):
 
     ``first``: the first byte of the units in the image, ``acknowledged``: of the PLC's serials;
     ``published`` are the bytes of the image that the tick knows. ``identifier``: ``cells.POS_RT``
-    for what realtime cycles command. ``m_axes``, ``h_axes``: int64 for each number, the logical
-    axis that the M or H function is for; ``m_types``, ``h_types``: the bits of its synchronisation
-    type, which counts for the program's functions; ``tool_type``: that of T, which is for the
-    channel.
+    for what realtime cycles command. ``m_types``, ``h_types``: int64 for each number, the bits of
+    the M or H function's synchronisation type, which counts for the program's functions;
+    ``tool_type``: that of T.
     """
 
     def __init__(
@@ -48,8 +47,6 @@ class SectionUnits(Units):
         acknowledged: int,
         cycle_time_us: int,
         identifier: int,
-        m_axes: bytearray,
-        h_axes: bytearray,
         m_types: bytearray,
         h_types: bytearray,
         tool_type: int,
@@ -59,8 +56,6 @@ class SectionUnits(Units):
         check_range(first, 0, image.nbytes - units, "first byte")
         check_range(acknowledged, 0, image.nbytes - 4 * section.slot_count, "first byte")
         self.section = section
-        self.m_axes = memoryview(m_axes).cast("q")
-        self.h_axes = memoryview(h_axes).cast("q")
         self.identifier = identifier
         self.m_types = memoryview(m_types).cast("q")
         self.h_types = memoryview(h_types).cast("q")
@@ -101,21 +96,19 @@ class SectionUnits(Units):
         if function >= codes.FIRST_T:
             self.halves[first + cells.UNIT_LETTER] = cells.LETTER_T
             self.halves[first + cells.UNIT_NUMBER] = function - codes.FIRST_T
-            self.halves[first + cells.UNIT_AXIS] = 0
             synchronisation = self.tool_type
         elif function >= 0:
             self.halves[first + cells.UNIT_LETTER] = cells.LETTER_M
             self.halves[first + cells.UNIT_NUMBER] = function
-            self.halves[first + cells.UNIT_AXIS] = self.m_axes[function]
             if self.identifier != cells.POS_RT:
                 synchronisation = self.m_types[function]
         else:
             number = -function - 1
             self.halves[first + cells.UNIT_LETTER] = cells.LETTER_H
             self.halves[first + cells.UNIT_NUMBER] = number
-            self.halves[first + cells.UNIT_AXIS] = self.h_axes[number]
             if self.identifier != cells.POS_RT:
                 synchronisation = self.h_types[number]
+        self.halves[first + cells.UNIT_AXIS] = self.section.area[slot]
         self.halves[first + cells.UNIT_IDENTIFIER] = self.identifier
         self.halves[first + cells.UNIT_SYNCHRONISATION] = synchronisation
         self.halves[first + cells.UNIT_SEQUENCE] = self.section.sequence[slot]

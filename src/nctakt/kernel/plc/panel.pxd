@@ -27,6 +27,8 @@ cdef class Panel:
     cdef bint block_moves
     cdef readonly bint start_taken
     cdef readonly bint reset_taken
+    cdef readonly bint is_watched
+    cdef public long long silent_ticks
 
     @cython.locals(cell=Py_ssize_t, is_backward=bint, is_single=bint)
     cdef void latch(self) noexcept nogil

@@ -21,6 +21,7 @@ class Panel:
     (M00). ``is_step_locked``: single block has no effect; ``step_resolution``: it stops
     at multiples of this block number, 0: at all. ``start_taken`` and ``reset_taken`` tell Python
     what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick before.
+    ``is_watched``: the PLC shows that it lives; ``silent_ticks``: since it did so last.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -37,6 +38,7 @@ class Panel:
         self.block_moves = False
         self.start_taken = False
         self.reset_taken = False
+        self.silent_ticks = 0
         self.backward_motion = False
         self.cells[first_cell + cells.PANEL_OVERRIDE] = 100.0
         self.latch()
@@ -44,10 +46,8 @@ class Panel:
     # --- Python's side, between two ticks -------------------------------------------------------
 
     def put(self, command: int, value: float) -> None:
-        """Write a command, ``cells.PANEL_OVERRIDE`` … ``cells.PANEL_OPTIONAL_STOP``."""
-        check_range(
-            command, cells.PANEL_OVERRIDE, cells.PANEL_OPTIONAL_STOP, "command of the panel"
-        )
+        """Write a command, ``cells.PANEL_OVERRIDE`` … ``cells.PANEL_ALIVE``."""
+        check_range(command, cells.PANEL_OVERRIDE, cells.PANEL_ALIVE, "command of the panel")
         self.cells[self.first_cell + command] = value
 
     def arm(self, is_armed: bool) -> None:
@@ -100,6 +100,11 @@ class Panel:
         if self.reset_pressed:
             self.cells[cell + cells.PANEL_RESET] = 0.0
             self.reset_taken = True
+        self.is_watched = self.cells[cell + cells.PANEL_WATCHDOG] != 0.0
+        self.silent_ticks = self.silent_ticks + 1 if self.is_watched else 0
+        if self.cells[cell + cells.PANEL_ALIVE] != 0.0:
+            self.cells[cell + cells.PANEL_ALIVE] = 0.0
+            self.silent_ticks = 0
 
     def lock_step(self, is_locked: bool) -> None:
         """Let single block have no effect from here on, or again (``#SINGLE STEP``)."""
@@ -160,6 +165,8 @@ class Panel:
         cell = self.first_cell
         if state == codes.CHANNEL_READY and self.is_running:
             state = codes.CHANNEL_RUNNING
+        if message != 0 and self.cells[cell + cells.PANEL_ERROR] == 0.0:
+            self.cells[cell + cells.PANEL_ERROR_SERIAL] += 1.0
         self.cells[cell + cells.PANEL_STATE] = state
         self.cells[cell + cells.PANEL_PAUSED] = self.is_paused
         self.cells[cell + cells.PANEL_ARMED] = self.is_armed

@@ -15,6 +15,12 @@ cdef class Section:
     cdef long long[::1] serial
     cdef long long[::1] value
     cdef long long[::1] is_answered
+    cdef long long[::1] area
+    cdef long long[::1] unit
+    cdef long long[::1] m_areas
+    cdef long long[::1] h_areas
+    cdef Py_ssize_t m_count
+    cdef Py_ssize_t h_count
     cdef Py_ssize_t last_slot
     cdef long long[::1] done
     cdef readonly long long issued_in_tick
@@ -26,6 +32,12 @@ cdef class Section:
     cdef void latch(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef long long issue(self, long long function, long long tick, long long ticks) noexcept nogil
+    @cython.locals(number=cython.longlong)
+    cdef long long area_of(self, long long function) noexcept nogil
+    @cython.locals(unit=cython.longlong)
+    cdef long long free_unit(self, Py_ssize_t slot) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef int is_unit_taken(self, Py_ssize_t slot, long long unit) noexcept nogil
     cdef void give_value(self, long long value) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int is_waiting(self, long long function) noexcept nogil

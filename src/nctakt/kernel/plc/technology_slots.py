@@ -25,7 +25,8 @@ class Section:
 
     Each function has a running number (``serial``) and a value for the PLC, 0 unless it is given
     one (``give_value``); ``version`` changes with the slots. A function is named by its code
-    (``hli/function_codes.py``).
+    (``hli/function_codes.py``). Its ``unit`` is where the interface shows it, in the area of the
+    channel or of its axis: the first free one when it comes, until it is acknowledged.
     """
 
     def __init__(self, slot_count: int) -> None:
@@ -39,11 +40,21 @@ class Section:
         self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
         self.value = memoryview(bytearray(8 * slot_count)).cast("q")
         self.is_answered = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.area = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.unit = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.set_areas(bytearray(8), bytearray(8))
         self.last_slot = 0
         self.issued_in_tick = 0
         self.taken_count = 0
         self.issued = 0
         self.version = 0
+
+    def set_areas(self, m_areas: bytearray, h_areas: bytearray) -> None:
+        """Set the logical axis that each M and H function is for, 0 the channel, as int64."""
+        self.m_areas = memoryview(m_areas).cast("q")
+        self.h_areas = memoryview(h_areas).cast("q")
+        self.m_count = len(self.m_areas)
+        self.h_count = len(self.h_areas)
 
     def latch(self) -> None:
         """Free the slots that the PLC has acknowledged, at the start of a tick."""
@@ -76,9 +87,33 @@ class Section:
                 self.tick[i] = tick
                 self.done[i] = tick + ticks
                 self.value[i] = 0
+                self.area[i] = self.area_of(function)
+                self.unit[i] = self.free_unit(i)
                 self.last_slot = i
                 return self.issued_in_tick
         return -1
+
+    def area_of(self, function: int) -> int:
+        """Return the logical axis that a function is for, 0: the channel."""
+        if codes.FIRST_T > function >= 0:
+            return self.m_areas[function] if function < self.m_count else 0
+        number = -function - 1
+        return self.h_areas[number] if 0 <= number < self.h_count else 0
+
+    def free_unit(self, slot: int) -> int:
+        """Return the first unit of its area that no other function than that of ``slot`` has."""
+        unit = 0
+        while self.is_unit_taken(slot, unit):
+            unit += 1
+        return unit
+
+    def is_unit_taken(self, slot: int, unit: int) -> int:
+        """Return whether another function of the same area has this unit."""
+        for i in range(self.slot_count):
+            if i != slot and self.state[i] != codes.FREE and self.area[i] == self.area[slot]:
+                if self.unit[i] == unit:
+                    return 1
+        return 0
 
     def give_value(self, value: int) -> None:
         """Give the function that was put in last a value (M110 = 130)."""
@@ -119,6 +154,11 @@ class Section:
         """Value of the function in a slot; raise ``ValueError`` for an unknown slot."""
         check_index(slot, self.slot_count, "slot")
         return self.value[slot]
+
+    def unit_of(self, slot: int) -> int:
+        """Unit of the function in a slot; raise ``ValueError`` for an unknown slot."""
+        check_index(slot, self.slot_count, "slot")
+        return self.unit[slot]
 
     def entries(self) -> list[tuple[int, int, int, int, int]]:
         """Waiting functions, oldest first: (slot, function, number in its tick, tick, serial)."""

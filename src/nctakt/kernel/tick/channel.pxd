@@ -53,6 +53,7 @@ cdef class Channel:
     cdef bint is_reset_due
     cdef public bint is_paced
     cdef long long starved_since
+    cdef public long long silence_ticks
     cdef bint has_warned_of_wait
     cdef bint has_warned_of_spindle
 
@@ -75,6 +76,7 @@ cdef class Channel:
         is_stopping=bint, is_single=bint, has_time_left=int, total_pct=double, number=Py_ssize_t
     )
     cdef void interpolate(self) noexcept nogil
+    cdef void watch_plc(self) noexcept nogil
     @cython.locals(cycle_pct=double, factor=double)
     cdef double override(self) noexcept nogil
     cdef void watch_stops(self) noexcept nogil

@@ -85,6 +85,7 @@ class Channel:
         self.is_reset_due = False
         self.is_paced = False
         self.starved_since = -1
+        self.silence_ticks = 0
         self.has_warned_of_wait = False
         self.has_warned_of_spindle = False
         self.exchange.set_signals(self.signals)
@@ -199,6 +200,8 @@ class Channel:
             self.hli.record_answers(self.record, codes.ACKNOWLEDGED, rows.EVENT_ACKNOWLEDGED)
         self.hli.latch()
         self.context.spindles.latch()
+        if self.panel.is_watched:
+            self.watch_plc()
         if self.panel.reset_pressed:
             self.begin_reset()
         elif self.panel.start_pressed and not self.executor.is_resetting:
@@ -213,6 +216,13 @@ class Channel:
                 if not self.path.is_place_free(i):
                     self.context.single_axes.reset(self.path.members[i])
         self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE] = 100.0
+
+    def watch_plc(self) -> None:
+        """Enter the error state if the PLC has not shown in time that it lives."""
+        if self.executor.is_stopped or self.executor.is_resetting or self.hli.has_default_plc():
+            self.panel.silent_ticks = 0
+        elif self.panel.silent_ticks > self.silence_ticks:
+            self.executor.report(0, codes.PLC_SILENT, 0.0)
 
     def run_cycles(self) -> None:
         """Run all active realtime cycles once; none during a reset (RC-007)."""
@@ -233,6 +243,7 @@ class Channel:
             or self.executor.is_resetting
             or (self.panel.feed_hold and not is_cutting)
             or self.is_at_fixed_stop
+            or (self.path.axes.locked_count > 0 and self.path.locked_axis() >= 0)
         )
         if self.executor.is_looping and not self.path.is_retracing:
             self.executor.prolong_loop()

@@ -71,6 +71,9 @@ class WaitReasons:
         """Word and detail for what holds up the current block of a standing path."""
         if self.executor.panel.feed_hold:
             return ("feed hold", 0)
+        locked = self.path.locked_axis() if self.path.axes.locked_count > 0 else -1
+        if locked >= 0:
+            return ("release", locked)
         if self.path.is_dwell:
             return ("", 0)
         ignores_override = self.path.history_rows[self.path.row + rows.IGNORES_OVERRIDE] != 0.0

@@ -8,21 +8,18 @@ in order is an ``AdsError``; values that are not here yet are ``Missing``.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
 from struct import Struct, pack
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from nctakt.base.failure import Failure, error_text
-from nctakt.hli.interface_memory import Written
 from nctakt.nc.vocabulary import strings
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Error, Group, State, Transmission
 from nctakt.servers.ads.data import Fixed, Readable
 from nctakt.servers.ads.frames import Frame
-from nctakt.servers.ads.interface import InterfaceItem
 from nctakt.servers.ads.limits import MAX_ANSWER
 from nctakt.servers.ads.notifications import Notifier
-from nctakt.servers.ads.object_values import GLANCE, TICK, Asked, Kept
+from nctakt.servers.ads.object_values import GLANCE, TICK
 from nctakt.servers.ads.objects import ADDRESS, Objects
 from nctakt.servers.ads.symbols import SymbolTable
 from nctakt.servers.ads.uploads import Uploads, handle_description, symbol_entry, type_entry
@@ -66,7 +63,6 @@ class Access:
         self.objects = Objects(host.catalogue, self.symbols.interface.areas)
         self._uploads = Uploads(self.symbols)
         self._once: Mapping[str, Scalar] | None = None
-        self._reported: set[tuple[str, str]] = set()
         self._infos: dict[int, Callable[[], bytes]] = {
             Group.UPLOAD: lambda: self._uploads.symbols,
             Group.UPLOAD_INFO: self._uploads.info,
@@ -128,11 +124,7 @@ class Access:
             function = 0 if in_force is None else in_force.zero_offset
             group = function - _NO_ZERO_OFFSET if function in _ZERO_OFFSETS else 0
             found[f"{GLANCE}{number}.zero_offset"] = float(group)
-        waiting: dict[str, Any] = {
-            f"{GLANCE}{number}.functions": [one for at, one in glance.waiting if at == number]
-            for number in range(1, len(glance.channels) + 1)
-        }
-        self._once = {**self._host.store.values, **found, **waiting}
+        self._once = {**self._host.store.values, **found}
         try:
             return read()
         finally:
@@ -238,41 +230,11 @@ class Access:
         if self.symbols.has_group(group):
             data = self.symbols.filled_up(group, offset, data)
         item = self.resolve(client, group, offset, len(data))
-        if isinstance(item, InterfaceItem | Asked | Kept):
-            self.check_present(item.needed)
-            return self._taken(client, item.take(data, self._values))
         return item.write(data)
 
-    def _taken(self, client: Client, written: Written) -> dict[str, Scalar]:
-        """Return the values of a write to the interface; tell what has no effect here, once."""
-        client.programs += written.programs
-        client.acknowledged += written.acknowledged
-        for path in written.known:
-            self._tell_once(client, path, "known, without effect here")
-        for path in written.waiting:
-            self._tell_once(client, path, "acts with plc_present_w of its area and enable_w only")
-        return dict(written.values)
-
-    def _tell_once(self, client: Client, path: str, reason: str) -> None:
-        if (path, reason) not in self._reported:
-            self._reported.add((path, reason))
-            self._host.log.note("interface", client=client.name, path=path, reason=reason)
-
     async def write_values(self, client: Client, values: dict[str, Scalar]) -> Error:
-        """Write values; return once a tick has latched them, or why they are refused.
-
-        Programs that the client selects with them come first.
-        """
-        programs, client.programs = client.programs, []
-        entries, client.acknowledged = client.acknowledged, []
+        """Write values; return once a tick has latched them, or why they are refused."""
         try:
-            for channel, program in programs:
-                await self._host.select(program, channel, DOOR, client.name)
-            for number, entry in entries:
-                acknowledge = partial(self._host.session.acknowledge, number, entry)
-                await self._host.ask(acknowledge, f"{DOOR} {client.name}")
-            if not values:
-                return Error.NONE
             tick = await self._host.write(values, DOOR, client.name)
         except Busy:
             return Error.BUSY

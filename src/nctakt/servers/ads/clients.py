@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import count
 
-from nctakt.hli.function_units import Waiting
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import Item
 from nctakt.servers.ads.frames import shown_net_id
@@ -28,8 +27,7 @@ class Client:
     """One client; ``name``: NetId and port, as on the tape and in the log.
 
     ``send``: sends bytes to it. ``plans``: sum commands -> what they read. ``begins``: handles of
-    notifications whose first value is still to be sent. ``programs``: that it selects with what
-    it writes next, by channel from 1; ``acknowledged``: functions, likewise.
+    notifications whose first value is still to be sent.
     """
 
     _numbers = count(1)
@@ -43,13 +41,6 @@ class Client:
         self.notifications: set[int] = set()
         self.plans: dict[bytes, Item] = {}
         self.begins: list[int] = []
-        self.programs: list[tuple[int, str]] = []
-        self.acknowledged: list[tuple[int, Waiting]] = []
-
-    @property
-    def orders(self) -> int:
-        """The number of programs and acknowledgements that go with what it writes next."""
-        return len(self.programs) + len(self.acknowledged)
 
     @classmethod
     def next_number(cls) -> int:

@@ -2,8 +2,9 @@
 """The interface as the controller names it: ``gpCh[0]^…``, ``gpAx[0]^…``, as symbols (AD-3).
 
 In: the table of the interface, a machine. Out: symbols by their paths, with and without
-``HLI_Global_Variables.``, and the bytes of any range of an area. A range may begin anywhere where
-an element begins; a structure may be read and written from its first byte to any of its elements.
+``HLI_Global_Variables.``, and the bytes of any range of an area, which the session keeps. A range
+may begin anywhere where an element begins; a structure may be read and written from its first byte
+to any of its elements.
 """
 
 from __future__ import annotations
@@ -12,9 +13,10 @@ from collections.abc import Callable, Iterator, Mapping
 
 from nctakt.base.failure import Failure
 from nctakt.hli import table
-from nctakt.hli.interface_memory import Area, NotWritable, Written, areas
+from nctakt.hli.interface_memory import AreaShape, NotWritable, shapes
 from nctakt.hli.table import LIST_NAME, Element
 from nctakt.lists.machine.machine import Machine
+from nctakt.run.interface_access import range_name
 from nctakt.run.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import STRING_TYPE, STRUCTURE_TYPE
@@ -53,34 +55,26 @@ class InterfaceItem:
 
     __slots__ = ("_area", "_offset", "is_used", "names", "size_bytes")
 
-    def __init__(self, area: Area, offset: int, size_bytes: int) -> None:
+    def __init__(self, area: AreaShape, offset: int, size_bytes: int) -> None:
         self._area = area
         self._offset = offset
         self.size_bytes = size_bytes
-        self.names = area.names(offset, size_bytes)
+        self.names: tuple[str, ...] = (range_name(area.name, offset, size_bytes),)
         self.is_used = True
 
     def read(self, values: Mapping[str, Scalar]) -> bytes:
-        """Return its bytes; raises ``KeyError`` where a value is missing."""
+        """Return its bytes; raises ``KeyError`` where they are missing."""
         self.is_used = True
-        return self._area.read(self._offset, self.size_bytes, values)
+        return bytes.fromhex(str(values[self.names[0]]))
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Raise ``AdsError``: ``needed`` tells what must be here for ``take``."""
-        raise AdsError(Error.ACCESS, f"{self._area.name} is written with the values of its units")
-
-    @property
-    def needed(self) -> tuple[str, ...]:
-        """The values of the session that a write looks at."""
-        return self._area.needed(self._offset, self.size_bytes)
-
-    def take(self, data: bytes, values: Mapping[str, Scalar]) -> Written:
-        """Write bytes and return what that means; raises ``AdsError``."""
+        """Return what is written, by name; raises ``AdsError``."""
         try:
-            return self._area.write(self._offset, data, values)
+            self._area.checked(self._offset, data)
         except NotWritable as refused:
             code = Error.SIZE if refused.is_size else Error.ACCESS
             raise AdsError(code, refused.reason) from None
+        return {self.names[0]: data.hex()}
 
 
 class InterfaceSymbols:
@@ -89,7 +83,7 @@ class InterfaceSymbols:
     def __init__(self, machine: Machine, name_type: Callable[[DataType], DataType]) -> None:
         count = len(machine.channels)
         prefixes = [prefix_of(index) if count > 1 else "" for index in range(count)]
-        self.areas = areas(machine, prefixes)
+        self.areas = shapes(machine, prefixes)
         self._name_type = name_type
         self._roots = {group: root for root, group in GROUPS.items()}
         self._items: dict[tuple[int, int, int], InterfaceItem] = {}
@@ -135,7 +129,7 @@ class InterfaceSymbols:
             raise AdsError(Error.SYMBOL, f"there is no {element.root}[{element.index}]")
         return self._symbol(element, found[element.index])
 
-    def _symbol(self, element: Element, area: Area) -> Symbol:
+    def _symbol(self, element: Element, area: AreaShape) -> Symbol:
         path = element.path.partition("^")[2]
         return Symbol(
             f"{LIST_NAME}{area.name}{path}",

@@ -7,8 +7,9 @@ import math
 from collections.abc import Callable, Mapping
 from struct import calcsize, pack, unpack
 
-from nctakt.hli.interface_memory import ASKED, Area, NotWritable, Written
+from nctakt.hli.interface_memory import ASKED, AreaShape
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.run.interface_access import ASK, KEPT
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC
 from nctakt.servers.store import Scalar
@@ -84,54 +85,44 @@ class Ticks(_Value):
 class Asked(_Value):
     """An element of the interface; ``is_unit``: what the HMI asks a control unit for."""
 
-    def __init__(self, area: Area, path: str, type_: str, *, is_unit: bool) -> None:
-        self._area = area
-        self._unit = path if is_unit else ""
-        self._path = f"{path}.request_r" if is_unit else path
+    def __init__(self, area: AreaShape, path: str, type_: str, *, is_unit: bool) -> None:
+        name = f"{area.name}.{path}"
+        self.names = (f"{ASK}{name}" if is_unit else name,)
+        self._is_unit = is_unit
         self._type = type_
         self.size_bytes = calcsize(f"<{NUMERIC[type_][0]}")
-        self.names = area.names_of(self._path)
-        self.needed = area.needed_of(path) if is_unit else ()
 
     def read(self, values: Mapping[str, Scalar]) -> bytes:
         """Return its bytes; raises ``KeyError`` where a value is missing."""
-        return number_bytes(self._type, self._area.number(self._path, values))
+        return number_bytes(self._type, float(values[self.names[0]]))
 
-    def take(self, data: bytes, values: Mapping[str, Scalar]) -> Written:
-        """Ask the control unit for a number; raises ``AdsError``."""
-        if not self._unit:
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Return what the control unit is asked for; raises ``AdsError``."""
+        if not self._is_unit:
             raise AdsError(Error.ACCESS, "it cannot be written")
         if len(data) != self.size_bytes:
             raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
         (number,) = unpack(f"<{NUMERIC[self._type][0]}", data)
-        try:
-            return self._area.ask(self._unit, float(number), values)
-        except NotWritable as refused:
-            raise AdsError(Error.PARAMETER, refused.reason) from None
+        return {self.names[0]: float(number)}
 
 
 class Kept(_Value):
-    """Bytes without an effect, which are read back; ``name``: what the log calls them."""
+    """Bytes without an effect, which are read back; ``key``: those with the same one are one."""
 
-    def __init__(
-        self, kept: dict[str, bytes], key: str, size: int, is_writable: bool, name: str
-    ) -> None:
-        self._kept = kept
-        self._key = key
+    def __init__(self, key: str, size: int, is_writable: bool) -> None:
+        self.names = (f"{KEPT}{key}",)
         self.size_bytes = size
         self._is_writable = is_writable
-        self._name = name
-        self.needed: tuple[str, ...] = ()
 
     def read(self, values: Mapping[str, Scalar]) -> bytes:
-        """Return its bytes."""
-        return self._kept.get(self._key, b"")[: self.size_bytes].ljust(self.size_bytes, b"\0")
+        """Return its bytes; raises ``KeyError`` where they are missing."""
+        data = bytes.fromhex(str(values[self.names[0]]))
+        return data[: self.size_bytes].ljust(self.size_bytes, b"\0")
 
-    def take(self, data: bytes, values: Mapping[str, Scalar]) -> Written:
-        """Keep bytes; raises ``AdsError``."""
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Return the bytes that are kept; raises ``AdsError``."""
         if not self._is_writable:
             raise AdsError(Error.ACCESS, "it cannot be written")
         if len(data) > self.size_bytes or (len(data) < self.size_bytes and self.size_bytes < 16):
             raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
-        self._kept[self._key] = bytes(data)
-        return Written(known=[self._name])
+        return {self.names[0]: data.hex()}

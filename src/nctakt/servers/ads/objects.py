@@ -27,7 +27,7 @@ from struct import calcsize, pack
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.version import __version__
-from nctakt.hli.interface_memory import AXIS_TYPES, Area
+from nctakt.hli.interface_memory import AXIS_TYPES, AreaShape
 from nctakt.hli.table import read_tie
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary import strings
@@ -206,18 +206,14 @@ _Instance = dict[int, dict[int, Element]]
 
 
 class Objects:
-    """The objects of a machine; ``areas``: its interface, ``glance``: tells what no signal tells.
+    """The objects of a machine; ``areas``: its interface."""
 
-    ``kept``: what was written without an effect.
-    """
-
-    def __init__(self, catalogue: Catalogue, areas: Mapping[str, Sequence[Area]]) -> None:
+    def __init__(self, catalogue: Catalogue, areas: Mapping[str, Sequence[AreaShape]]) -> None:
         self._catalogue = catalogue
         self._machine = catalogue.names.configuration
         self._channels, self._machine_areas = areas["gpCh"], areas
         count = len(self._machine.channels)
         self._prefixes = [prefix_of(index) if count > 1 else "" for index in range(count)]
-        self._kept: dict[str, bytes] = {}
         self._instances: dict[tuple[int, int], _Instance] = {}
         self._com: dict[int, _Instance] = {}
         self._axes: _Instance = {}
@@ -301,7 +297,7 @@ class Objects:
         scaled = Scaled(value.name, type_, factor, value.is_writable)
         return Element(name, type_, unit, value.is_writable, scaled)
 
-    def _rows(self, class_: str, area: Area, index: int, axis: str = "") -> dict[int, Element]:
+    def _rows(self, class_: str, area: AreaShape, index: int, axis: str = "") -> dict[int, Element]:
         """Return the elements of a class with public numbers; ``index``: of its channel or axis."""
         found = {}
         for row in object_rows():
@@ -318,7 +314,7 @@ class Objects:
                 )
         return found
 
-    def _readable(self, row: Row, area: Area, index: int, axis: str) -> Readable | None:
+    def _readable(self, row: Row, area: AreaShape, index: int, axis: str) -> Readable | None:
         """Return what is behind a row, ``None`` for a signal that the axis does not have."""
         kind, _, word = row.tie.partition(" ")
         size, type_ = size_of(row.type), row.type.partition(" ")[0]
@@ -337,7 +333,7 @@ class Objects:
                     if row.class_ != "position_axis"
                     else area.name + word
                 )
-                return Kept(self._kept, key, size, row.access != "r", f"{area.name} {row.name}")
+                return Kept(key, size, row.access != "r")
             case "glance":
                 return Glanced(word, area.index + 1, type_)
             case "fact":

@@ -179,7 +179,7 @@ class Service:
         if self._variables.writes(group, offset):
             return self._variable_write(client, group, offset, data)
         values = self.access.decode(client, group, offset, data)
-        return self._written(client, values) if values or client.orders else _NUMBER.pack(0)
+        return self._written(client, values) if values else _NUMBER.pack(0)
 
     async def _variable_write(self, client: Client, group: int, offset: int, data: bytes) -> bytes:
         try:

@@ -137,7 +137,7 @@ async def write_parts(access: Access, client: Client, count: int, data: bytes) -
             writes.append({})
             errors.append(error.code)
     together = {name: value for values in writes for name, value in values.items()}
-    if together or client.orders:
+    if together:
         refused = await access.write_values(client, together)
         if refused == Error.PARAMETER:  # one of them: each by itself shows which
             for index, values in enumerate(writes):

@@ -52,7 +52,7 @@ def write(name: str, text: str) -> None:
 def test_all_commands_take_the_same_machine(told: Told, name: str, header: str) -> None:
     """run, check, why, coverage and list run the program on the machine of the file, and say so."""
     write(name, f'{header}machine = "demo5"\n')
-    for command in ("run", "check", "why", "coverage", "list"):
+    for command in ("run", "check", "why", "coverage", "disassemble"):
         code, out, err = told(command, "programs/a.nc")
         assert code == 0, (command, out, err)
         assert f"note 901064: the machine is demo5, as {name} says" in out + err, command
@@ -365,7 +365,7 @@ def test_what_only_reads_runs_no_code_of_a_project(told: Told, cell: Path) -> No
         ("check", "programs/a.nc"),
         ("check", "."),
         ("check",),
-        ("list", "programs/a.nc"),
+        ("disassemble", "programs/a.nc"),
         ("explain", "20651"),
         ("new", "machine"),
         ("schedule", "show", "machine"),
@@ -374,10 +374,10 @@ def test_what_only_reads_runs_no_code_of_a_project(told: Told, cell: Path) -> No
     ):
         told(*words)
         assert not cell.exists(), words
-    assert "note 902026: " in told("list", "programs/a.nc")[2]
-    assert told("list", "programs/a.nc", "--quiet")[0] == 0
+    assert "note 902026: " in told("disassemble", "programs/a.nc")[2]
+    assert told("disassemble", "programs/a.nc", "--quiet")[0] == 0
     assert not cell.exists()
-    assert told("list", "programs/a.nc", "--plc", "cell.py")[0] == 0
+    assert told("disassemble", "programs/a.nc", "--plc", "cell.py")[0] == 0
     assert cell.exists()
 
 

@@ -7,8 +7,8 @@ import os
 import pytest
 
 from nctakt.cli import terminal
-from nctakt.cli.request import split_names
 from nctakt.cli.terminal import ProgressBar, show_at_the_end
+from nctakt.run.option_kinds import split_names
 
 
 class Terminal(io.StringIO):

@@ -27,7 +27,7 @@ from nctakt.cli import main
             "json, github",
         ),
         ("coverage x --fail-under 101", "900908: 101", "a number from 0 to 100"),
-        ("new", "error 900910: DIR is missing", "nctakt new --help"),
+        ("new", "error 900910: FOLDER is missing", "nctakt new --help"),
         ("new a b", "error 900909:", "nctakt new --help"),
         ("schedule shw", "error 900912: unknown command shw", "Did you mean show?"),
         ("explain --lang fr", "error 900908: fr is not a valid value for --lang", "one of en, de"),

@@ -84,8 +84,8 @@ def test_the_commands_that_run(program: str, capsys: Captured) -> None:
     for command in ("run", "why"):
         assert end_of(document(capsys, command, program)) == named, command
     without_plc = end_of(document(capsys, "run", program, "--plc", "default"))
-    assert end_of(document(capsys, "list", program)) == without_plc != named
-    assert end_of(document(capsys, "list", program, "--plc", "cell.py")) == named
+    assert end_of(document(capsys, "disassemble", program)) == without_plc != named
+    assert end_of(document(capsys, "disassemble", program, "--plc", "cell.py")) == named
     run = document(capsys, "run", program, "--record", "a.tape", "--trace", "a.csv")
     assert end_of(run) == named
     assert Path("a.csv").read_bytes() == Path("named.csv").read_bytes()

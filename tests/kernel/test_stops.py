@@ -15,7 +15,7 @@ from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.kernel import codes, rows
 from nctakt.kernel.cycles.expressions import Constant, Expression, Load
 from nctakt.kernel.tick.stops import BecomesTrue, Changes, Happens, Runs, Stop, Turns
-from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.program_run import ProgramRun
 
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
@@ -40,7 +40,7 @@ ALWAYS = Constant(1.0)
 def begun(program: str = PROGRAM) -> tuple[Controller, ProgramRun]:
     """Return a run of a program before its first tick."""
     controller = Controller()
-    run = controller.begin(RunOptions({1: [NcText("p.nc", program)]}, at=PULSES))
+    run = controller.begin({1: [NcText("p.nc", program)]}, at=PULSES)
     run.load()
     return controller, run
 

@@ -27,8 +27,9 @@ from nctakt.messages.linux_run import SCHED_FIFO_NOT_PERMITTED
 from nctakt.results.run import ProgramMessage
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import DECODED, LOST, OVERFLOWED, SCHEDULE, Cells, Input, unpack
+from nctakt.run.options import RunKeywords, completed
 from nctakt.run.plc_view import PlcView
-from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.program_run import ProgramRun
 from nctakt.run.real_schedule import RealSchedule, _plan
 from nctakt.run.scheduled_run import scheduled
 from nctakt.run.tape import Tape, read_tape
@@ -131,16 +132,15 @@ class Real:
         self.schedule = RealSchedule(machine, schedule, roles, plc, self.found.append)
         loop = TickLoop(machine, self.found.append, None)
         loop.follow(self.schedule)
-        options = RunOptions(
-            {1: [PROGRAM]},
-            plc=plc,
-            signals=SIGNALS,
-            record=self.note,
-            ticks=2000,
-            blocks=True,
-            on_message=on_message,
-        )
-        run = ProgramRun(loop, self.found, options)
+        options: RunKeywords = {
+            "plc": plc,
+            "signals": SIGNALS,
+            "record": self.note,
+            "ticks": 2000,
+            "blocks": True,
+            "on_message": on_message,
+        }
+        run = ProgramRun(loop, self.found, {1: [PROGRAM]}, completed(options))
         try:
             run.advance()
         finally:
@@ -252,7 +252,7 @@ def test_a_session_runs_by_the_list_and_cannot_go_back(tmp_path: Path) -> None:
     path = list_file(tmp_path)
     plc = tmp_path / "plc.py"
     plc.write_text(PLC_FILE)
-    setup = Setup({1: [PROGRAM]}, plc=plc, stays=True, rtconf=str(path))
+    setup = Setup({1: [PROGRAM]}, plc=plc, rtconf=str(path), options={"stays": True})
     with Session.of_setup(setup) as session:
         session.play()
         with session.listen() as listener:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt list``: each program in this folder gives the listing beside it, word for word.
+"""``nctakt disassemble``: each program in this folder gives the listing beside it, word for word.
 
 Lines ``; --set NAME=VALUE`` at a program's head are options of the command. ``NCTAKT_UPDATE=1``
 writes the listings anew: then read what ``git diff`` says.
@@ -137,7 +137,7 @@ def test_a_program_without_cycles(
     """Nothing to list is said, and is no error."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text("G00 X1\nM30\n", "utf-8")
-    assert main(["list", "part.nc"]) == 0
+    assert main(["disassemble", "part.nc"]) == 0
     captured = capsys.readouterr()
     assert captured.out == ""
     assert captured.err.startswith("note 900591: no realtime cycle was defined")
@@ -149,7 +149,7 @@ def test_an_error_behind_a_cycle(
     """What was decoded before an error is listed; the error is told, exit code 1."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text("#RT CYCLE\nM100\n#RT CYCLE END\nP1 = 1 / 0\nM30\n", "utf-8")
-    assert main(["list", "part.nc"]) == 1
+    assert main(["disassemble", "part.nc"]) == 1
     captured = capsys.readouterr()
     assert captured.out.startswith("Realtime cycle #1, part.nc:1\n")
     assert "part.nc:4:8: error 20396" in captured.err
@@ -160,7 +160,7 @@ def test_a_limit(capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPat
     monkeypatch.chdir(tmp_path)
     text = "#TIME 1\nP1 = V.RTA.ACS.ACT_POS.X\n#RT CYCLE\nM100\n#RT CYCLE END\nM30\n"
     Path("part.nc").write_text(text, "utf-8")
-    assert main(["list", "part.nc", "--until", "10ms"]) == 0
+    assert main(["disassemble", "part.nc", "--until", "10ms"]) == 0
     assert "note 900590: the listing ends at the limit of the run, tick 10" in (
         capsys.readouterr().err
     )
@@ -168,7 +168,7 @@ def test_a_limit(capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
 def test_wrong_words(capsys: Captured) -> None:
     """What cannot be used is told as for nctakt run: exit code 2."""
-    assert main(["list", "nowhere.nc", "--set", "V.E.COUNT"]) == 2
+    assert main(["disassemble", "nowhere.nc", "--set", "V.E.COUNT"]) == 2
     told = capsys.readouterr().err
     assert "error 900500" in told
     assert "error 900511" in told
@@ -179,7 +179,7 @@ def test_values_at_times(capsys: Captured, tmp_path: Path, monkeypatch: pytest.M
     monkeypatch.chdir(tmp_path)
     text = "#TIME 0.01\nP1 = Vs.E.COUNT\n#RT CYCLE\n$IF P1\n$ENDIF\n#RT CYCLE END\nM30\n"
     Path("part.nc").write_text(text, "utf-8")
-    assert main(["list", "part.nc", "--at", "5ms", "V.E.COUNT=42"]) == 0
+    assert main(["disassemble", "part.nc", "--at", "5ms", "V.E.COUNT=42"]) == 0
     assert "frozen when it was decoded: P1 = 42 (line 4)" in capsys.readouterr().out
 
 
@@ -191,7 +191,7 @@ def test_a_plc_that_fails(
     Path("part.nc").write_text("#RT CYCLE\nM100\n#RT CYCLE END\n#TIME 1\nM30\n", "utf-8")
     plc = "class Mine:\n    def cycle(self, hli):\n        raise ValueError('no')\n"
     Path("mine.py").write_text(plc, "utf-8")
-    assert main(["list", "part.nc", "--plc", "mine.py"]) == 1
+    assert main(["disassemble", "part.nc", "--plc", "mine.py"]) == 1
     captured = capsys.readouterr()
     assert captured.out.startswith("Realtime cycle #1, part.nc:1\n")
     assert "error 900523" in captured.err
@@ -204,7 +204,7 @@ def test_no_run_is_left_half_listed(
     monkeypatch.chdir(tmp_path)
     text = "#RT CYCLE\nM100\n#RT CYCLE END\n#CHANNEL INTERFACE OFF\nM30\n"
     Path("part.nc").write_text(text, "utf-8")
-    assert main(["list", "part.nc"]) == 1
+    assert main(["disassemble", "part.nc"]) == 1
     captured = capsys.readouterr()
     assert captured.out == ""
     assert "error 9002" in captured.err

@@ -96,7 +96,7 @@ class AnySession(RuleBasedStateMachine):
     @initialize(number=st.integers(0, 3), stays=st.booleans())
     def open(self, number: int, stays: bool) -> None:
         """Open the session."""
-        self.setup = Setup({1: [self.paths[number]]}, stays=stays)
+        self.setup = Setup({1: [self.paths[number]]}, options={"stays": stays})
         self.story = Story(self.setup)
         self.there.step(500)
 
@@ -196,7 +196,7 @@ class AnySession(RuleBasedStateMachine):
             inputs = tuple(one for one in story.tape() if one.tick < story.branch.latest)
             run = Controller().run(
                 *self.setup.programs[1],
-                stays=self.setup.stays,
+                stays=self.setup.options.get("stays", False),
                 replay=Tape({}, {}, False, inputs, {}, 0, "", {}),
                 ticks=story.branch.latest,
                 signals=SIGNALS,

@@ -198,7 +198,7 @@ def test_a_selected_program_leaves_the_same_marks_in_the_past(tmp_path: Path) ->
         paths, ("G01 X1 F600\nM30", "G01 Y2 F600\nM30", "G01 X\nM30"), strict=True
     ):
         path.write_text(text, "utf-8")
-    own = Story(Setup({1: []}, stays=True))
+    own = Story(Setup({1: []}, options={"stays": True}))
     try:
         own.step(20)
         with pytest.raises(Failure):

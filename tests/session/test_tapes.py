@@ -244,7 +244,7 @@ def test_a_growing_tape_is_whole_at_any_time(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """What is on it when the process is killed is replayed (901531); a full disk passes."""
-    setup = Setup({1: ["part.nc"]}, stays=True)
+    setup = Setup({1: ["part.nc"]}, options={"stays": True})
     Path("run.growing.tape").write_text("of an earlier process", "utf-8")
     with Session.of_setup(setup) as session:
         Path("run.growing-2.new.tape").write_text("of somebody", "utf-8")

@@ -105,7 +105,7 @@ def test_a_session_is_a_straight_run_of_its_tape(seed: int, has_plc: bool, tmp_p
     file.write_text(PLC, "utf-8")
     plc = file if has_plc else None
     programs = [NcText("p.nc", PROGRAM)]
-    story = Story(Setup({1: programs}, plc=plc, at=[("60 ms", "V.E.VALUE", 1)]))
+    story = Story(Setup({1: programs}, plc=plc, options={"at": [("60 ms", "V.E.VALUE", 1)]}))
     try:
         for _ in range(25):
             wander(story, chance)
@@ -149,7 +149,7 @@ def test_each_jump_leads_to_where_the_run_was(seed: int, size: int, tmp_path: Pa
     )
     ticks = run.ticks
     names = ["V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y"]
-    story = Story(Setup({1: [path]}, until="24 h"))
+    story = Story(Setup({1: [path]}, options={"until": "24 h"}))
     try:
         while story.tick < ticks:
             story.run(min(ticks, story.tick + 50_000))

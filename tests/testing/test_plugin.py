@@ -149,7 +149,7 @@ MISTAKES = {
     'run_nc("a.nc", at=[("soon", "V.E.VALUE", 1)])': "error 900510",
     'run_nc("a.nc", plc="none.py")': "error 9",
     'run_nc("none.nc")': "error 9005",
-    'run_nc("a.nc", until="1 s", nothing=1)': "TypeError",
+    'run_nc("a.nc", until="1 s", nothing=1)': "unexpected keyword argument 'nothing'",
     'run_nc("a.nc").fired(line=9)': "error 900663",
     'run_nc("a.nc").value_at("X.ACS.ACT_POS", "soon")': "error 900510",
     'run_nc("a.nc").value_at("V.E.NOPE", 1)': "KeyError",

@@ -44,13 +44,17 @@ _COMMANDS = {
     "check": "nctakt.cli.check",
     "explain": "nctakt.cli.explain",
     "lsp": "nctakt.cli.lsp",
-    "list": "nctakt.cli.listing",
+    "disassemble": "nctakt.cli.disassemble",
     "new": "nctakt.cli.new",
     "why": "nctakt.cli.why",
     "coverage": "nctakt.cli.coverage",
     "study": "nctakt.cli.study",
     "schedule": "nctakt.cli.schedule",
 }
+
+
+#: Earlier names of subcommands, which work for a version.
+EARLIER_NAMES = {"list": "disassemble"}
 
 
 class _LazyGroup(click.Group):
@@ -60,11 +64,23 @@ class _LazyGroup(click.Group):
         return list(_COMMANDS)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
+        if cmd_name in EARLIER_NAMES:
+            _tell_new_name(ctx, cmd_name)
+            cmd_name = EARLIER_NAMES[cmd_name]
         if cmd_name not in _COMMANDS:
             return None
         command = importlib.import_module(_COMMANDS[cmd_name]).command
         assert isinstance(command, click.Command)
         return command
+
+
+def _tell_new_name(context: click.Context, name: str) -> None:
+    """Show the note that a subcommand has another name now (902381)."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - only an earlier name needs it
+    from nctakt.messages.command_line import COMMAND_RENAMED  # noqa: PLC0415
+
+    found = diagnostic(COMMAND_RENAMED, name=name, new_name=EARLIER_NAMES[name])
+    print_diagnostics([found], "de" if context.obj == "de" else "en")
 
 
 @click.group(cls=_LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
@@ -93,7 +109,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     try:
-        code = group.main(arguments, prog_name="nctakt", standalone_mode=False)
+        from nctakt.cli.help import help_language  # noqa: PLC0415 - help is never needed alone
+
+        words = sys.argv[1:] if arguments is None else arguments
+        code = group.main(
+            arguments, prog_name="nctakt", standalone_mode=False, obj=help_language(words)
+        )
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
         return EXIT_USAGE

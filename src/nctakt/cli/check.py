@@ -16,13 +16,14 @@ from typing import Any, Literal
 import click
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Language, Severity
+from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.file_options import CONFINE_OPTION, WATCH_OPTION, read_standard_input
+from nctakt.cli.file_options import read_standard_input
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
-from nctakt.cli.language import language_option
+from nctakt.cli.help import described, option
+from nctakt.cli.options import WATCH_OPTION, table_options
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
@@ -46,18 +47,6 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
 
 _STANDARD_INPUT = "-"
-_EPILOG = """\b
-A file that ends with .lis is a list, any other a program; '-' is a program from
-standard input. Folders are searched with all folders in them; a start-up list
-is checked together with all lists that it names.
-Exit codes: 0 no error (--strict: no warning either), 1 errors, 2 wrong usage or
-nothing to check, 3 an internal error of nctakt.
-
-\b
-  nctakt check part.nc
-  nctakt check . --machine lists --format sarif --output nctakt.sarif
-  nctakt check . --ignore 9002,22000-22099 --strict
-"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,41 +71,80 @@ class Options:
     confined: tuple[str, ...]
 
 
-@click.command("check", epilog=_EPILOG, short_help="Find mistakes without a run.")
-@click.argument("paths", metavar="FILE|DIR...", nargs=-1)
-@click.option(
-    "--machine",
-    metavar="DIR",
-    help="Folder with the lists of the programs' machine, or demo5 [demo].",
+@described(
+    "check",
+    summary=Text("Find mistakes without a run.", "Fehler ohne einen Lauf finden."),
+    text=Text(
+        "Check NC programs, lists and folders of both.",
+        "NC-Programme, Listen und Ordner mit beiden prüfen.",
+    ),
+    codes=(
+        Text("no error (--strict: no warning either)", "kein Fehler (--strict: keine Warnung)"),
+        Text("errors", "Fehler"),
+    ),
+    notes=Text(
+        "A file that ends with .lis is a list, any other a program; '-' is a program from standard "
+        "input. Folders are searched with all folders in them; a start-up list is checked together "
+        "with all lists that it names.",
+        "Eine Datei, die auf .lis endet, ist eine Liste, jede andere ein Programm; '-' ist ein "
+        "Programm von der Standardeingabe. Ordner werden mit allen Ordnern darin durchsucht; eine "
+        "Hochlaufliste wird mit allen Listen geprüft, die sie nennt.",
+    ),
+    examples=(
+        "nctakt check part.nc",
+        "nctakt check . --machine lists --format sarif --output nctakt.sarif",
+        "nctakt check . --ignore 9002,22000-22099 --strict",
+    ),
 )
-@click.option(
-    "--root",
-    metavar="DIR",
-    help="Controller's root folder, where lists name files.",
-)
-@click.option(
+@click.argument("paths", metavar="FILE|FOLDER...", nargs=-1)
+@table_options("check")
+@option(
     "--format",
     type=click.Choice(["text", "json", "github", "sarif"]),
     default="text",
-    help="Format of the findings.",
+    group="files",
+    text=Text("Format of the findings.", "Form der Befunde."),
 )
-@language_option("Language of the findings [default: en].", None)
-@click.option("--select", metavar="ID,...", multiple=True, help="Report only these messages.")
-@click.option("--ignore", metavar="ID,...", multiple=True, help="Do not report these messages.")
+@option(
+    "--select",
+    metavar="ID,...",
+    multiple=True,
+    text=Text("Report only these messages.", "Nur diese Meldungen ausgeben."),
+)
+@option(
+    "--ignore",
+    metavar="ID,...",
+    multiple=True,
+    text=Text("Do not report these messages.", "Diese Meldungen nicht ausgeben."),
+)
 @with_options(*RTCONF_OPTIONS)
-@click.option("--strict", is_flag=True, help="Treat warnings as errors.")
-@click.option(
+@option(
+    "--strict",
+    is_flag=True,
+    text=Text("Treat warnings as errors.", "Warnungen wie Fehler behandeln."),
+)
+@option(
     "--effects",
     is_flag=True,
-    help="List each entry without effect that would change a run.",
+    text=Text(
+        "List each entry without effect that would change a run.",
+        "Jeden Eintrag ohne Wirkung nennen, der einen Lauf ändern würde.",
+    ),
 )
-@click.option("--verbose", is_flag=True, help="List each list entry without effect.")
-@click.option("--quiet", is_flag=True, help="No notes and no closing line.")
-@click.option("--output", metavar="FILE", help="Write the findings to a file.")
-@CONFINE_OPTION
+@option(
+    "--verbose",
+    is_flag=True,
+    text=Text("List each list entry without effect.", "Jeden Listeneintrag ohne Wirkung nennen."),
+)
+@option(
+    "--output",
+    metavar="FILE",
+    group="files",
+    text=Text("Write the findings to a file.", "Die Befunde in eine Datei schreiben."),
+)
 @WATCH_OPTION
 def command(**words: Any) -> int:
-    """Check NC programs, lists and folders of both."""
+    """Check files."""
     return maybe_watched(words, words["paths"], lambda access: _checked(dict(words), access))
 
 

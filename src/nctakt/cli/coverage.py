@@ -16,12 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
+from nctakt.cli.help import described, option
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import (
     RUN_CODES,
+    TIMES_NOTE,
     choose_mode,
     exit_code,
     run_options,
@@ -45,17 +47,6 @@ from nctakt.messages.coverage import (
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
 
-_EPILOG = f"""\b
-For each branch: the number of ticks in which its condition was evaluated, true
-and false, and its body ran. Without a program only earlier runs count.
-
-{RUN_CODES}
-\b
-  nctakt coverage part.nc --set V.E.VALUE=5
-  nctakt coverage part.nc --data all.json --format source
-  nctakt coverage --merge a.json --merge b.json --format lcov
-"""
-
 
 def _percent(
     _context: click.Context, _option: click.Parameter, value: float | None
@@ -66,31 +57,74 @@ def _percent(
     return value
 
 
-@click.command("coverage", epilog=_EPILOG, short_help="Count the branches of cycles that ran.")
-@run_options("report and diagnostics")
-@click.option(
+@described(
+    "coverage",
+    summary=Text("Count the branches of cycles that ran.", "Durchlaufene Zweige zählen."),
+    text=Text(
+        "Run NC programs and count the branches of their realtime cycles.",
+        "NC-Programme ausführen und die Zweige ihrer Echtzeit-Zyklen zählen.",
+    ),
+    codes=(
+        RUN_CODES[0],
+        Text(
+            f"{RUN_CODES[1].en}, or fewer branches ran than --fail-under demands",
+            f"{RUN_CODES[1].de}, oder es liefen weniger Zweige, als --fail-under verlangt",
+        ),
+    ),
+    notes=Text(
+        "For each branch: the number of ticks in which its condition was evaluated, true and "
+        f"false, and its body ran. Without a program only earlier runs count. {TIMES_NOTE.en}",
+        "Zu jedem Zweig: in wie vielen Takten seine Bedingung ausgewertet wurde, wahr und falsch "
+        f"war und sein Rumpf lief. Ohne Programm zählen nur frühere Läufe. {TIMES_NOTE.de}",
+    ),
+    examples=(
+        "nctakt coverage part.nc --set V.E.VALUE=5",
+        "nctakt coverage part.nc --data all.json --format source",
+        "nctakt coverage --merge a.json --merge b.json --format lcov",
+    ),
+)
+@run_options("coverage")
+@option(
     "--format",
     "form",
     type=click.Choice(["text", "source", "json", "lcov"]),
     default="text",
-    help="A table, the source with counts, or a file for other tools [default: text].",
+    group="files",
+    text=Text(
+        "A table, the source with counts, or a file for other tools [default: text].",
+        "Eine Tabelle, der Quelltext mit Zahlen oder eine Datei für andere Werkzeuge [Vorgabe: "
+        "text].",
+    ),
 )
-@click.option(
-    "--data", metavar="FILE", help="Add the earlier runs in this file, and save the sum in it."
+@option(
+    "--data",
+    metavar="FILE",
+    text=Text(
+        "Add the earlier runs in this file, and save the sum in it.",
+        "Die früheren Läufe in dieser Datei hinzunehmen und die Summe darin speichern.",
+    ),
 )
-@click.option("--merge", multiple=True, metavar="FILE", help="Add the runs in this file.")
-@click.option(
+@option(
+    "--merge",
+    multiple=True,
+    metavar="FILE",
+    text=Text("Add the runs in this file.", "Die Läufe in dieser Datei hinzunehmen."),
+)
+@option(
     "--fail-under",
     "minimum",
     type=click.FloatRange(0, 100),
     callback=_percent,
     metavar="PERCENT",
-    help="Exit code 1 if a smaller share of the branches ran.",
+    text=Text(
+        "Exit code 1 if a smaller share of the branches ran.",
+        "Rückgabewert 1, wenn ein kleinerer Teil der Zweige lief.",
+    ),
 )
 def command(
     form: str, data: str | None, merge: tuple[str, ...], minimum: float | None, **words: Any
 ) -> int:
-    """Run NC programs and count the branches of their realtime cycles."""
+    """Count branches."""
     return carry_out(
         words, lambda options, access: _cover(options, access, form, data, merge, minimum)
     )

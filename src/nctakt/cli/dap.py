@@ -11,40 +11,50 @@ from typing import Any
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.file_options import CONFINE_OPTION
-from nctakt.cli.language import language_option
-from nctakt.cli.start_options import TRUST_OPTION
+from nctakt.cli.help import described, option
+from nctakt.cli.options import TRUST_OPTION, table_option
 from nctakt.cli.terminal import print_diagnostics
-
-_EPILOG = """\b
-Editors start it themselves; docs/debugger.md has the configurations of VS Code
-and Neovim. Without --port it speaks over standard input and output. A client at
-the port gives the token that is printed, and kept in a file of this user; with
---confine a launch needs none. Ctrl-C and SIGTERM end it.
-Exit codes: 0 ended, or the client has gone, 2 wrong usage or an unusable port, 3 an error
-of nctakt's own.
-
-\b
-  nctakt dap
-  nctakt dap --port 4711
-"""
+from nctakt.run.options import BY_NAME
 
 
-@click.command("dap", epilog=_EPILOG, short_help="Debug programs from an editor.")
-@click.option(
+@described(
+    "dap",
+    summary=Text("Debug programs from an editor.", "Programme aus einem Editor debuggen."),
+    text=Text(
+        "Debug programs from an editor: breakpoints in blocks and cycles, steps back in time.",
+        "Programme aus einem Editor debuggen: Haltepunkte in Sätzen und Zyklen, Schritte zurück in "
+        "der Zeit.",
+    ),
+    codes=(Text("ended, or the client has gone", "beendet, oder der Client ist gegangen"), None),
+    notes=Text(
+        "Editors start it themselves; docs/debugger.md has the configurations of VS Code and "
+        "Neovim. Without --port it speaks over standard input and output. A client at the port "
+        "gives the token that is printed, and kept in a file of this user; with --confine a launch "
+        "needs none. Ctrl-C and SIGTERM end it.",
+        "Editoren starten es selbst; docs/debugger.md enthält die Konfigurationen von VS Code und "
+        "Neovim. Ohne --port spricht es über Standardein- und -ausgabe. Ein Client am Port gibt "
+        "das Token an, das ausgegeben wird und in einer Datei dieses Benutzers liegt; mit "
+        "--confine braucht ein Start keines. Strg-C und SIGTERM beenden es.",
+    ),
+    examples=("nctakt dap", "nctakt dap --port 4711"),
+)
+@option(
     "--port",
     type=click.IntRange(0, 65535),
     metavar="N",
-    help="Serve editors at this port of this computer, 0: a free one, which is printed.",
+    text=Text(
+        "Serve editors at this port of this computer, 0: a free one, which is printed.",
+        "Editoren an diesem Port dieses Rechners bedienen, 0: ein freier, der ausgegeben wird.",
+    ),
 )
-@CONFINE_OPTION
+@table_option(BY_NAME["confine"])
 @TRUST_OPTION
-@language_option("Language of texts and diagnostics [default: the editor's].", None)
+@table_option(BY_NAME["language"])
 def command(port: int | None, confined: tuple[str, ...], **words: Any) -> int:
-    """Debug programs from an editor: breakpoints in blocks and cycles, steps back in time."""
+    """Debug programs."""
     from nctakt.debugger.server import PortServer, serve_pipe  # noqa: PLC0415 - seldom needed
 
     language: Language = words["language"] or "en"

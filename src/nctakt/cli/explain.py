@@ -18,9 +18,9 @@ from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.formats import diagnostics_as_json
+from nctakt.cli.help import described, option
 from nctakt.cli.json_documents import as_json, plain
-from nctakt.cli.language import language_option
-from nctakt.cli.running import FORMAT_OPTION
+from nctakt.cli.options import FORMAT_OPTION, language_option
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.hli.table import find
 from nctakt.messages import diagnostic
@@ -41,33 +41,45 @@ _MAX_FOUND = 30
 _FOUND = Text("'{word}' appears in {count} articles:", "'{word}' steht in {count} Artikeln:")
 _FURTHER = Text("… {count} more", "… {count} weitere")
 
-_EPILOG = """\b
-Words with # or $ need quotation marks, so that the shell leaves them alone.
-Without a word the topics are listed; the name of a topic lists all its words.
-Exit codes: 0 all words are known, 2 a word is unknown, 3 an internal error.
 
-\b
-  nctakt explain 22009
-  nctakt explain P-CHAN-00425 V.RTA.ACS.ACT_POS.X RC-105 hli_axis.command
-  nctakt explain "gpCh[0]^.bahn_state.program_end_r" backward_motion
-  nctakt explain V.E.DOOR --machine mymachine
-  nctakt explain "cannot be written"
-  nctakt explain "#RT CYCLE" ONCE --lang de
-"""
-
-
-@click.command("explain", epilog=_EPILOG, short_help="Explain a message, parameter or word.")
+@described(
+    "explain",
+    summary=Text("Explain a message, parameter or word.", "Meldung, Parameter oder Wort erklären."),
+    text=Text(
+        "Explain messages, parameters of lists, variables and words of NC programs. A word without "
+        "an article is searched in the texts of all articles.",
+        "Meldungen, Parameter der Listen, Variablen und Wörter von NC-Programmen erklären. Ein "
+        "Wort ohne Artikel wird in den Texten aller Artikel gesucht.",
+    ),
+    codes=(Text("all words are known", "alle Wörter sind bekannt"), None),
+    notes=Text(
+        "Words with # or $ need quotation marks, so that the shell leaves them alone. Without a "
+        "word the topics are listed; the name of a topic lists all its words.",
+        "Wörter mit # oder $ brauchen Anführungszeichen, damit die Shell sie in Ruhe lässt. Ohne "
+        "Wort werden die Themen genannt; der Name eines Themas nennt alle seine Wörter.",
+    ),
+    examples=(
+        "nctakt explain 22009",
+        "nctakt explain P-CHAN-00425 V.RTA.ACS.ACT_POS.X RC-105 hli_axis.command",
+        'nctakt explain "gpCh[0]^.bahn_state.program_end_r" backward_motion',
+        "nctakt explain V.E.DOOR --machine mymachine",
+        'nctakt explain "cannot be written"',
+        'nctakt explain "#RT CYCLE" ONCE --lang de',
+    ),
+)
 @click.argument("words", metavar="[WORD]...", nargs=-1)
-@click.option(
-    "--machine", metavar="DIR", help="The machine with V.E and V.CH variables [default: demo]."
+@option(
+    "--machine",
+    metavar="FOLDER",
+    text=Text(
+        "The machine with V.E and V.CH variables [default: demo].",
+        "Die Maschine mit V.E- und V.CH-Variablen [Vorgabe: demo].",
+    ),
 )
 @FORMAT_OPTION
-@language_option("Language of the explanation.")
+@language_option("en")
 def command(words: tuple[str, ...], machine: str | None, form: str, language: Language) -> int:
-    """Explain messages, parameters of lists, variables and words of NC programs.
-
-    A word without an article is searched in the texts of all articles.
-    """
+    """Explain words."""
     try:
         return _explain(words, machine, form, language)
     except Failure as failure:

@@ -13,25 +13,9 @@ import stat
 import sys
 from collections.abc import Sequence
 
-import click
-
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess, read_stream
-
-CONFINE_OPTION = click.option(
-    "--confine",
-    "confined",
-    metavar="DIR",
-    multiple=True,
-    type=click.Path(exists=True, file_okay=False),
-    help="Read programs and lists only from this folder; may be repeated.",
-)
-
-
-WATCH_OPTION = click.option(
-    "--watch", is_flag=True, help="Do it again whenever a file changes; Ctrl-C ends it."
-)
 
 
 def file_access(confined: Sequence[str]) -> FileAccess:

@@ -20,12 +20,11 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
-from nctakt.cli.file_options import CONFINE_OPTION
-from nctakt.cli.language import language_option
+from nctakt.cli.help import described, option
+from nctakt.cli.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
 from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
-from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION, TRUST_OPTION
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
@@ -42,96 +41,86 @@ if TYPE_CHECKING:
 #: The machine time after which a run on the page ends where the project has no limit.
 _LONGEST = "24 h"
 
-_EPILOG = """\b
-The page is for this computer alone, unless --host names another address; then
-its own address holds a token, which is printed once.
-Exit codes: 0 ended by Ctrl-C or SIGTERM, 2 wrong usage or unusable input, 3 an error of
-nctakt's own.
 
-\b
-  nctakt live part.nc --open
-  nctakt live part.nc --machine lists --plc cell.py --lang de
-  nctakt live part.nc --host 0.0.0.0 --port 9000
-"""
-
-
-@click.command("live", epilog=_EPILOG, short_help="Show a run on a page in the browser.")
-@click.argument("programs", metavar="PROGRAM...", nargs=-1)
-@click.option(
-    "--channel",
-    "others",
-    metavar="N PROGRAM",
-    nargs=2,
-    multiple=True,
-    help="Run a program in channel N at the same time; may be repeated.",
+@described(
+    "live",
+    summary=Text(
+        "Show a run on a page in the browser.", "Einen Lauf auf einer Seite im Browser zeigen."
+    ),
+    text=Text(
+        "Show a run on a page in the browser: play, pause, step, go back, edit, set variables.",
+        "Einen Lauf auf einer Seite im Browser zeigen: abspielen, anhalten, schrittweise gehen, "
+        "zurückgehen, ändern, Variablen setzen.",
+    ),
+    codes=(Text("ended by Ctrl-C or SIGTERM", "beendet durch Strg-C oder SIGTERM"), None),
+    notes=Text(
+        "The page is for this computer alone, unless --host names another address; then its own "
+        "address holds a token, which is printed once.",
+        "Die Seite ist nur für diesen Rechner da, außer --host nennt eine andere Adresse; dann "
+        "enthält ihre Adresse ein Token, das einmal ausgegeben wird.",
+    ),
+    examples=(
+        "nctakt live part.nc --open",
+        "nctakt live part.nc --machine lists --plc cell.py --lang de",
+        "nctakt live part.nc --host 0.0.0.0 --port 9000",
+    ),
 )
-@click.option(
-    "--machine",
-    metavar="DIR",
-    help="Folder with the machine's lists, demo or demo5 [default: the project's, else the one "
-    "around the program, else demo].",
-)
-@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@table_options("live")
 @TRUST_OPTION
-@click.option(
-    "--set",
-    "assignments",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help="Set a variable before the first tick.",
+@PACE_OPTION
+@option(
+    "--record",
+    "tape",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Record the inputs of the last run for nctakt replay.",
+        "Die Eingaben des letzten Laufs für nctakt replay aufzeichnen.",
+    ),
 )
-@click.option(
-    "--at",
-    "stimuli",
-    metavar="TIME NAME=VALUE",
-    nargs=2,
-    multiple=True,
-    help="Set a variable at a time of the run.",
+@option(
+    "--host",
+    default="127.0.0.1",
+    metavar="ADDRESS",
+    text=Text("Address of the page.", "Adresse der Seite."),
 )
-@FROM_LINE_OPTION
-@FROM_BLOCK_OPTION
-@click.option(
-    "--wait-for-start", is_flag=True, help="START on the page begins each program (HLI.START)."
-)
-@click.option(
-    "--acknowledge", is_flag=True, help="M and H functions wait for you to acknowledge them."
-)
-@click.option(
-    "--pace",
-    type=click.Choice(["slice", "tick"]),
-    default="slice",
-    help="On the wall clock: 10 ms of ticks together, or each at its own time [default: slice].",
-)
-@click.option(
-    "--record", "tape", metavar="FILE", help="Record the inputs of the last run for nctakt replay."
-)
-@click.option("--host", default="127.0.0.1", metavar="ADDRESS", help="Address of the page.")
-@click.option(
+@option(
     "--port",
     type=click.IntRange(0, 65535),
     default=8765,
     metavar="N",
-    help="Port of the page, 0: a free one [default: 8765].",
+    text=Text(
+        "Port of the page, 0: a free one [default: 8765].",
+        "Port der Seite, 0: ein freier [Vorgabe: 8765].",
+    ),
 )
-@click.option(
+@option(
     "--dap",
     "debug_port",
     type=click.IntRange(0, 65535),
     metavar="N",
-    help="Let debuggers attach at this port of this computer, 0: a free one, which is printed.",
+    text=Text(
+        "Let debuggers attach at this port of this computer, 0: a free one, which is printed.",
+        "Debugger dürfen sich an diesem Port dieses Rechners verbinden, 0: ein freier, der "
+        "ausgegeben wird.",
+    ),
 )
-@click.option(
-    "--embed", "is_embedded", is_flag=True, help="Let an editor show the page in one of its panels."
+@option(
+    "--embed",
+    "is_embedded",
+    is_flag=True,
+    text=Text(
+        "Let an editor show the page in one of its panels.",
+        "Ein Editor darf die Seite in einem seiner Fenster zeigen.",
+    ),
 )
-@click.option("--open", "opens_browser", is_flag=True, help="Open the page in the browser.")
-@CONFINE_OPTION
-@language_option("Language of the page and of diagnostics [default: en].", None)
-@click.option("--quiet", is_flag=True, help="No notes and no warnings.")
-@click.option(
-    "--compiled/--plain",
-    default=None,
-    help="The realtime part compiled or as plain Python [default: compiled if it is built].",
+@option(
+    "--open",
+    "opens_browser",
+    is_flag=True,
+    text=Text("Open the page in the browser.", "Die Seite im Browser öffnen."),
 )
+@MODE_OPTION
 def command(
     host: str,
     port: int,
@@ -143,15 +132,14 @@ def command(
     tape: str | None,
     **words: Any,
 ) -> int:
-    """Show a run on a page in the browser: play, pause, step, go back, edit, set variables."""
+    """Show a run on a page."""
     shown = is_embedded, opens_browser
     own = _Words((host, port), debug_port, *shown, acknowledge, pace, tape)
 
     def show(options: Options, access: FileAccess) -> int:
         return _show(options, access, own)
 
-    given = {**words, "ticks": None, "until": None, "after": "0"}
-    return carry_out(given, show)
+    return carry_out(words, show)
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,6 +226,9 @@ def _session_opener(
     from nctakt.run.program_loader import NcText  # noqa: PLC0415 - the mode is chosen before
     from nctakt.session.session import Session  # noqa: PLC0415 - as above
 
+    given = request.session_options
+    given["until"] = given["until"] or _LONGEST
+
     def open_session(program: str | None, acknowledges: bool) -> Session:
         texts = {
             number: [
@@ -251,15 +242,10 @@ def _session_opener(
             channels=texts,
             machine=options.machine,
             plc=options.plc,
-            set=request.assignments,
-            at=request.stimuli,
-            until=request.until or _LONGEST,
-            wait_for_start=options.wait_for_start,
             acknowledges=acknowledges,
             folders=folders,
             pace=own.pace,
-            from_line=options.from_line,
-            from_block=options.from_block,
+            **given,
         )
 
     return open_session

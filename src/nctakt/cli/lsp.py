@@ -11,41 +11,62 @@ import gc
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.language import language_option
+from nctakt.cli.help import described, option
+from nctakt.cli.options import language_option
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.editor import EDITOR_LIBRARY_MISSING
 
-_EPILOG = """\b
-Editors start it by themselves and speak with it over its standard streams;
-docs/editor.md has the few lines that each needs. --tcp waits for one editor at
-an address instead, which gives the token that is printed, and kept in a file of
-this user. Ctrl-C and SIGTERM end it.
-Exit codes: 0 ended, 2 wrong usage, a missing library or an unusable port, 3 an error of nctakt's
-own.
 
-\b
-  nctakt lsp
-  nctakt lsp --tcp 2087 --lang de
-"""
-
-
-@click.command("lsp", epilog=_EPILOG, short_help="Serve an editor (language server).")
-@click.option("--stdio", is_flag=True, help="Speak over the standard streams [default].")
-@click.option(
+@described(
+    "lsp",
+    summary=Text("Serve an editor (language server).", "Einen Editor bedienen (Sprachserver)."),
+    text=Text(
+        "Check, explain, complete and format programs and lists in an editor.",
+        "Programme und Listen in einem Editor prüfen, erklären, ergänzen und formatieren.",
+    ),
+    codes=(Text("ended", "beendet"), None),
+    notes=Text(
+        "Editors start it by themselves and speak with it over its standard streams; "
+        "docs/editor.md has the few lines that each needs. --tcp waits for one editor at an "
+        "address instead, which gives the token that is printed, and kept in a file of this user. "
+        "Ctrl-C and SIGTERM end it.",
+        "Editoren starten es selbst und sprechen über seine Standardströme mit ihm; docs/editor.md "
+        "enthält die wenigen Zeilen, die jeder braucht. --tcp wartet stattdessen an einer Adresse "
+        "auf einen Editor, der das Token angibt, das ausgegeben wird und in einer Datei dieses "
+        "Benutzers liegt. Strg-C und SIGTERM beenden es.",
+    ),
+    examples=("nctakt lsp", "nctakt lsp --tcp 2087 --lang de"),
+)
+@option(
+    "--stdio",
+    is_flag=True,
+    text=Text(
+        "Speak over the standard streams [default].", "Über die Standardströme sprechen [Vorgabe]."
+    ),
+)
+@option(
     "--tcp",
     "port",
     type=click.IntRange(0, 65535),
     metavar="PORT",
-    help="Wait for an editor at this port, 0: a free one, which is printed.",
+    text=Text(
+        "Wait for an editor at this port, 0: a free one, which is printed.",
+        "An diesem Port auf einen Editor warten, 0: ein freier, der ausgegeben wird.",
+    ),
 )
-@click.option("--host", default="127.0.0.1", metavar="ADDRESS", help="Address of the port.")
-@language_option("Language of findings and explanations [default: en].")
+@option(
+    "--host",
+    default="127.0.0.1",
+    metavar="ADDRESS",
+    text=Text("Address of the port.", "Adresse des Ports."),
+)
+@language_option("en")
 def command(stdio: bool, port: int | None, host: str, language: Language) -> int:
-    """Check, explain, complete and format programs and lists in an editor."""
+    """Serve an editor."""
     gc.disable()  # what is imported stays
     try:
         try:

@@ -13,10 +13,11 @@ from pathlib import Path
 
 import click
 
-from nctakt.base.diagnostics import Language, Severity
+from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.language import language_option
+from nctakt.cli.help import described, option
+from nctakt.cli.options import language_option, table_option
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import ListSearch
@@ -32,40 +33,50 @@ from nctakt.messages.folders import (
     LISTS_KEPT_IN_ASCII,
     LISTS_WRITTEN,
 )
+from nctakt.run.options import BY_NAME
 
 #: Maximum number of entries without a form in XML in a message.
 _NAMED_ENTRIES = 5
-_EPILOG = """\b
-Exit codes: 0 the lists are written, 2 the folder is in use or cannot be
-written, or a list cannot be read, 3 an internal error of nctakt.
-
-\b
-  nctakt new mymachine
-  nctakt check mymachine
-  nctakt run part.nc --machine mymachine
-  nctakt new readable --from machine --format ascii
-"""
 
 
-@click.command("new", epilog=_EPILOG, short_help="Write a machine folder to start from.")
-@click.argument("folder", metavar="DIR")
-@click.option(
+@described(
+    "new",
+    summary=Text(
+        "Write a machine folder to start from.", "Einen Maschinenordner als Anfang schreiben."
+    ),
+    text=Text(
+        "Write the lists of a machine with four axes and three spindles, with comments.",
+        "Die Listen einer Maschine mit vier Achsen und drei Spindeln schreiben, mit Kommentaren.",
+    ),
+    codes=(Text("the lists are written", "die Listen sind geschrieben"), None),
+    examples=(
+        "nctakt new mymachine",
+        "nctakt check mymachine",
+        "nctakt run part.nc --machine mymachine",
+        "nctakt new readable --from machine --format ascii",
+    ),
+)
+@click.argument("folder", metavar="FOLDER")
+@option(
     "--from",
     "--like",
     "source",
-    metavar="DIR",
-    help="Write the lists of this machine, or of demo5, instead of the demo machine's.",
+    metavar="FOLDER",
+    text=Text(
+        "Write the lists of this machine, or of demo5, instead of the demo machine's.",
+        "Statt der Listen der Demo-Maschine die dieser Maschine oder von demo5 schreiben.",
+    ),
 )
-@click.option("--root", metavar="DIR", help="Controller's root folder, where lists name files.")
-@click.option(
+@table_option(BY_NAME["root"])
+@option(
     "--format",
     "list_format",
     type=click.Choice(["ascii", "xml"]),
     default="ascii",
-    help="Format of the lists [ascii].",
+    text=Text("Format of the lists [default: ascii].", "Form der Listen [Vorgabe: ascii]."),
 )
-@language_option("Language of the lists' comments.")
-@click.option("--quiet", is_flag=True, help="Print nothing.")
+@language_option("en")
+@table_option(BY_NAME["quiet"])
 def command(
     folder: str,
     source: str | None,
@@ -74,7 +85,7 @@ def command(
     language: Language,
     quiet: bool,
 ) -> int:
-    """Write the lists of a machine with four axes and three spindles, with comments."""
+    """Write lists."""
     try:
         if source is None:
             lists = commented_lists(language, list_format)

@@ -10,9 +10,7 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-import click
+from typing import TYPE_CHECKING
 
 from nctakt.cli.request import Options, Request
 
@@ -21,20 +19,6 @@ if TYPE_CHECKING:
     from nctakt.results.run import Run
     from nctakt.run.controller import Controller
     from nctakt.trace.sinks import Sink
-
-
-_OPTIONS = (
-    click.option("--plot", metavar="FILE", help="Draw the run: .html (interactive), .svg or .png."),
-    click.option("--vcd", metavar="FILE", help="Write signals and cycles for GTKWave (.vcd)."),
-    click.option("--perfetto", metavar="FILE", help="Write the same for Perfetto (.json)."),
-)
-
-
-def with_drawing_options(command: Callable[..., Any]) -> Callable[..., Any]:
-    """Add the options of the files that show a run to a command."""
-    for option in reversed(_OPTIONS):
-        command = option(command)
-    return command
 
 
 class Drawings:
@@ -100,7 +84,7 @@ class Drawings:
         if not self._files:
             return list(sinks)
         signals = self._default_signals if request.signals is None else request.signals
-        hides = () if self._options.blocks else BLOCK_EVENTS
+        hides = () if self._options.run["blocks"] else BLOCK_EVENTS
         return [first_columns(sink, len(signals), hides) for sink in sinks]
 
     def draw(self, run: Run) -> None:

@@ -13,60 +13,73 @@ from typing import Any
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
 from nctakt.cli.file_options import file_access
-from nctakt.cli.language import language_option
-from nctakt.cli.plotting import with_drawing_options
+from nctakt.cli.help import described, option
+from nctakt.cli.options import FORMAT_OPTION, MODE_OPTION, table_options, with_file_options
 from nctakt.cli.run import run_with
-from nctakt.cli.running import FORMAT_OPTION
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 
-_EPILOG = """\b
-A replay runs in the folder in which the run was recorded. A tape reaches the
-files of its own folder; --root names others.
-Exit codes: 0 it ran and the events were the recorded ones, 1 an NC error,
-interrupted by Ctrl-C or other events, 2 wrong usage or unusable input, 3 an
-error of nctakt's own.
 
-\b
-  nctakt run part.nc --plc cell.py --record run.tape
-  nctakt replay run.tape --trace out.csv
-"""
-
-
-@click.command("replay", epilog=_EPILOG, short_help="Repeat a recorded run without its PLC.")
+@described(
+    "replay",
+    summary=Text(
+        "Repeat a recorded run without its PLC.", "Einen aufgezeichneten Lauf ohne SPS wiederholen."
+    ),
+    text=Text(
+        "Repeat a run that nctakt run --record has recorded.",
+        "Einen Lauf wiederholen, den nctakt run --record aufgezeichnet hat.",
+    ),
+    codes=(
+        Text(
+            "it ran and the events were the recorded ones",
+            "er lief, und die Ereignisse waren die aufgezeichneten",
+        ),
+        Text(
+            "an NC error, other events, or Ctrl-C", "ein NC-Fehler, andere Ereignisse oder Strg-C"
+        ),
+    ),
+    notes=Text(
+        "A replay runs in the folder in which the run was recorded. A tape reaches the files of "
+        "its own folder; --root names others.",
+        "Eine Wiederholung läuft in dem Ordner, in dem der Lauf aufgezeichnet wurde. Ein Band "
+        "erreicht die Dateien seines Ordners; --root nennt andere.",
+    ),
+    examples=(
+        "nctakt run part.nc --plc cell.py --record run.tape",
+        "nctakt replay run.tape --trace out.csv",
+    ),
+)
 @click.argument("tape", metavar="TAPE")
-@click.option(
-    "--anyway", is_flag=True, help="Replay although programs or lists have changed since."
+@option(
+    "--anyway",
+    is_flag=True,
+    text=Text(
+        "Replay although programs or lists have changed since.",
+        "Wiederholen, obwohl sich Programme oder Listen seitdem geändert haben.",
+    ),
 )
 @FORMAT_OPTION
-@click.option("--trace", metavar="FILE", help="Record each tick: .csv, .jsonl or .parquet.")
-@click.option("--signals", metavar="NAME,...", help="The signals to record and to draw.")
-@with_drawing_options
-@click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
-@click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
-@click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
-@click.option(
+@table_options("replay")
+@with_file_options
+@option(
     "--root",
     "--confine",
     "confined",
-    metavar="DIR",
+    metavar="FOLDER",
     multiple=True,
     type=click.Path(exists=True, file_okay=False),
-    help="Folder whose files the tape may name; may be repeated [default: the tape's].",
+    text=Text(
+        "Folder whose files the tape may name; may be repeated [default: the tape's].",
+        "Ordner, dessen Dateien das Band nennen darf; mehrfach möglich [Vorgabe: der des Bands].",
+    ),
 )
-@language_option("Language of diagnostics, summary and diagnosis data [default: en].", None)
-@click.option("--quiet", is_flag=True, help="No summary and no notes.")
-@click.option(
-    "--compiled/--plain",
-    default=None,
-    help="The realtime part compiled or as plain Python [default: compiled where it is built].",
-)
+@MODE_OPTION
 def command(tape: str, anyway: bool, **words: Any) -> int:
-    """Repeat a run that nctakt run --record has recorded."""
+    """Repeat a recorded run."""
     language: Language = words["language"] or "en"
     try:
         return _replay(tape, anyway, words)

@@ -8,20 +8,19 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.cli.file_options import read_standard_input
 from nctakt.files.access import FileAccess
-from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.block_search import BOTH_STARTS_GIVEN
-from nctakt.messages.command_line import INVALID_SKIP_OPTION, RECORDING_WITHOUT_TRACE
+from nctakt.messages.command_line import RECORDING_WITHOUT_TRACE
 from nctakt.messages.files import (
     FILE_MISSING,
     FILE_NOT_READABLE,
@@ -31,12 +30,13 @@ from nctakt.messages.files import (
 )
 from nctakt.messages.folders import INVALID_CHANNEL_NUMBER, NO_PROGRAM_NAMED
 from nctakt.messages.plc import PLC_AND_HLI_OPTIONS
-from nctakt.nc.parse.block_head import SKIP_LEVELS
-from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus
+from nctakt.run.option_kinds import split_names
+from nctakt.run.options import BY_NAME, READ_NAMES
 
 if TYPE_CHECKING:
     from nctakt.plc import AnyPlc
     from nctakt.run.controller import NcText
+    from nctakt.run.options import ProgramOptions, RunKeywords
     from nctakt.run.tape import Tape
 
 #: Stands for standard input in place of a program.
@@ -53,7 +53,8 @@ _T = TypeVar("_T")
 class Options:
     """The words of the command line with the settings of the project; ``None``: not given.
 
-    ``machine_note`` tells which setting names the machine.
+    ``machine_note`` tells which setting names the machine. ``run``: the words of the options of
+    ``Controller.run`` by name.
     """
 
     programs: tuple[str, ...]
@@ -61,18 +62,12 @@ class Options:
     machine: str | None
     machine_note: Diagnostic | None = None
     root: str | None = None
-    assignments: tuple[str, ...]
-    stimuli: tuple[tuple[str, str], ...]
-    ticks: int | None
-    until: str | None
-    after: str
     plc: str | None
-    skip: str = ""
+    run: Mapping[str, Any]
     trace: str | None = None
     plot: str | None = None
     vcd: str | None = None
     perfetto: str | None = None
-    blocks: bool = False
     signals: str | None = None
     project_signals: tuple[str, ...] | None = None
     diagnosis: str | None = None
@@ -80,7 +75,6 @@ class Options:
     messages: str | None = None
     language: Language
     compiled: bool | None
-    wait_for_start: bool = False
     hli: str | None = None
     rtconf: str | None = None
     load: str | None = None
@@ -90,10 +84,7 @@ class Options:
     limit_fails: bool = False
     confined: tuple[str, ...] = ()
     record: str | None = None
-    stays: bool = False
     tape: Tape | None = None
-    from_line: int | None = None
-    from_block: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,13 +96,15 @@ class Request:
 
     programs: tuple[Path | NcText, ...]
     channels: dict[int, tuple[Path | NcText, ...]]
-    assignments: dict[str, float | str]
-    stimuli: tuple[Stimulus, ...]
-    until: Time | None
-    after: Time
+    options: RunKeywords
     signals: tuple[str, ...] | None
     plc: AnyPlc | None
-    skip_levels: tuple[int, ...]
+
+    @property
+    def session_options(self) -> ProgramOptions:
+        """The options that a session accepts."""
+        given = cast("Mapping[str, Any]", self.options)
+        return cast("ProgramOptions", {name: given[name] for name in READ_NAMES})
 
 
 class _Reader:
@@ -139,7 +132,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
     reader = _Reader()
     words = (*options.programs, *(program for _, program in options.others))
     texts = {} if options.tape is None else options.tape.texts
-    if not words and not options.stays:
+    if not words and not options.run["stays"]:
         reader.diagnostics.append(diagnostic(NO_PROGRAM_NAMED))
     if words.count(STANDARD_INPUT) > 1:
         reader.diagnostics.append(diagnostic(STDIN_NAMED_TWICE))
@@ -149,13 +142,13 @@ def read_request(options: Options, access: FileAccess) -> Request:
     if options.machine is not None:
         reader.read(_check_machine, machine_folder(options.machine))
         reader.read(access.check_admitted, machine_folder(options.machine))
-    assignments = [reader.read(parse_assignment, text) for text in options.assignments]
-    stimuli = [reader.read(parse_stimulus, *pair) for pair in options.stimuli]
-    until = () if options.until is None else reader.read(read_time, options.until)
-    after = reader.read(read_time, options.after)
+    run = options.run
+    read: dict[str, Any] = {}
+    for name, word in run.items():
+        for value in reader.read(BY_NAME[name].kind.from_words, word):
+            read[name] = value
     plc = () if options.plc is None else reader.read(_load_plc, options.plc, access)
-    skip_levels = reader.read(_skip_levels, options.skip)
-    if options.from_line is not None and options.from_block is not None:
+    if run["from_line"] is not None and run["from_block"] is not None:
         reader.diagnostics.append(diagnostic(BOTH_STARTS_GIVEN))
     if options.plc is not None and options.hli is not None:
         reader.diagnostics.append(diagnostic(PLC_AND_HLI_OPTIONS))
@@ -164,7 +157,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
     is_traced = options.trace is not None
     for option, is_lost in (
         ("--signals", signals is not None and not is_traced and not is_drawn),
-        ("--blocks", options.blocks and options.tape is None and not is_traced),
+        ("--blocks", run["blocks"] and options.tape is None and not is_traced),
     ):
         if is_lost:
             reader.diagnostics.append(diagnostic(RECORDING_WITHOUT_TRACE, option=option))
@@ -180,23 +173,10 @@ def read_request(options: Options, access: FileAccess) -> Request:
     return Request(
         tuple(programs.pop(1)),
         {number: tuple(own) for number, own in programs.items()},
-        dict(pair for item in assignments for pair in item),
-        tuple(stimulus for item in stimuli for stimulus in item),
-        next(iter(until), None),
-        after[0],
+        cast("RunKeywords", read),
         signals,
         next(iter(plc), None),
-        skip_levels[0],
     )
-
-
-def _skip_levels(text: str) -> tuple[int, ...]:
-    """Return the levels in a list separated by commas."""
-    words = [word.strip() for word in text.split(",") if word.strip()]
-    wrong = [word for word in words if not word.isdecimal() or not 1 <= int(word) <= SKIP_LEVELS]
-    if wrong:
-        raise Failure(diagnostic(INVALID_SKIP_OPTION, found=wrong[0], maximum=SKIP_LEVELS))
-    return tuple(int(word) for word in words)
 
 
 def _channel_number(text: str) -> int:
@@ -243,16 +223,3 @@ def _load_plc(path: str, access: FileAccess) -> AnyPlc:
 
     access.note(path)
     return load_plc(path)
-
-
-def split_names(text: str) -> tuple[str, ...]:
-    """Return the names in a list separated by commas; commas in brackets belong to names."""
-    names = [""]
-    depth = 0
-    for character in text:
-        depth += (character == "[") - (character == "]")
-        if character == "," and depth <= 0:
-            names.append("")
-        else:
-            names[-1] += character
-    return tuple(name.strip() for name in names if name.strip())

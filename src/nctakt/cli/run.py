@@ -15,14 +15,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Severity
+from nctakt.base.diagnostics import Severity, Text
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.file_options import WATCH_OPTION
-from nctakt.cli.plotting import Drawings, with_drawing_options
+from nctakt.cli.help import described, option
+from nctakt.cli.options import FORMAT_OPTION, WATCH_OPTION, with_file_options
+from nctakt.cli.plotting import Drawings
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import (
-    FORMAT_OPTION,
     RUN_CODES,
+    TIMES_NOTE,
     choose_mode,
     exit_code,
     run_options,
@@ -31,7 +32,6 @@ from nctakt.cli.running import (
     with_limit_error,
 )
 from nctakt.cli.settings import carry_out
-from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION
 from nctakt.cli.terminal import (
     message_line,
     print_diagnostics,
@@ -53,35 +53,47 @@ if TYPE_CHECKING:
     from nctakt.run.tape import TapeComparison, TapeWriter
     from nctakt.trace.sinks import Sink
 
-_EPILOG = f"""{RUN_CODES}
-\b
-  nctakt run part.nc
-  nctakt run part.nc --set V.E.VALUE=5 --at 1.5ms V.E.VALUE=-1
-  nctakt run part.nc --trace out.csv --signals X.ACS.ACT_POS,BLOCK
-  nctakt run - < part.nc
-"""
 
-
-@click.command("run", epilog=_EPILOG, short_help="Run NC programs one after another.")
-@run_options("diagnostics, summary and diagnosis data", "No summary and no notes.")
-@FORMAT_OPTION
-@click.option("--trace", metavar="FILE", help="Record each tick: .csv, .jsonl or .parquet.")
-@click.option("--signals", metavar="NAME,...", help="The signals to record and to draw.")
-@with_drawing_options
-@click.option("--blocks", is_flag=True, help="Record when each block is decoded and run.")
-@click.option("--diagnosis", metavar="FILE", help="Write the realtime cycles' diagnosis data.")
-@click.option("--messages", metavar="FILE", help="Write the programs' messages to a file as well.")
-@click.option(
-    "--wait-for-start", is_flag=True, help="START on the HLI begins each program (HLI.START)."
+@described(
+    "run",
+    summary=Text("Run NC programs one after another.", "NC-Programme nacheinander ausführen."),
+    text=Text(
+        "Run NC programs one after another on the same controller ('-': standard input).",
+        "NC-Programme nacheinander auf derselben Steuerung ausführen ('-': Standardeingabe).",
+    ),
+    codes=RUN_CODES,
+    notes=TIMES_NOTE,
+    examples=(
+        "nctakt run part.nc",
+        "nctakt run part.nc --set V.E.VALUE=5 --at 1.5ms V.E.VALUE=-1",
+        "nctakt run part.nc --trace out.csv --signals X.ACS.ACT_POS,BLOCK",
+        "nctakt run - < part.nc",
+    ),
 )
-@FROM_LINE_OPTION
-@FROM_BLOCK_OPTION
-@click.option("--hli", metavar="NAME", help="Share the HLI; a PLC in another process answers.")
-@click.option("--error-log", metavar="FILE", help="Write the user errors (#ERROR) to a file.")
-@click.option("--record", metavar="FILE", help="Record all inputs for nctakt replay.")
+@run_options("run")
+@FORMAT_OPTION
+@with_file_options
+@option(
+    "--hli",
+    metavar="NAME",
+    group="machine",
+    text=Text(
+        "Share the HLI; a PLC in another process answers.",
+        "Das HLI teilen; eine SPS in einem anderen Prozess antwortet.",
+    ),
+)
+@option(
+    "--record",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Record all inputs for nctakt replay.",
+        "Alle Eingaben für nctakt replay aufzeichnen.",
+    ),
+)
 @WATCH_OPTION
 def command(**words: Any) -> int:
-    """Run NC programs one after another on the same controller ('-': standard input)."""
+    """Run programs."""
     return carry_out(words, run_with)
 
 

@@ -12,15 +12,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
-import click
-
-from nctakt.base.diagnostics import Severity
+from nctakt.base.diagnostics import Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.file_options import CONFINE_OPTION
-from nctakt.cli.language import language_option
+from nctakt.cli.options import MODE_OPTION, TRUST_OPTION, table_options
 from nctakt.cli.request import Options, Request
-from nctakt.cli.start_options import TRUST_OPTION
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time
@@ -37,119 +33,39 @@ if TYPE_CHECKING:
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.controller import Controller
     from nctakt.run.inputs import InputListener
+    from nctakt.run.options import RunKeywords
     from nctakt.schedule.open_schedule import RunSchedule
     from nctakt.trace.sinks import Sink
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 
 
-#: The option for text, or one object for scripts.
-FORMAT_OPTION = click.option(
-    "--format",
-    "form",
-    type=click.Choice(["text", "json"]),
-    default="text",
-    help="Text, or all results as one JSON object [default: text].",
+#: The exit codes of commands that run programs.
+RUN_CODES = (
+    Text(
+        "success (also at a limit, unless --limit-fails)",
+        "Erfolg (auch an einer Grenze, außer mit --limit-fails)",
+    ),
+    Text(
+        "an NC error, a program that stands where no limit was set, or Ctrl-C",
+        "ein NC-Fehler, ein Programm, das ohne gesetzte Grenze steht, oder Strg-C",
+    ),
 )
 
-#: The end of the help of commands that run programs.
-RUN_CODES = """\b
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number
-means seconds.
-Exit codes: 0 success (also at a limit, unless --limit-fails), 1 an NC error, a
-program that stands where no limit was set, or interrupted by Ctrl-C, 2 wrong
-usage or invalid input, 3 an internal error of nctakt.
-"""
-
-
-#: The options of each command that runs programs, in the order of the help.
-_RUN_OPTIONS = (
-    click.argument("programs", metavar="PROGRAM...", nargs=-1),
-    click.option(
-        "--channel",
-        "others",
-        metavar="N PROGRAM",
-        nargs=2,
-        multiple=True,
-        help="Run a program in channel N at the same time; may be repeated.",
-    ),
-    click.option(
-        "--machine",
-        metavar="DIR",
-        help="Folder with the machine's lists, demo or demo5 [default: the project's, else the "
-        "one around the program, else demo].",
-    ),
-    click.option("--root", metavar="DIR", help="Controller's root folder, where lists name files."),
-    click.option(
-        "--set",
-        "assignments",
-        metavar="NAME=VALUE",
-        multiple=True,
-        help="Set a variable before the first tick.",
-    ),
-    click.option(
-        "--at",
-        "stimuli",
-        metavar="TIME NAME=VALUE",
-        nargs=2,
-        multiple=True,
-        help="Set a variable at a time of the run.",
-    ),
-    click.option("--ticks", type=click.IntRange(min=1), metavar="N", help="Run at most N ticks."),
-    click.option("--until", metavar="TIME", help="Limit of the run [default: 10min]."),
-    click.option("--limit-fails", is_flag=True, help="Exit code 1 if that limit ends the run."),
-    click.option(
-        "--after",
-        metavar="TIME",
-        default="0",
-        help="Continue for this time after the last program.",
-    ),
-    click.option("--skip", metavar="N,...", default="", help="Skip blocks of these skip levels."),
-    click.option(
-        "--rtconf", metavar="FILE", help="Scheduling list for the time of decoder and PLC."
-    ),
-    click.option(
-        "--load", metavar="FILE.toml", help="Execution times of the functions of --rtconf."
-    ),
-    click.option(
-        "--os",
-        "system",
-        type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
-        help="Operating system of --rtconf [default: rtx].",
-    ),
-    CONFINE_OPTION,
-    click.option(
-        "--plc",
-        metavar="FILE.py",
-        help="A class of yours that plays the PLC; default: the built-in one.",
-    ),
-    TRUST_OPTION,
-)
-_MODE_OPTION = click.option(
-    "--compiled/--plain",
-    default=None,
-    help="The realtime part compiled or as plain Python [default: compiled if it is built].",
+#: A note of commands that run programs.
+TIMES_NOTE = Text(
+    "Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number means "
+    "seconds.",
+    "Zeiten sind Zahlen mit us, ms, s, min, h oder ticks ('300 ticks'); eine bloße Zahl meint "
+    "Sekunden.",
 )
 
 
-def run_options(
-    language_of: str, quiet_help: str = "No notes and no warnings."
-) -> Callable[[_Command], _Command]:
-    """Return a decorator with the options for programs, machine, values, limits, PLC, language.
+def run_options(command: str) -> Callable[[_Command], _Command]:
+    """Return a decorator with the options of a command that runs programs."""
 
-    ``language_of``: the texts in that language, for the help.
-    """
-    options = (
-        *_RUN_OPTIONS,
-        language_option(f"Language of {language_of} [default: en].", None),
-        click.option("--quiet", is_flag=True, help=quiet_help),
-        _MODE_OPTION,
-    )
-
-    def decorate(command: _Command) -> _Command:
-        for option in reversed(options):
-            command = option(command)
-        return command
+    def decorate(function: _Command) -> _Command:
+        return table_options(command)(TRUST_OPTION(MODE_OPTION(function)))
 
     return decorate
 
@@ -228,6 +144,7 @@ def run_programs(
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
     bar = ProgressBar()
+    given = request.options
 
     def show_progress(tick: int, limit: int | None) -> None:
         interrupt.check()
@@ -235,32 +152,22 @@ def run_programs(
 
     try:
         with InterruptRequest() as interrupt:
-            return controller.run(
-                *request.programs,
-                channels=request.channels,
-                set=request.assignments,
-                at=request.stimuli,
-                until=request.until,
-                ticks=options.ticks,
-                after=request.after,
-                plc=request.plc,
-                wait_for_start=options.wait_for_start,
-                from_line=options.from_line,
-                from_block=options.from_block,
-                skip=request.skip_levels,
-                signals=request.signals,
-                sinks=sinks,
-                memory_trace=is_drawn,
-                why=why or is_drawn,
-                on_message=_without_bar(bar, on_message),
-                on_progress=show_progress,
-                on_cycle=on_cycle,
-                blocks=options.blocks or is_drawn,
-                condition_signals=condition_signals,
-                stays=options.stays,
-                record=record,
-                replay=options.tape,
-            )
+            run_keywords: RunKeywords = {
+                **given,
+                "plc": request.plc,
+                "signals": request.signals,
+                "sinks": sinks,
+                "memory_trace": is_drawn,
+                "why": why or is_drawn,
+                "on_message": _without_bar(bar, on_message),
+                "on_progress": show_progress,
+                "on_cycle": on_cycle,
+                "blocks": given["blocks"] or is_drawn,
+                "condition_signals": condition_signals,
+                "record": record,
+                "replay": options.tape,
+            }
+            return controller.run(*request.programs, channels=request.channels, **run_keywords)
     except PlcError as failure:
         bar.hide()
         print_diagnostics(failure.diagnostics, options.language)

@@ -11,15 +11,15 @@ from __future__ import annotations
 
 from typing import Any
 
-import click
-
-from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.diagnostics import Diagnostic, Language, Text
+from nctakt.cli.help import described, described_group, option
 from nctakt.cli.schedule_compare import compare
 from nctakt.cli.schedule_learn import learn
 from nctakt.cli.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
+    NOTE,
     OUTPUT_OPTIONS,
     ListRead,
     guarded,
@@ -37,21 +37,31 @@ from nctakt.cli.schedule_suggest import suggest
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.schedule_check import LIST_REWRITTEN
 
-_EPILOG = f"""{EXIT_CODES}
-\b
-  nctakt schedule show rtconf.lis
-  nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg
-  nctakt schedule analyse rtconf.lis --load load.toml
-  nctakt schedule compare rtconf.lis other.lis --load load.toml
-  nctakt schedule suggest rtconf.lis --load load.toml --slack 20
-  nctakt schedule learn rtconf.lis recording.vcd --output load.toml
-  nctakt schedule run rtconf.lis --load load.toml --duration 10s
-"""
 
-
-@click.group("schedule", epilog=_EPILOG, short_help="Show, simulate, analyse, run rtconf.lis.")
+@described_group(
+    "schedule",
+    summary=Text(
+        "Show, simulate, analyse, run rtconf.lis.", "rtconf.lis zeigen, simulieren, ausführen."
+    ),
+    text=Text(
+        "Show, simulate, analyse, compare, improve and run scheduling lists (rtconf.lis).",
+        "Listen der Echtzeitkonfiguration (rtconf.lis) zeigen, simulieren, berechnen, vergleichen, "
+        "verbessern und ausführen.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=(
+        "nctakt schedule show rtconf.lis",
+        "nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg",
+        "nctakt schedule analyse rtconf.lis --load load.toml",
+        "nctakt schedule compare rtconf.lis other.lis --load load.toml",
+        "nctakt schedule learn rtconf.lis recording.vcd --output load.toml",
+        "nctakt schedule run rtconf.lis --load load.toml --duration 10s",
+        "nctakt schedule suggest rtconf.lis --load load.toml --slack 20",
+    ),
+)
 def command() -> None:
-    """Show, simulate, analyse, compare, improve and run scheduling lists (rtconf.lis)."""
+    """Handle scheduling lists."""
 
 
 command.add_command(compare)
@@ -60,36 +70,82 @@ command.add_command(run)
 command.add_command(suggest)
 
 
-@command.command("show", epilog=EXIT_CODES, short_help="Raw and effective values of a list.")
+@described(
+    "show",
+    summary=Text("Raw and effective values of a list.", "Rohe und wirksame Werte einer Liste."),
+    text=Text(
+        "Check a list; show each parameter raw and effective, with the reason. With --fix or "
+        "--output the written list is shown.",
+        "Eine Liste prüfen; jeden Parameter roh und wirksam zeigen, mit dem Grund. Mit --fix "
+        "oder --output wird die geschriebene Liste gezeigt.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule show rtconf.lis",),
+)
 @with_options(
     *LIST_OPTIONS,
-    click.option(
-        "--fix", is_flag=True, help="Write the effective values into the list; comments stay."
+    option(
+        "--fix",
+        is_flag=True,
+        text=Text(
+            "Write the effective values into the list; comments stay.",
+            "Die wirksamen Werte in die Liste schreiben; Kommentare bleiben.",
+        ),
     ),
-    click.option(
-        "--output", metavar="FILE", help="Write the list with effective values to another file."
+    option(
+        "--output",
+        metavar="FILE",
+        text=Text(
+            "Write the list with effective values to another file.",
+            "Die Liste mit wirksamen Werten in eine andere Datei schreiben.",
+        ),
+        group="files",
     ),
 )
 def show(**words: Any) -> int:
-    """Check a list; show each parameter raw and effective, with the reason.
-
-    With --fix or --output the written list is shown.
-    """
+    """Raw and effective values of a list."""
     return guarded(_show, words)
 
 
-@command.command("simulate", epilog=EXIT_CODES, short_help="Simulate the schedule in virtual time.")
+@described(
+    "simulate",
+    summary=Text(
+        "Simulate the schedule in virtual time.", "Den Ablauf in virtueller Zeit simulieren."
+    ),
+    text=Text(
+        "Simulate the schedule: tables of threads and of Windows, pictures, traces.",
+        "Den Ablauf simulieren: Tabellen der Threads und von Windows, Bilder, Aufzeichnungen.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule simulate rtconf.lis --load load.toml --plot schedule.svg",),
+)
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *OUTPUT_OPTIONS)
 def simulate(**words: Any) -> int:
-    """Simulate the schedule: tables of threads and of Windows, pictures, traces."""
+    """Simulate the schedule in virtual time."""
     return guarded(_simulate, words)
 
 
-@command.command("analyse", epilog=EXIT_CODES, short_help="Compute response times and margins.")
+@described(
+    "analyse",
+    summary=Text("Compute response times and margins.", "Antwortzeiten und Reserven berechnen."),
+    text=Text(
+        "Compute response times without simulation, load against supply, and margins.",
+        "Antwortzeiten ohne Simulation, Last gegen Angebot und Reserven berechnen.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule analyse rtconf.lis --load load.toml",),
+)
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
 def analyse(**words: Any) -> int:
-    """Compute response times without simulation, load against supply, and margins."""
+    """Compute response times and margins."""
     return guarded(_analyse, words)
+
+
+for _part in (show, simulate, analyse):
+    command.add_command(_part)
 
 
 def _show(words: dict[str, Any]) -> int:

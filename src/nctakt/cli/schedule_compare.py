@@ -14,10 +14,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
+from nctakt.cli.help import described, option
 from nctakt.cli.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
+    NOTE,
     guarded,
     make_model,
     publish,
@@ -37,17 +40,45 @@ if TYPE_CHECKING:
     from nctakt.schedule.model import Model
 
 
-@click.command("compare", epilog=EXIT_CODES, short_help="Compare two lists with the same load.")
+@described(
+    "compare",
+    summary=Text(
+        "Compare two lists with the same load.", "Zwei Listen mit derselben Last vergleichen."
+    ),
+    text=Text(
+        "Compare two lists: responses, overflows and Windows' time, with the same load.",
+        "Zwei Listen vergleichen: Antwortzeiten, Überläufe und die Zeit von Windows, mit "
+        "derselben Last.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule compare rtconf.lis other.lis --load load.toml",),
+)
 @click.argument("file", metavar="A.LIS")
 @click.argument("second", metavar="B.LIS")
 @with_options(*LIST_OPTIONS[1:], *MODEL_OPTIONS)
-@click.option("--load-b", metavar="FILE.toml", help="The load for B [default: that of A].")
-@click.option("--plot", metavar="FILE", help="Draw both schedules (.svg, .png, .html).")
-@click.option(
-    "--drawn", type=click.IntRange(min=1, max=100_000), metavar="N", help="NC cycles in pictures."
+@option(
+    "--load-b",
+    metavar="FILE.toml",
+    text=Text("The load for B [default: that of A].", "Die Last für B [Vorgabe: die von A]."),
+)
+@option(
+    "--plot",
+    metavar="FILE",
+    text=Text(
+        "Draw both schedules (.svg, .png, .html).", "Beide Abläufe zeichnen (.svg, .png, .html)."
+    ),
+    group="files",
+)
+@option(
+    "--drawn",
+    type=click.IntRange(min=1, max=100_000),
+    metavar="N",
+    text=Text("NC cycles in pictures.", "NC-Zyklen in Bildern."),
+    group="files",
 )
 def compare(**words: Any) -> int:
-    """Compare two lists: responses, overflows and Windows' time, with the same load."""
+    """Compare two lists with the same load."""
     return guarded(_compare, words)
 
 

@@ -12,10 +12,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
+from nctakt.cli.help import described, option
 from nctakt.cli.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
+    NOTE,
     guarded,
     make_model,
     publish,
@@ -32,25 +35,51 @@ if TYPE_CHECKING:
 _STANDARD_RULES = {"overflow": "skip", "calls": "block", "suspension": "ticks"}
 
 
-@click.command("learn", epilog=EXIT_CODES, short_help="Learn execution times from a recording.")
+@described(
+    "learn",
+    summary=Text(
+        "Learn execution times from a recording.",
+        "Ausführungszeiten aus einer Aufzeichnung lernen.",
+    ),
+    text=Text(
+        "Compute execution times of functions and write a load file. RECORDING is a VCD file, a "
+        "CSV file with time_us and bit1 … bit7, or the table that simulate --csv writes.",
+        "Ausführungszeiten von Funktionen berechnen und eine Lastdatei schreiben. RECORDING ist "
+        "eine VCD-Datei, eine CSV-Datei mit time_us und bit1 … bit7 oder die Tabelle von "
+        "simulate --csv.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule learn rtconf.lis recording.vcd --output load.toml",),
+)
 @with_options(LIST_OPTIONS[0])
 @click.argument("recording", metavar="RECORDING")
 @with_options(*LIST_OPTIONS[1:])
-@click.option(
+@option(
     "--as",
     "form",
     type=click.Choice(["uniform", "list", "longest"]),
     default="uniform",
-    help="Write the range of the times, all in turn, or the longest one [default: uniform].",
+    text=Text(
+        "Write the range of the times, all in turn, or the longest one [default: uniform].",
+        "Den Bereich der Zeiten schreiben, alle der Reihe nach oder die längste [Vorgabe: "
+        "uniform].",
+    ),
 )
-@click.option("--cpu-base", type=click.IntRange(0, 1), default=1, help="Number of the first CPU.")
-@click.option("--output", metavar="FILE.toml", help="Write the load to a file.")
+@option(
+    "--cpu-base",
+    type=click.IntRange(0, 1),
+    default=1,
+    text=Text("Number of the first CPU.", "Nummer der ersten CPU."),
+)
+@option(
+    "--output",
+    metavar="FILE.toml",
+    text=Text("Write the load to a file.", "Die Last in eine Datei schreiben."),
+    group="files",
+)
 def learn(**words: Any) -> int:
-    """Compute execution times of functions and write a load file.
-
-    RECORDING is a VCD file, a CSV file with time_us and bit1 … bit7, or the table that simulate
-    --csv writes.
-    """
+    """Learn execution times from a recording."""
     return guarded(_learn, words)
 
 

@@ -18,19 +18,21 @@ from typing import TYPE_CHECKING, Any, Self
 import click
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Language, Severity
+from nctakt.base.diagnostics import Diagnostic, Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.file_options import CONFINE_OPTION, file_access
+from nctakt.cli.file_options import file_access
 from nctakt.cli.formats import diagnostics_as_json
-from nctakt.cli.language import language_option
+from nctakt.cli.help import option
+from nctakt.cli.options import language_option, table_option
 from nctakt.cli.selection import read_selection
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.inputs import INVALID_TIME
+from nctakt.run.options import BY_NAME
 
 if TYPE_CHECKING:
     from nctakt.lists.declared.rtconf import RtconfConfiguration
@@ -44,104 +46,214 @@ _DEFAULT_DURATION = "1s"
 
 #: Options for reading a scheduling list, also of ``nctakt check``.
 RTCONF_OPTIONS = (
-    click.option(
+    option(
         "--os",
         "system",
         type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
         default="rtx",
-        help="Operating system of rtconf.lis [default: rtx].",
+        text=Text(
+            "Operating system of rtconf.lis [default: rtx].",
+            "Betriebssystem von rtconf.lis [Vorgabe: rtx].",
+        ),
     ),
-    click.option(
+    option(
         "--convention",
         type=click.Choice(["auto", "table", "field"]),
         default="auto",
-        help="Meaning of interrupt_source 1 and 2: what the line's comment says, 1 hardware and "
-        "2 timer, or 1 timer and 2 hardware.",
+        text=Text(
+            "Meaning of interrupt_source 1 and 2: what the line's comment says, 1 hardware and "
+            "2 timer, or 1 timer and 2 hardware.",
+            "Bedeutung von interrupt_source 1 und 2: was der Kommentar der Zeile sagt, 1 "
+            "Hardware und 2 Timer, oder 1 Timer und 2 Hardware.",
+        ),
     ),
-    click.option(
+    option(
         "--function",
         "functions",
         metavar="NAME",
         multiple=True,
-        help="Your own function in rtconf.lis.",
+        text=Text("Your own function in rtconf.lis.", "Eine eigene Funktion in rtconf.lis."),
     ),
 )
-#: The end of the help of each command.
-EXIT_CODES = """\b
-Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number
-means seconds.
-Exit codes: 0 no errors, 1 the schedule has errors (or warnings with --strict),
-2 the list has errors, or an input is invalid, 3 an internal error of nctakt.
-"""
+#: The exit codes of each command, and its note.
+EXIT_CODES = (
+    Text("no errors", "keine Fehler"),
+    Text(
+        "the schedule has errors (or warnings with --strict)",
+        "der Ablauf hat Fehler (oder mit --strict Warnungen)",
+    ),
+)
+NOTE = Text(
+    "Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number means "
+    "seconds. A list with errors is unusable input.",
+    "Zeiten sind Zahlen mit us, ms, s, min, h oder ticks ('300 ticks'); eine bloße Zahl meint "
+    "Sekunden. Eine Liste mit Fehlern ist eine unbrauchbare Eingabe.",
+)
 
 
 LIST_OPTIONS = (
     click.argument("file", metavar="RTCONF.LIS"),
     *RTCONF_OPTIONS,
-    click.option(
+    option(
         "--hal-timer",
         metavar="TIME",
-        help="The timer period of RTX; a plain number means µs.",
+        text=Text(
+            "The timer period of RTX; a plain number means µs.",
+            "Die Timerperiode von RTX; eine bloße Zahl meint µs.",
+        ),
     ),
-    click.option(
+    option(
         "--winsmall",
         type=click.Choice(["slice", "off"]),
         default="slice",
-        help="A windows_time below time_slice becomes time_slice, or is off.",
+        text=Text(
+            "A windows_time below time_slice becomes time_slice, or is off.",
+            "Eine windows_time unter time_slice wird time_slice oder ist aus.",
+        ),
     ),
-    click.option("--ignore-windows", is_flag=True, help="Guarantee no time to Windows."),
-    click.option("--lenient", is_flag=True, help="Missing values are warnings, not errors."),
-    click.option("--ignore", metavar="ID,...", multiple=True, help="Do not report these messages."),
-    click.option("--strict", is_flag=True, help="Exit code 1 for warnings."),
-    click.option(
+    option(
+        "--ignore-windows",
+        is_flag=True,
+        text=Text("Guarantee no time to Windows.", "Windows keine Zeit zusichern."),
+    ),
+    option(
+        "--lenient",
+        is_flag=True,
+        text=Text(
+            "Missing values are warnings, not errors.",
+            "Fehlende Werte sind Warnungen, keine Fehler.",
+        ),
+    ),
+    option(
+        "--ignore",
+        metavar="ID,...",
+        multiple=True,
+        text=Text("Do not report these messages.", "Diese Meldungen nicht ausgeben."),
+        group="general",
+    ),
+    option(
+        "--strict",
+        is_flag=True,
+        text=Text("Exit code 1 for warnings.", "Rückgabewert 1 bei Warnungen."),
+        group="general",
+    ),
+    option(
         "--format",
         type=click.Choice(["text", "json"]),
         default="text",
-        help="Tables and findings as text, or one object with both.",
+        text=Text(
+            "Tables and findings as text, or one object with both.",
+            "Tabellen und Befunde als Text oder als ein Objekt.",
+        ),
+        group="files",
     ),
-    language_option("Language."),
-    click.option("--quiet", is_flag=True, help="No notes."),
-    CONFINE_OPTION,
+    language_option("en"),
+    table_option(BY_NAME["quiet"]),
+    table_option(BY_NAME["confine"]),
 )
 MODEL_OPTIONS = (
-    click.option("--load", metavar="FILE.toml", help="Execution times and interrupts."),
-    click.option(
+    option(
+        "--load",
+        metavar="FILE.toml",
+        text=Text("Execution times and interrupts.", "Ausführungszeiten und Interrupts."),
+    ),
+    option(
         "--overflow",
         type=click.Choice(["skip", "pend", "queue"]),
         default="skip",
-        help="Activations of a busy thread: lost, one remembered, all remembered.",
+        text=Text(
+            "Activations of a busy thread: lost, one remembered, all remembered.",
+            "Aktivierungen eines beschäftigten Threads: verloren, eine gemerkt, alle gemerkt.",
+        ),
     ),
-    click.option(
+    option(
         "--calls",
         type=click.Choice(["block", "interleave"]),
         default="block",
-        help="Functions of a thread one after another, or in turn.",
+        text=Text(
+            "Functions of a thread one after another, or in turn.",
+            "Funktionen eines Threads nacheinander oder abwechselnd.",
+        ),
     ),
-    click.option(
+    option(
         "--suspend",
         "suspension",
         type=click.Choice(["ticks", "elapsed"]),
         default="ticks",
-        help="Suspend by counted timer interrupts, or by the time since the NC interrupt.",
+        text=Text(
+            "Suspend by counted timer interrupts, or by the time since the NC interrupt.",
+            "Aussetzen nach gezählten Timerinterrupts oder nach der Zeit seit dem NC-Interrupt.",
+        ),
     ),
-    click.option(
-        "--cpu-base", type=click.IntRange(0, 1), default=1, help="Number of the first CPU."
+    option(
+        "--cpu-base",
+        type=click.IntRange(0, 1),
+        default=1,
+        text=Text("Number of the first CPU.", "Nummer der ersten CPU."),
     ),
-    click.option("--duration", metavar="TIME", help="Duration [default: 1s]."),
-    click.option("--cycles", type=click.IntRange(min=1), metavar="N", help="Number of NC cycles."),
+    option(
+        "--duration", metavar="TIME", text=Text("Duration [default: 1s].", "Dauer [Vorgabe: 1s].")
+    ),
+    option(
+        "--cycles",
+        type=click.IntRange(min=1),
+        metavar="N",
+        text=Text("Number of NC cycles.", "Anzahl der NC-Zyklen."),
+    ),
 )
 OUTPUT_OPTIONS = (
-    click.option("--histogram", is_flag=True, help="Percentiles and histograms of responses."),
-    click.option("--plot", metavar="FILE", help="Draw the schedule (.svg, .png, .html)."),
-    click.option("--vcd", metavar="FILE", help="Write an oscilloscope trace for GTKWave."),
-    click.option("--perfetto", metavar="FILE", help="Write a trace for ui.perfetto.dev (JSON)."),
-    click.option("--csv", metavar="FILE", help="Write all events as a table."),
-    click.option(
+    option(
+        "--histogram",
+        is_flag=True,
+        text=Text(
+            "Percentiles and histograms of responses.",
+            "Perzentile und Histogramme der Antwortzeiten.",
+        ),
+        group="files",
+    ),
+    option(
+        "--plot",
+        metavar="FILE",
+        text=Text(
+            "Draw the schedule (.svg, .png, .html).", "Den Ablauf zeichnen (.svg, .png, .html)."
+        ),
+        group="files",
+    ),
+    option(
+        "--vcd",
+        metavar="FILE",
+        text=Text(
+            "Write an oscilloscope trace for GTKWave.",
+            "Eine Oszilloskopaufzeichnung für GTKWave schreiben.",
+        ),
+        group="files",
+    ),
+    option(
+        "--perfetto",
+        metavar="FILE",
+        text=Text(
+            "Write a trace for ui.perfetto.dev (JSON).",
+            "Eine Aufzeichnung für ui.perfetto.dev schreiben (JSON).",
+        ),
+        group="files",
+    ),
+    option(
+        "--csv",
+        metavar="FILE",
+        text=Text("Write all events as a table.", "Alle Ereignisse als Tabelle schreiben."),
+        group="files",
+    ),
+    option(
         "--drawn",
         type=click.IntRange(min=1, max=100_000),
         metavar="N",
-        help="NC cycles in pictures and traces [default: up to the first repetition, or around the "
-        "first overflow; at most 60].",
+        text=Text(
+            "NC cycles in pictures and traces [default: up to the first repetition, or around "
+            "the first overflow; at most 60].",
+            "NC-Zyklen in Bildern und Aufzeichnungen [Vorgabe: bis zur ersten Wiederholung oder "
+            "um den ersten Überlauf; höchstens 60].",
+        ),
+        group="files",
     ),
 )
 

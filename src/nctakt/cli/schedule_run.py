@@ -10,13 +10,14 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import click
-
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
+from nctakt.cli.help import described, option
 from nctakt.cli.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
+    NOTE,
     OUTPUT_OPTIONS,
     ListRead,
     drawn_cycles,
@@ -46,32 +47,74 @@ if TYPE_CHECKING:
     from nctakt.schedule.model import Model
 
 _RUN_OPTIONS = (
-    click.option(
+    option(
         "--semaphore",
         metavar="NAME",
-        help="Semaphore of the NC interrupts instead of external_object_name.",
+        text=Text(
+            "Semaphore of the NC interrupts instead of external_object_name.",
+            "Semaphor der NC-Interrupts statt external_object_name.",
+        ),
     ),
-    click.option(
-        "--stand-in", is_flag=True, help="Play the external threads as well, by the load."
+    option(
+        "--stand-in",
+        is_flag=True,
+        text=Text(
+            "Play the external threads as well, by the load.",
+            "Auch die externen Threads spielen, nach der Last.",
+        ),
     ),
-    click.option(
+    option(
         "--all-users",
         is_flag=True,
-        help="Let processes of other users wait on the semaphores as well.",
+        text=Text(
+            "Let processes of other users wait on the semaphores as well.",
+            "Auch Prozesse anderer Benutzer dürfen an den Semaphoren warten.",
+        ),
     ),
-    click.option("--no-fifo", is_flag=True, help="Use ordinary scheduling even as root."),
-    click.option("--force", is_flag=True, help="Run even if a processor would have no time left."),
-    click.option("--dry-run", is_flag=True, help="Show the plan of the run without running it."),
+    option(
+        "--no-fifo",
+        is_flag=True,
+        text=Text(
+            "Use ordinary scheduling even as root.", "Auch als root gewöhnliches Scheduling nehmen."
+        ),
+    ),
+    option(
+        "--force",
+        is_flag=True,
+        text=Text(
+            "Run even if a processor would have no time left.",
+            "Auch laufen, wenn einem Prozessor keine Zeit bliebe.",
+        ),
+    ),
+    option(
+        "--dry-run",
+        is_flag=True,
+        text=Text(
+            "Show the plan of the run without running it.",
+            "Den Plan des Laufs zeigen, ohne zu laufen.",
+        ),
+    ),
 )
 
 
-@click.command("run", epilog=EXIT_CODES, short_help="Run the schedule on this machine (Linux).")
+@described(
+    "run",
+    summary=Text(
+        "Run the schedule on this machine (Linux).", "Den Ablauf auf diesem Rechner ausführen."
+    ),
+    text=Text(
+        "Run the schedule: a process for each thread, with the execution times of the load. "
+        "External threads are other programs, which wait on the named semaphores of the list.",
+        "Den Ablauf ausführen (Linux): ein Prozess je Thread, mit den Ausführungszeiten der Last. "
+        "Externe Threads sind andere Programme, die an den benannten Semaphoren der Liste warten.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule run rtconf.lis --load load.toml --duration 10s",),
+)
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS, *_RUN_OPTIONS, *OUTPUT_OPTIONS)
 def run(**words: Any) -> int:
-    """Run the schedule: a process for each thread, with the execution times of the load.
-
-    External threads are other programs, which wait on the named semaphores of the list.
-    """
+    """Run the schedule on this machine (Linux)."""
     return guarded(_run, words)
 
 

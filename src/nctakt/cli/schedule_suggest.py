@@ -12,11 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
+from nctakt.cli.help import described, option
 from nctakt.cli.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
+    NOTE,
     guarded,
     make_model,
     publish,
@@ -37,33 +40,60 @@ if TYPE_CHECKING:
 _NAMES = ["windows_time", "time_slice", "priorities", "cpus", "calls"]
 
 
-@click.command(
-    "suggest", epilog=EXIT_CODES, short_help="Suggest values with slack for each thread."
+@described(
+    "suggest",
+    summary=Text(
+        "Suggest values with slack for each thread.",
+        "Werte mit Reserve für jeden Thread vorschlagen.",
+    ),
+    text=Text(
+        "Search values of windows_time, time_slice, priorities, CPUs and calls_per_cycle.",
+        "Werte von windows_time, time_slice, Prioritäten, CPUs und calls_per_cycle suchen.",
+    ),
+    codes=EXIT_CODES,
+    notes=NOTE,
+    examples=("nctakt schedule suggest rtconf.lis --load load.toml --slack 20",),
 )
 @with_options(*LIST_OPTIONS, *MODEL_OPTIONS)
-@click.option(
+@option(
     "--slack",
     "slacks",
     metavar="[THREAD=]PCT",
     multiple=True,
-    help="Slack of each thread, or of one, in percent of its period [default: 10].",
+    text=Text(
+        "Slack of each thread, or of one, in percent of its period [default: 10].",
+        "Reserve jedes Threads oder eines Threads in Prozent seiner Periode [Vorgabe: 10].",
+    ),
 )
-@click.option(
+@option(
     "--vary",
     "variables",
     type=click.Choice(_NAMES),
     multiple=True,
-    help="The entries that may be changed [default: all].",
+    text=Text(
+        "The entries that may be changed [default: all].",
+        "Die Einträge, die geändert werden dürfen [Vorgabe: alle].",
+    ),
 )
-@click.option(
+@option(
     "--cpus",
     type=click.IntRange(1, 7),
     metavar="N",
-    help="Number of CPUs for threads [default: those of the load, or of the list].",
+    text=Text(
+        "Number of CPUs for threads [default: those of the load, or of the list].",
+        "Anzahl der CPUs für Threads [Vorgabe: die der Last oder der Liste].",
+    ),
 )
-@click.option("--output", metavar="FILE", help="Write the list with the first suggestion.")
+@option(
+    "--output",
+    metavar="FILE",
+    text=Text(
+        "Write the list with the first suggestion.", "Die Liste mit dem ersten Vorschlag schreiben."
+    ),
+    group="files",
+)
 def suggest(**words: Any) -> int:
-    """Search values of windows_time, time_slice, priorities, CPUs and calls_per_cycle."""
+    """Suggest values with slack for each thread."""
     return guarded(_suggest, words)
 
 

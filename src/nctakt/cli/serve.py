@@ -22,12 +22,11 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.file_options import CONFINE_OPTION
-from nctakt.cli.language import language_option
+from nctakt.cli.help import described, option
+from nctakt.cli.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
 from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.running import choose_mode
 from nctakt.cli.settings import carry_out
-from nctakt.cli.start_options import FROM_BLOCK_OPTION, FROM_LINE_OPTION, TRUST_OPTION
 from nctakt.cli.tapes import inputs_of_run
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
@@ -54,156 +53,178 @@ if TYPE_CHECKING:
     from nctakt.session.session import Session
     from nctakt.session.setup import Setup
 
-_EPILOG = """\b
-A line "ready" with the address of each door comes once clients can connect.
-Doors are open for this computer alone, unless their address names another one.
-Exit codes: 0 ended by SIGTERM or Ctrl-C, 1 programs with errors or a controller
-that has stopped, 2 wrong usage or unusable input, 3 an error of nctakt's own.
 
-\b
-  nctakt serve --machine lists --ads
-  nctakt serve part.nc --ads=0.0.0.0 --ads-from 192.168.0.0/24
-  nctakt serve part.nc --opcua
-"""
-
-
-@click.command("serve", epilog=_EPILOG, short_help="Let clients on the network find a controller.")
-@click.argument("programs", metavar="[PROGRAM]...", nargs=-1)
-@click.option(
-    "--channel",
-    "others",
-    metavar="N PROGRAM",
-    nargs=2,
-    multiple=True,
-    help="Run a program in channel N at the same time; may be repeated.",
+@described(
+    "serve",
+    summary=Text(
+        "Serve ADS, OPC UA, MTConnect, MQTT for PLCs and HMIs.",
+        "ADS, OPC UA, MTConnect, MQTT für SPS und HMI anbieten.",
+    ),
+    text=Text(
+        "Serve a controller to PLCs and HMIs on the network: ADS, OPC UA, MTConnect, MQTT and a "
+        "page in the browser.",
+        "Eine Steuerung für SPS und HMI im Netz anbieten: ADS, OPC UA, MTConnect, MQTT und eine "
+        "Seite im Browser.",
+    ),
+    codes=(
+        Text("ended by Ctrl-C or SIGTERM", "beendet durch Strg-C oder SIGTERM"),
+        Text(
+            "programs with errors or a controller that has stopped",
+            "Programme mit Fehlern oder eine Steuerung, die angehalten hat",
+        ),
+    ),
+    notes=Text(
+        'A line "ready" with the address of each protocol comes once clients can connect. They '
+        "serve this computer alone, unless their address names another one.",
+        'Eine Zeile "ready" mit der Adresse jedes Protokolls kommt, sobald sich Clients verbinden '
+        "können. Sie bedienen nur diesen Rechner, außer ihre Adresse nennt einen anderen.",
+    ),
+    examples=(
+        "nctakt serve --machine lists --ads",
+        "nctakt serve part.nc --ads=0.0.0.0 --ads-from 192.168.0.0/24",
+        "nctakt serve part.nc --opcua",
+    ),
 )
-@click.option(
-    "--machine",
-    metavar="DIR",
-    help="Folder with the machine's lists, demo or demo5 [default: the project's, else the one "
-    "around the program, else demo].",
-)
-@click.option("--plc", metavar="FILE.py", help="A class of yours that plays the PLC.")
+@table_options("serve")
 @TRUST_OPTION
-@click.option(
-    "--set",
-    "assignments",
-    metavar="NAME=VALUE",
-    multiple=True,
-    help="Set a variable before the first tick.",
-)
-@click.option(
-    "--at",
-    "stimuli",
-    metavar="TIME NAME=VALUE",
-    nargs=2,
-    multiple=True,
-    help="Set a variable at a time of the run.",
-)
-@click.option("--wait-for-start", is_flag=True, help="START (HLI.START) begins each program.")
-@FROM_LINE_OPTION
-@FROM_BLOCK_OPTION
-@click.option(
-    "--acknowledge", is_flag=True, help="M and H functions wait for a client to acknowledge them."
-)
-@click.option(
+@option(
     "--ads",
     metavar="HOST:PORT",
     is_flag=False,
     flag_value="127.0.0.1:48898",
-    help="Serve ADS [default address: 127.0.0.1:48898].",
+    group="protocols",
+    text=Text(
+        "Serve ADS [default address: 127.0.0.1:48898].",
+        "ADS anbieten [Vorgabe der Adresse: 127.0.0.1:48898].",
+    ),
 )
-@click.option(
+@option(
     "--ads-net-id",
     metavar="NETID",
-    help="NetId of the ADS server [default: that of its address, as 127.0.0.1.1.1].",
+    group="protocols",
+    text=Text(
+        "NetId of the ADS server [default: that of its address, as 127.0.0.1.1.1].",
+        "NetId des ADS-Servers [Vorgabe: die seiner Adresse, wie 127.0.0.1.1.1].",
+    ),
 )
-@click.option(
+@option(
     "--ads-from",
     "ads_networks",
     metavar="ADDRESS/NET",
     multiple=True,
-    help="Take ADS connections from this address or network only; may be repeated [needed "
-    "unless ADS is for this computer alone].",
+    group="protocols",
+    text=Text(
+        "Take ADS connections from this address or network only; may be repeated [needed unless "
+        "ADS is for this computer alone].",
+        "ADS-Verbindungen nur von dieser Adresse oder aus diesem Netz annehmen; mehrfach möglich "
+        "[nötig, außer ADS ist nur für diesen Rechner da].",
+    ),
 )
-@click.option(
+@option(
     "--ads-permit",
     "ads_permitted",
     metavar="NETID",
     multiple=True,
-    help="Serve ADS only to clients that state this NetId; may be repeated [default: all].",
+    group="protocols",
+    text=Text(
+        "Serve ADS only to clients that state this NetId; may be repeated [default: all].",
+        "ADS nur Clients anbieten, die diese NetId angeben; mehrfach möglich [Vorgabe: allen].",
+    ),
 )
-@click.option(
+@option(
     "--live",
     metavar="HOST:PORT",
     is_flag=False,
     flag_value="127.0.0.1:8765",
-    help="Show the run on a page in the browser [default address: 127.0.0.1:8765].",
+    group="protocols",
+    text=Text(
+        "Show the run on a page in the browser [default address: 127.0.0.1:8765].",
+        "Den Lauf auf einer Seite im Browser zeigen [Vorgabe der Adresse: 127.0.0.1:8765].",
+    ),
 )
-@click.option(
+@option(
     "--mtconnect",
     metavar="HOST:PORT",
     is_flag=False,
     flag_value="127.0.0.1:7878",
-    help="Serve MTConnect agents [default address: 127.0.0.1:7878].",
+    group="protocols",
+    text=Text(
+        "Serve MTConnect agents [default address: 127.0.0.1:7878].",
+        "MTConnect-Agents bedienen [Vorgabe der Adresse: 127.0.0.1:7878].",
+    ),
 )
-@click.option("--mqtt", metavar="URL", help="Tell an MQTT broker: mqtt://HOST[:PORT][/ROOT].")
-@click.option(
+@option(
+    "--mqtt",
+    metavar="URL",
+    group="protocols",
+    text=Text(
+        "Tell an MQTT broker: mqtt://HOST[:PORT][/ROOT].",
+        "Einem MQTT-Broker melden: mqtt://HOST[:PORT][/ROOT].",
+    ),
+)
+@option(
     "--opcua",
     metavar="HOST:PORT",
     is_flag=False,
     flag_value="127.0.0.1:4840",
-    help="Serve OPC UA [default address: 127.0.0.1:4840].",
+    group="protocols",
+    text=Text(
+        "Serve OPC UA [default address: 127.0.0.1:4840].",
+        "OPC UA anbieten [Vorgabe der Adresse: 127.0.0.1:4840].",
+    ),
 )
-@click.option(
+@option(
     "--opcua-folder",
-    metavar="DIR",
+    metavar="FOLDER",
     default="opcua",
-    help="Certificate and users of OPC UA for other addresses than this computer's own; the "
-    "first start makes them [default: opcua].",
+    group="protocols",
+    text=Text(
+        "Certificate and users of OPC UA for other addresses than this computer's own; the first "
+        "start makes them [default: opcua].",
+        "Zertifikat und Benutzer von OPC UA für andere Adressen als die dieses Rechners; der "
+        "erste Start legt sie an [Vorgabe: opcua].",
+    ),
 )
-@click.option(
-    "--rtconf",
-    metavar="FILE",
-    help="Run interpolation, decoder and PLC by this scheduling list on the clock (Linux).",
-)
-@click.option("--load", metavar="FILE.toml", help="The PLC's thread and times of --rtconf.")
-@click.option(
-    "--os",
-    "system",
-    type=click.Choice(["rtx", "vxworks", "intime", "linux"]),
-    help="Operating system of --rtconf [default: rtx].",
-)
-@click.option(
+@option(
     "--speed",
     type=click.FloatRange(0.01, 1000.0),
     default=1.0,
     metavar="F",
-    help="Machine time runs F times as fast as the clock [default: 1].",
+    text=Text(
+        "Machine time runs F times as fast as the clock [default: 1].",
+        "Die Maschinenzeit läuft F-mal so schnell wie die Uhr [Vorgabe: 1].",
+    ),
 )
-@click.option(
-    "--pace",
-    type=click.Choice(["slice", "tick"]),
-    default="slice",
-    help="10 ms of ticks together, or each at its own time [default: slice].",
+@PACE_OPTION
+@option(
+    "--record",
+    "tape",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Record the inputs for nctakt replay, at the end.",
+        "Die Eingaben für nctakt replay aufzeichnen, am Ende.",
+    ),
 )
-@click.option(
-    "--record", "tape", metavar="FILE", help="Record the inputs for nctakt replay, at the end."
+@option(
+    "--ready-file",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Write the addresses to a file once clients can connect.",
+        "Die Adressen in eine Datei schreiben, sobald sich Clients verbinden können.",
+    ),
 )
-@click.option(
-    "--ready-file", metavar="FILE", help="Write the addresses to a file once clients can connect."
+@option(
+    "--log",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Write what clients do as JSON lines, '-': to standard error.",
+        "Schreiben, was Clients tun, als JSON-Zeilen, '-': auf die Standardfehlerausgabe.",
+    ),
 )
-@click.option(
-    "--log", metavar="FILE", help="Write what clients do as JSON lines, '-': to standard error."
-)
-@CONFINE_OPTION
-@language_option("Language of diagnostics [default: en].", None)
-@click.option("--quiet", is_flag=True, help="No notes and no warnings.")
-@click.option(
-    "--compiled/--plain",
-    default=None,
-    help="The realtime part compiled or as plain Python [default: compiled if it is built].",
-)
+@MODE_OPTION
 def command(
     ads: str | None,
     ads_net_id: str | None,
@@ -222,7 +243,7 @@ def command(
     log: str | None,
     **words: Any,
 ) -> int:
-    """Let clients on the network find a controller: a session behind several doors."""
+    """Serve a session."""
     doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
     clients = _AdsWords(ads_net_id, ads_permitted, ads_networks)
     own = _Words(
@@ -233,8 +254,7 @@ def command(
         with building() as built:
             return _serve(options, access, own, built)
 
-    given = {**words, "ticks": None, "until": None, "after": "0", "stays": True}
-    return carry_out(given, show)
+    return carry_out({**words, "stays": True}, show)
 
 
 @dataclass(frozen=True, slots=True)
@@ -338,20 +358,16 @@ def _check_outputs(own: _Words, access: FileAccess) -> None:
 
 def _setup(options: Options, request: Request, own: _Words, folders: Sequence[str]) -> Setup:
     """Return what the session is opened with."""
+    from nctakt.run.options import merged  # noqa: PLC0415 - the mode is chosen before
     from nctakt.session.setup import Setup  # noqa: PLC0415 - the mode is chosen before
 
     return Setup(
         {1: request.programs, **request.channels},
         options.machine,
         options.plc,
-        set=request.assignments,
-        at=request.stimuli,
-        wait_for_start=options.wait_for_start,
-        from_line=options.from_line,
-        from_block=options.from_block,
         acknowledges=not own.acknowledge,
         folders=folders,
-        stays=True,
+        options=merged(request.session_options, {"stays": True}),
         rtconf=options.rtconf,
         load=options.load,
         system=options.system,

@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
 from nctakt.cli.file_options import file_access
+from nctakt.cli.options import split_words
 from nctakt.cli.request import STANDARD_INPUT, Options
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
@@ -92,23 +93,26 @@ def _settings(words: dict[str, Any], access: FileAccess, *, runs_code: bool) -> 
         plc=words["plc"],
         has_plc=words.get("hli") is not None or not runs_code,
         values=[text.partition("=")[0].strip() for text in words["assignments"]],
-        until=words["until"],
-        is_limited=words["ticks"] is not None,
+        until=words.get("until"),
+        is_limited=words.get("ticks") is not None,
     )
     return run_settings(files, access, named)
 
 
 def _completed(words: dict[str, Any], settings: RunSettings) -> Options:
     """Return the words with the settings."""
+    run, others = split_words(words)
+    run["set"] = (
+        *(assignment_text(*one) for one in settings.values.items()),
+        *run["set"],
+    )
+    if "until" in words:
+        run["until"] = None if settings.until is None else str(settings.until)
     given = {
-        **words,
+        **others,
+        "run": run,
         "language": words["language"] or settings.language or "en",
         "plc": None if settings.plc is None else str(settings.plc),
-        "assignments": (
-            *(assignment_text(*one) for one in settings.values.items()),
-            *words["assignments"],
-        ),
-        "until": None if settings.until is None else str(settings.until),
         "machine_note": settings.machine_note,
         "project_signals": settings.signals,
     }

@@ -17,12 +17,13 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.language import language_option
-from nctakt.cli.start_options import TRUST_OPTION
+from nctakt.cli.help import described, option
+from nctakt.cli.options import TRUST_OPTION, table_options
 from nctakt.cli.terminal import complain_notes, print_diagnostics
+from nctakt.run.options import RunOption, accepted_by
 
 if TYPE_CHECKING:
     from nctakt.studies.row_store import RowStore
@@ -31,59 +32,150 @@ if TYPE_CHECKING:
 #: Ending of the file with the rows while they are made, behind the name of the results.
 ROWS = ".rows"
 
-_EPILOG = """\b
-Exit codes: 0 all runs met all expectations, 1 some did not, or Ctrl-C, 2 wrong
-usage or unusable input, 3 an error of nctakt's own.
-
-\b
-  nctakt study plan.toml --out results.parquet
-  nctakt study plan.toml --out results.parquet --resume
-  nctakt study report plan.toml results.parquet --report results.html
-  nctakt study part.nc --each-tick "V.E.STOP=1 for 20 ms" \\
-      --expect "Z.ACS.ACT_POS < 50 within 100 ms"
-"""
+#: The run options of a program without a plan, which are entries of one.
+_OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_ends)
 
 
-@click.command("study", epilog=_EPILOG, short_help="Make many runs of a program and check each.")
+@described(
+    "study",
+    summary=Text(
+        "Make many runs of a program and check each.",
+        "Viele Läufe eines Programms machen und jeden prüfen.",
+    ),
+    text=Text(
+        "Make the runs of a plan, or inject a value at each tick of a program. "
+        '"report PLAN RESULTS" makes the page of --report of runs that are finished.',
+        "Die Läufe eines Plans machen oder in jedem Takt eines Programms einen Wert einspielen. "
+        '"report PLAN ERGEBNISSE" macht die Seite von --report aus fertigen Läufen.',
+    ),
+    codes=(
+        Text("all runs met all expectations", "alle Läufe erfüllten alle Erwartungen"),
+        Text("some did not, or Ctrl-C", "einige nicht, oder Strg-C"),
+    ),
+    examples=(
+        "nctakt study plan.toml --out results.parquet",
+        "nctakt study plan.toml --out results.parquet --resume",
+        "nctakt study report plan.toml results.parquet --report results.html",
+        'nctakt study part.nc --set V.E.LIMIT=5 --each-tick "V.E.STOP=1 for 20 ms" \\',
+        '    --expect "Z.ACS.ACT_POS < 50 within 100 ms"',
+    ),
+)
 @click.argument("files", metavar="FILE", nargs=-1, required=True)
-@click.option("--each-tick", metavar="NAME=VALUE", help="Inject a value at each tick of the run.")
-@click.option("--expect", multiple=True, metavar="TEXT", help="Expect this of each run.")
-@click.option("--machine", metavar="FOLDER", help="The machine of a program without a plan.")
-@click.option("--plc", metavar="FILE", help="The PLC of a program without a plan.")
+@option(
+    "--each-tick",
+    metavar="NAME=VALUE",
+    text=Text(
+        "Inject a value at each tick of the run.", "In jedem Takt des Laufs einen Wert einspielen."
+    ),
+)
+@option(
+    "--expect",
+    multiple=True,
+    metavar="TEXT",
+    text=Text("Expect this of each run.", "Das von jedem Lauf erwarten."),
+)
+@table_options("study")
 @TRUST_OPTION
-@click.option("--until", metavar="TIME", help="The limit of each run of a program without a plan.")
-@click.option("--out", metavar="FILE", help="Write a row per run: .parquet, .csv or .jsonl.")
-@click.option("--report", metavar="FILE", help="Write a page (.html) with pictures of the results.")
-@click.option("--resume", is_flag=True, help="Make only the runs that --out does not have yet.")
-@click.option(
+@option(
+    "--out",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Write a row per run: .parquet, .csv or .jsonl.",
+        "Eine Zeile je Lauf schreiben: .parquet, .csv oder .jsonl.",
+    ),
+)
+@option(
+    "--report",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "Write a page (.html) with pictures of the results.",
+        "Eine Seite (.html) mit Bildern der Ergebnisse schreiben.",
+    ),
+)
+@option(
+    "--resume",
+    is_flag=True,
+    group="files",
+    text=Text(
+        "Make only the runs that --out does not have yet.",
+        "Nur die Läufe machen, die --out noch nicht hat.",
+    ),
+)
+@option(
     "-j",
     "--processes",
     type=click.IntRange(1),
     metavar="COUNT",
-    help="How many processes make runs [default: one per core].",
+    text=Text(
+        "How many processes make runs [default: one per core].",
+        "Wie viele Prozesse Läufe machen [Vorgabe: einer je Kern].",
+    ),
 )
-@click.option("--scheduler", metavar="ADDRESS", help="Make the runs on a Dask cluster: tcp://…")
-@click.option(
+@option(
+    "--scheduler",
+    metavar="ADDRESS",
+    text=Text(
+        "Make the runs on a Dask cluster: tcp://…", "Die Läufe auf einem Dask-Cluster: tcp://…"
+    ),
+)
+@option(
     "--upload",
     multiple=True,
     metavar="FILE",
-    help="Send a module, a wheel (.whl) or another file to the workers of --scheduler.",
+    text=Text(
+        "Send a module, a wheel (.whl) or another file to the workers of --scheduler.",
+        "Ein Modul, ein Wheel (.whl) oder eine andere Datei an die Worker von --scheduler senden.",
+    ),
 )
-@click.option("--sample", type=click.IntRange(1), metavar="COUNT", help="Take points by chance.")
-@click.option("--only", type=click.IntRange(0), metavar="NUMBER", help="Make one run, from 0.")
-@click.option(
-    "--record", metavar="FOLDER", help="Write a tape of each broken run, at most 100, for replay."
+@option(
+    "--sample",
+    type=click.IntRange(1),
+    metavar="COUNT",
+    text=Text("Take points by chance.", "Punkte zufällig wählen."),
 )
-@click.option("--cover", is_flag=True, help="Try inputs until every branch of a cycle has run.")
-@click.option("--shrink", is_flag=True, help="Find the smallest change that breaks a run.")
-@click.option("--yes", is_flag=True, help="Start even what takes more than an hour.")
-@language_option("Language of diagnostics and results [default: en].", None)
-@click.option("--quiet", is_flag=True, help="No progress.")
+@option(
+    "--only",
+    type=click.IntRange(0),
+    metavar="NUMBER",
+    text=Text("Make one run, from 0.", "Einen Lauf machen, ab 0."),
+)
+@option(
+    "--record",
+    metavar="FOLDER",
+    group="files",
+    text=Text(
+        "Write a tape of each broken run, at most 100, for replay.",
+        "Ein Band jedes nicht bestandenen Laufs schreiben, höchstens 100, für replay.",
+    ),
+)
+@option(
+    "--cover",
+    is_flag=True,
+    text=Text(
+        "Try inputs until every branch of a cycle has run.",
+        "Eingaben versuchen, bis jeder Zweig eines Zyklus gelaufen ist.",
+    ),
+)
+@option(
+    "--shrink",
+    is_flag=True,
+    text=Text(
+        "Find the smallest change that breaks a run.",
+        "Die kleinste Änderung finden, mit der ein Lauf nicht besteht.",
+    ),
+)
+@option(
+    "--yes",
+    is_flag=True,
+    text=Text(
+        "Start even what takes more than an hour.",
+        "Auch beginnen, was mehr als eine Stunde dauert.",
+    ),
+)
 def command(files: tuple[str, ...], **words: Any) -> int:
-    """Make the runs of a plan, or inject a value at each tick of a program.
-
-    "report PLAN RESULTS" makes the page of --report of runs that are finished.
-    """
+    """Make runs."""
     if len(files) != 1 and (files[0] != "report" or len(files) != 3):
         raise click.UsageError("one plan or program, or: report PLAN RESULTS")
     try:
@@ -215,10 +307,11 @@ def _check_words(file: str, words: dict[str, Any]) -> None:
         raise click.UsageError("--upload needs --scheduler: this machine has the files")
     if not _is_plan(file):
         return
-    for name in ("each_tick", "expect", "machine", "plc", "until"):
-        if words[name]:
-            option = name.replace("_", "-")
-            raise click.UsageError(f"--{option} belongs to a program; a plan has it as an entry")
+    given = {"--each-tick": words["each_tick"], "--expect": words["expect"]}
+    given |= {row.option: words[row.word] for row in _OF_PROGRAM}
+    for name, value in given.items():
+        if value:
+            raise click.UsageError(f"{name} belongs to a program; a plan has it as an entry")
 
 
 def _check_rows(words: dict[str, Any], asked: str) -> None:
@@ -337,6 +430,18 @@ def _store(study: Study, words: dict[str, Any]) -> RowStore:
     return RowStore(path, study.plan, resumes=words["resume"])
 
 
+def _entry(row: RunOption, words: Any) -> Any:
+    """Return the entry of a plan that the words of an option say; raises ``Failure``."""
+    match row.name:
+        case "set":
+            return row.kind.from_words(words)
+        case "at":
+            return [list(pair) for pair in words]
+        case "skip":
+            return list(row.kind.from_words(words))
+    return words
+
+
 def _read(file: str, words: dict[str, Any]) -> Study:
     """Return the study of a plan's file, or of a program with ``--each-tick``."""
     from nctakt.studies.study import Study  # noqa: PLC0415 - as above
@@ -347,7 +452,7 @@ def _read(file: str, words: dict[str, Any]) -> Study:
     if _is_plan(file):
         return Study(file, **changes)
     entries: dict[str, Any] = {"program": file, "expect": list(words["expect"]), **changes}
-    entries |= {key: words[key] for key in ("machine", "plc", "until") if words[key] is not None}
+    entries |= {row.name: _entry(row, words[row.word]) for row in _OF_PROGRAM if words[row.word]}
     if words["each_tick"] is not None:
         from nctakt.studies.each_tick import injection_table  # noqa: PLC0415 - as above
 

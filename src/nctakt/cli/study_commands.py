@@ -13,14 +13,15 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+from nctakt.run.options import accepted_by, command_words
 from nctakt.studies.bench import BROKEN
 from nctakt.studies.study import Study, StudyResult
 
 #: The most tapes of one study.
 MAX_TAPES = 100
 
-#: Options of ``nctakt study`` that decide which runs there are.
-_OPTIONS = ("each_tick", "machine", "plc", "until", "sample")
+#: Options of ``nctakt study`` that decide which runs there are, beside those of the run.
+_OPTIONS = ("each_tick", "sample")
 
 
 def commands_of(
@@ -54,6 +55,9 @@ def _again(file: str, words: dict[str, Any], number: int) -> str:
     for name in _OPTIONS:
         if words[name] is not None:
             parts += [f"--{name.replace('_', '-')}", str(words[name])]
+    for row in accepted_by("study"):
+        if "plan" in row.front_ends:
+            parts += command_words(row, words[row.word])
     for text in words["expect"]:
         parts += ["--expect", text]
     return shlex.join([*parts, "--only", str(number), "--record", words["record"] or "tapes"])

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.cli.options import split_words
 from nctakt.cli.request import STANDARD_INPUT, STANDARD_INPUT_NAME, Options, Request
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time
@@ -27,7 +28,7 @@ from nctakt.messages.tape import (
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME, project_around
 from nctakt.run.program_loader import NcText
 from nctakt.run.tape import Tape, TapeComparison, TapeWriter, changed_files, name_on_tape
-from nctakt.run.tape_words import WORDS, words_of
+from nctakt.run.tape_words import KEPT, words_of
 
 if TYPE_CHECKING:
     from nctakt.files.output import OutputFile
@@ -35,7 +36,12 @@ if TYPE_CHECKING:
 
 def start_tape(options: Options, request: Request, file: OutputFile) -> TapeWriter:
     """Return the writer of ``--record``."""
-    words = {name: getattr(options, name) for name in WORDS}
+    words = {
+        option.word: options.run[option.name]
+        if option.name in options.run
+        else getattr(options, option.word)
+        for option in KEPT
+    }
     words["programs"] = [_tape_word(program) for program in options.programs]
     words["others"] = [(number, _tape_word(program)) for number, program in options.others]
     programs = (*request.programs, *(one for own in request.channels.values() for one in own))
@@ -64,13 +70,14 @@ def options_of(tape: Tape, name: str, words: Mapping[str, Any], access: FileAcce
     recorded = words_of(tape, name)
     names = [*recorded["programs"], *(program for _, program in recorded["others"])]
     project = project_around([one for one in names if one not in tape.texts], access)
+    run, others = split_words({**recorded, **words})
     given = {
-        **recorded,
-        **words,
+        **others,
+        "run": run,
         "language": words["language"] or (project and project.language) or "en",
         "project_signals": project and project.signals,
     }
-    return Options(**given, stimuli=(), plc=None, tape=tape)
+    return Options(**given, plc=None, tape=tape)
 
 
 def check_unchanged(tape: Tape, access: FileAccess, *, anyway: bool) -> list[Diagnostic]:

@@ -9,13 +9,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from typing import cast
 
 import click
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Text
 from nctakt.base.misspelling import nearest
-from nctakt.cli.language import LANGUAGE_VARIABLE
+from nctakt.cli.help import LANGUAGE_VARIABLE, language_of_words
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import (
@@ -26,6 +25,7 @@ from nctakt.messages.command_line import (
     UNKNOWN_OPTION,
     UNKNOWN_SUBCOMMAND,
 )
+from nctakt.run.options import FRONT_ENDS, refused
 
 
 def report_usage(error: click.ClickException, words: Sequence[str]) -> None:
@@ -35,11 +35,8 @@ def report_usage(error: click.ClickException, words: Sequence[str]) -> None:
 
 def _language(words: Sequence[str]) -> Language:
     """Return the language of ``--lang``, else of the environment, else English."""
-    for word, following in zip(words, [*words[1:], ""], strict=False):
-        language = word.partition("=")[2] if word.startswith("--lang=") else following
-        if word.startswith("--lang") and language in ("en", "de"):
-            return cast(Language, language)
-    return "de" if os.environ.get(LANGUAGE_VARIABLE) == "de" else "en"
+    named = language_of_words(words)
+    return named or ("de" if os.environ.get(LANGUAGE_VARIABLE) == "de" else "en")
 
 
 def _diagnostic(error: click.ClickException) -> Diagnostic:
@@ -47,6 +44,9 @@ def _diagnostic(error: click.ClickException) -> Diagnostic:
     help_of = f"{context.command_path} --help" if context is not None else "nctakt --help"
     match error:
         case click.NoSuchOption():
+            found = _of_others(error.option_name, context)
+            if found is not None:
+                return found
             near = nearest(error.option_name, _options(context)) or NOTHING
             return diagnostic(UNKNOWN_OPTION, option=error.option_name, nearest=near, help=help_of)
         case click.MissingParameter():
@@ -65,6 +65,12 @@ def _diagnostic(error: click.ClickException) -> Diagnostic:
         case click.UsageError():
             return _of_command(error, context, help_of)
     return diagnostic(INVALID_COMMAND_LINE, reason=error.format_message(), help=help_of)
+
+
+def _of_others(option: str, context: click.Context | None) -> Diagnostic | None:
+    """Return the diagnostic of a run option that other commands have (902380), else ``None``."""
+    command = "" if context is None else context.command.name or ""
+    return refused(option, command) if command in FRONT_ENDS else None
 
 
 def _of_command(error: click.UsageError, context: click.Context | None, help_of: str) -> Diagnostic:

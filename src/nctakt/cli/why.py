@@ -13,13 +13,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Severity
+from nctakt.base.diagnostics import Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR
+from nctakt.cli.help import described, option
+from nctakt.cli.options import FORMAT_OPTION
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import (
-    FORMAT_OPTION,
     RUN_CODES,
+    TIMES_NOTE,
     choose_mode,
     exit_code,
     run_options,
@@ -36,32 +38,62 @@ from nctakt.messages.inputs import STIMULUS_WITHOUT_VALUE
 
 if TYPE_CHECKING:
     from nctakt.results.run import Run
-
-_EPILOG = f"""\b
-For each $IF: when its condition was evaluated, what it compared when it became
-true or false, when its body ran; if it never ran, why, and how near it came.
-
-{RUN_CODES}
-\b
-  nctakt why part.nc
-  nctakt why part.nc --cycle 17 --line 4 --at 1.5ms V.E.VALUE=-1
-  nctakt why part.nc --state 0.463
-"""
+    from nctakt.run.options import RunKeywords
 
 
-@click.command("why", epilog=_EPILOG, short_help="Explain why reactions fired or did not.")
-@run_options("report and diagnostics")
+@described(
+    "why",
+    summary=Text(
+        "Explain why reactions fired or did not.", "Erklären, warum Reaktionen kamen oder nicht."
+    ),
+    text=Text(
+        "Run NC programs and explain why reactions of their realtime cycles fired or did not.",
+        "NC-Programme ausführen und erklären, warum Reaktionen ihrer Echtzeit-Zyklen kamen oder "
+        "nicht.",
+    ),
+    codes=RUN_CODES,
+    notes=Text(
+        "For each $IF: when its condition was evaluated, what it compared when it became true or "
+        "false, when its body ran; if it never ran, why, and how near it came. "
+        f"{TIMES_NOTE.en}",
+        "Zu jedem $IF: wann seine Bedingung ausgewertet wurde, was sie verglich, als sie wahr oder "
+        "falsch wurde, wann sein Rumpf lief; wenn er nie lief, warum, und wie nah sie daran war. "
+        f"{TIMES_NOTE.de}",
+    ),
+    examples=(
+        "nctakt why part.nc",
+        "nctakt why part.nc --cycle 17 --line 4 --at 1.5ms V.E.VALUE=-1",
+        "nctakt why part.nc --state 0.463",
+    ),
+)
+@run_options("why")
 @FORMAT_OPTION
-@click.option("--cycle", metavar="ID", help="Only this realtime cycle (#1: the first without ID).")
-@click.option(
+@option(
+    "--cycle",
+    metavar="ID",
+    text=Text(
+        "Only this realtime cycle (#1: the first without ID).",
+        "Nur diesen Echtzeit-Zyklus (#1: der erste ohne ID).",
+    ),
+)
+@option(
     "--line",
     type=click.IntRange(min=1),
     metavar="N",
-    help="Only the $IF in this line, or around this line.",
+    text=Text(
+        "Only the $IF in this line, or around this line.",
+        "Nur das $IF in dieser Zeile oder um sie herum.",
+    ),
 )
-@click.option("--state", metavar="TIME", help="Show the states at this time of the run.")
+@option(
+    "--state",
+    metavar="TIME",
+    text=Text(
+        "Show the states at this time of the run.", "Die Zustände zu dieser Zeit des Laufs zeigen."
+    ),
+)
 def command(cycle: str | None, line: int | None, state: str | None, **words: Any) -> int:
-    """Run NC programs and explain why reactions of their realtime cycles fired or did not."""
+    """Explain reactions."""
     return carry_out(words, lambda options, access: _why(options, access, cycle, line, state))
 
 
@@ -70,7 +102,7 @@ def _why(
 ) -> int:
     """Run and report; raises ``Failure`` for invalid options."""
     choose_mode(options)
-    for time, assignment in options.stimuli:
+    for time, assignment in options.run["at"]:
         if "=" not in assignment:
             raise Failure(diagnostic(STIMULUS_WITHOUT_VALUE, time=time))
     request = read_request(options, access)
@@ -79,8 +111,10 @@ def _why(
     length_us = controller.cycle_time_us
     tick = None if moment is None else moment.us(length_us) // length_us
     if tick is not None:  # later ticks are not needed
-        last = min(tick + 1, options.ticks or tick + 1)
-        options = replace(options, ticks=last, limit_fails=False)
+        ticks = request.options["ticks"]
+        limited: RunKeywords = {**request.options, "ticks": min(tick + 1, ticks or tick + 1)}
+        request = replace(request, options=limited)
+        options = replace(options, limit_fails=False)
     run = run_programs(options, request, controller, why=True)
     if run is None:
         return EXIT_NC_ERROR

@@ -32,6 +32,14 @@ class Arguments:
         shown = f"{self._path}.{name}".strip(".") or "arguments"
         raise Failure(diagnostic(WRONG_ARGUMENT, name=shown, expected=expected))
 
+    def names(self) -> list[str]:
+        """Return the names of the arguments that are there."""
+        return [name for name in self._values if self.has(name)]
+
+    def value(self, name: str) -> object:
+        """Return what an argument has."""
+        return self._values[name]
+
     def has(self, name: str) -> bool:
         """Return whether an argument is there, and is not null."""
         return self._values.get(name) is not None

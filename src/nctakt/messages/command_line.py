@@ -157,3 +157,22 @@ RUN_NOT_ENDED = error(
     "wartet.",
     time=("how long the run lasted", "die Dauer des Laufs"),
 )
+OPTION_OF_OTHERS = error(
+    902380,
+    en="{option} cannot be set in {front_end}",
+    de="{option} lässt sich hier nicht angeben: {front_end}",
+    remedy_en="It can be set in: {others}.",
+    remedy_de="Es lässt sich angeben in: {others}.",
+    option=("the run option", "die Option des Laufs"),
+    front_end=("the command, the file or the function", "der Befehl, die Datei oder die Funktion"),
+    others=("what accepts the option, and how", "was die Option annimmt, und wie"),
+)
+COMMAND_RENAMED = note(
+    902381,
+    en="nctakt {name} is called nctakt {new_name} now",
+    de="nctakt {name} heißt jetzt nctakt {new_name}",
+    remedy_en="Use the new name; the earlier one goes with the next version.",
+    remedy_de="Den neuen Namen nehmen; der bisherige entfällt mit der nächsten Version.",
+    name=("the earlier name", "der bisherige Name"),
+    new_name=("the new name", "der neue Name"),
+)

@@ -14,7 +14,7 @@ CYCLES_EXCEED_STEP_LIMIT = error(
     "(P-CHAN-00427).",
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen.",
     cause_en="Each operator, function, variable, assignment, condition and action counts as one; "
-    "nctakt list shows the counts.",
+    "nctakt disassemble shows the counts.",
     cause_de="Operator, Funktion, Variable, Zuweisung, Bedingung und Aktion zählen je eins; nctakt "
     "list zeigt die Zahlen.",
     steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),

@@ -38,12 +38,13 @@ from nctakt.messages.project import (
     PROJECT_PATH_MISSING,
     UNKNOWN_PROJECT_ENTRY,
 )
+from nctakt.run.options import accepted_by, refused
 
 #: The names of a project file; the first one counts if a folder has both.
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
-_KEYS = ("machine", "plc", "until", "set", "language", "signals", "paths")
+_KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
 _TEXT = Text("a text", "ein Text")
@@ -193,11 +194,7 @@ class _Reader:
     def project(self, entries: dict[str, Any]) -> Project:
         for key in entries:
             if key not in _KEYS:
-                near = nearest(key, _KEYS) or NOTHING
-                names = ", ".join(_KEYS)
-                self._collector.report(
-                    UNKNOWN_PROJECT_ENTRY, *self._location(key), key=key, nearest=near, names=names
-                )
+                self._refuse(key)
         return Project(
             self._file,
             self._path("machine", entries.get("machine"), 'machine = "lists"'),
@@ -209,6 +206,19 @@ class _Reader:
             values := self._values(entries.get("set")),
             {"plc": self._location("plc")}
             | {name: self._location_of_value(name) for name in values},
+        )
+
+    def _refuse(self, key: str) -> None:
+        """Report an entry that is none, or a run option that belongs elsewhere."""
+        span, line = self._location(key)
+        found = refused(key, "project")
+        if found is not None:
+            self._collector.diagnostics.append(replace(found, span=span, source_line=line))
+            return
+        near = nearest(key, _KEYS) or NOTHING
+        names = ", ".join(_KEYS)
+        self._collector.report(
+            UNKNOWN_PROJECT_ENTRY, span, line, key=key, nearest=near, names=names
         )
 
     def _path(self, key: str, value: Any, example: str) -> Path | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Realtime cycles as text: ``nctakt list`` (RC-302, RC-501).
+"""Realtime cycles as text: ``nctakt disassemble`` (RC-302, RC-501).
 
 In: definitions in the order in which the decoder reached them. Out: lines: for each cycle its
 counts and its frozen values, then its statements, each with its elementary instructions below it.

@@ -75,7 +75,7 @@ _COUNTS = (
 )
 
 
-#: Maximum number of frozen values of a cycle in the summary; nctakt list shows all.
+#: Maximum number of frozen values of a cycle in the summary; nctakt disassemble shows all.
 MAX_FROZEN = 6
 
 

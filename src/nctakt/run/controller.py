@@ -8,41 +8,38 @@ independent of each other; any number of them can live in one process.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.files.access import FileAccess
 from nctakt.lists.format import arguments
-from nctakt.lists.format.times import TimeLike
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
 from nctakt.messages.folders import UNKNOWN_CHANNEL
-from nctakt.results.run import ProgramMessage, Run
+from nctakt.results.run import Run
 from nctakt.results.step import Step
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.bound_values import BoundValue
 from nctakt.run.inputs import IMAGE
 from nctakt.run.one_at_a_time import OneAtATime, alone
+from nctakt.run.options import RunKeywords, check_keywords, completed, with_keywords
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
-from nctakt.run.program_loader import LoadedProgram, NcText
-from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText
+from nctakt.run.program_run import ProgramRun
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import StimulusLike, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.trace.recorded import EventList
-from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
-    from nctakt.run.inputs import Input, InputListener
+    from nctakt.run.inputs import Input
     from nctakt.run.realtime_part import RealtimePart
-    from nctakt.run.tape import Tape
     from nctakt.schedule.open_schedule import RunSchedule
 
 __all__ = ["Controller", "NcText"]
@@ -299,33 +296,12 @@ class Controller:
     # --- whole programs -------------------------------------------------------------------------
 
     @alone
+    @with_keywords("python", RunKeywords)
     def run(
         self,
         *programs: str | Path | NcText,
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
-        set: Mapping[str, float | str] | None = None,
-        at: Sequence[StimulusLike] = (),
-        until: TimeLike | None = None,
-        ticks: int | None = None,
-        after: TimeLike = 0,
-        plc: AnyPlc | None = None,
-        wait_for_start: bool = False,
-        skip: Collection[int] = (),
-        signals: Sequence[str] | None = None,
-        sinks: Sequence[Sink] = (),
-        memory_trace: bool = True,
-        record_writes: bool = True,
-        why: bool = False,
-        on_message: Callable[[ProgramMessage], None] | None = None,
-        on_progress: Callable[[int, int | None], None] | None = None,
-        on_cycle: Callable[[str, CycleDefinition], None] | None = None,
-        blocks: bool = False,
-        condition_signals: bool = False,
-        stays: bool = False,
-        record: InputListener | None = None,
-        replay: Tape | None = None,
-        from_line: int | None = None,
-        from_block: int | None = None,
+        **options: Unpack[RunKeywords],
     ) -> Run:
         """Run programs one after another and return the result.
 
@@ -335,63 +311,23 @@ class Controller:
 
         ``set`` gives variables values before the first tick, ``at`` at times of the run:
         ``at=[("20 ms", "V.E.DOOR", 1)]``. ``until`` and ``ticks`` limit the run (10 minutes unless
-        given), ``after`` is the time that the machine goes on after the last program. With
-        ``wait_for_start`` START on the HLI begins each program, again after a RESET. Blocks of the
-        levels ``skip``, 1 … 10, are skipped. ``sinks`` receive the trace of ``signals`` (by default
-        ``default_signals``), which ``memory_trace`` keeps in the result; with ``record_writes``
-        each new value that a cycle assigns to a variable is an event in it. ``why`` records the
-        history of each condition of the realtime cycles (``Run.why``) and counts it
-        (``Run.coverage``). ``blocks``: events for decoding and execution of blocks, for each flush
-        of the channel, and for the acknowledgement of each function. ``condition_signals``:
-        ``signals`` and those that conditions of the programs' realtime cycles read. ``stays``: the
-        run goes on after its programs, for those that are selected, without a limit.
-        ``on_message`` is called with each message of a program, ``on_progress`` with the ticks so
-        far and of the whole run, ``on_cycle`` with the name and the definition of each realtime
-        cycle when it is decoded, ``record`` with the inputs from outside behind ``set``.
-        ``replay``: the inputs of a recorded run instead of ``at`` and ``plc``. ``from_line`` or
-        ``from_block``: line or N number of the block where the first program of channel 1 begins by
-        block search.
+        given). With ``wait_for_start`` START on the HLI begins each program, again after a RESET.
+        ``sinks`` receive the trace of ``signals`` (by default ``default_signals``), which
+        ``memory_trace`` keeps in the result. ``why`` gives ``Run.why`` and ``Run.coverage``.
+        ``blocks``: events for decoding and execution of blocks, for each flush of the channel, and
+        for the acknowledgement of each function. ``from_line`` or ``from_block``: where the first
+        program of channel 1 begins by block search.
 
-        Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time;
-        mistakes in the programs are in the result.
+        Raises ``Failure`` for a program that cannot be read and for an invalid name, value or time,
+        ``TypeError`` for an unknown option; mistakes in the programs are in the result.
         """
+        check_keywords("Controller.run", "python", options)
         if channels is not None:
             arguments.mapping("channels", channels)
         by_channel = {1: programs, **(channels or {})}
         for number in by_channel:
             self._index(number)
-        return self._finish(
-            RunOptions(
-                by_channel,
-                set or {},
-                at,
-                until,
-                ticks,
-                after,
-                plc,
-                wait_for_start,
-                skip,
-                signals,
-                sinks,
-                memory_trace,
-                record_writes,
-                why,
-                on_message,
-                on_progress,
-                on_cycle,
-                blocks,
-                condition_signals,
-                stays,
-                record,
-                replay,
-                from_line,
-                from_block,
-            )
-        )
-
-    def _finish(self, options: RunOptions) -> Run:
-        """Begin a run and go on to its end."""
-        run = self.begin(options)
+        run = self.begin(by_channel, **options)
         try:
             run.advance()
         except KeyboardInterrupt:
@@ -411,10 +347,23 @@ class Controller:
         """Plan further inputs of a run that has begun, behind those of their ticks."""
         self._machine.inputs.add(inputs)
 
-    def begin(self, options: RunOptions) -> ProgramRun:
-        """Return a run before its first tick; raises ``Failure`` as ``run``."""
-        options.check()
-        inputs = () if options.replay is None else options.replay.inputs
+    def begin(
+        self,
+        programs: Mapping[int, Sequence[AnyProgram]],
+        *,
+        statistics: bool = True,
+        **given: Unpack[RunKeywords],
+    ) -> ProgramRun:
+        """Return a run of the programs of each channel before its first tick.
+
+        ``statistics``: with the counts of cycles, functions and effects of a schedule in the
+        result. Raises ``Failure`` as ``run``.
+        """
+        for channel, own in programs.items():
+            arguments.collection(f"channels[{channel}]", own)
+        options = completed(given)
+        replay = options["replay"]
+        inputs = () if replay is None else replay.inputs
         scheduled = self._loop.scheduled_run
         if scheduled is not None:
             from nctakt.run import recorded_schedule  # noqa: PLC0415 - rare
@@ -425,4 +374,6 @@ class Controller:
         has_image = self._image is not None and not self._image.is_closed
         if not has_image and any(one.kind == IMAGE for one in inputs):
             self.interface_image()
-        return ProgramRun(self._loop, self.diagnostics, options)
+        return ProgramRun(
+            self._loop, self.diagnostics, programs, options, with_statistics=statistics
+        )

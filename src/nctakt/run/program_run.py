@@ -1,28 +1,25 @@
 # SPDX-License-Identifier: MIT
 """A run of programs on a controller, from its begin to its result, in parts of any length.
 
-In: ``RunOptions`` and a machine's loop of ticks. Out: ``ProgramRun``, which goes on up to a tick as
-often as it is asked to, and then closes with the ``Run``. Where it is cut never changes a result.
+In: programs, run options and a machine's loop of ticks. Out: ``ProgramRun``, which goes on up to a
+tick as often as it is asked to, and then closes with the ``Run``. Where it is cut never changes a
+result.
 """
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
-from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.decoder.state.start_block import StartBlock
-from nctakt.lists.format import arguments
-from nctakt.lists.format.times import Time, TimeLike, read_time
+from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.block_search import BOTH_STARTS_GIVEN
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import CycleResult, ProgramMessage, Run, RunDrawer, RunState
+from nctakt.results.run import CycleResult, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
@@ -31,17 +28,16 @@ from nctakt.run.channel_run import ChannelRun, worst_state
 from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.deadlocks import deadlock, never_sent
 from nctakt.run.inputs import NEVER
-from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
+from nctakt.run.options import RunKeywords
+from nctakt.run.plc_view import PlcView, WatchedPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
-from nctakt.run.stimuli import StimulusLike, as_inputs, not_reached, read_stimulus
+from nctakt.run.stimuli import as_inputs, not_reached, read_stimulus
 from nctakt.run.tick_loop import TickLoop, TickShares
 from nctakt.run.wait_reasons import wait_reasons
 from nctakt.trace.recorded import MemorySink
-from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
-    from nctakt.run.inputs import InputListener
-    from nctakt.run.tape import Tape
+    pass
 
 #: Virtual time after which a run ends if neither ``until`` nor ``ticks`` limits it.
 DEFAULT_LIMIT_US = 600_000_000
@@ -53,88 +49,24 @@ REST_US = 60_000_000
 PROGRESS_TICKS = 100_000
 
 
-_PLC = Text("a Plc", "eine Plc")
-_TAPE = Text("a tape", "ein Band")
-
-
-@dataclass(frozen=True, slots=True)
-class RunOptions:
-    """What a run is made of; ``Controller.run`` explains each.
-
-    ``programs``: number of the channel, from 1 -> its programs, one after another.
-    ``statistics``: with the counts of cycles, functions and effects of a schedule in the result.
-    """
-
-    programs: Mapping[int, Sequence[AnyProgram]]
-    set: Mapping[str, float | str] = field(default_factory=dict)
-    at: Sequence[StimulusLike] = ()
-    until: TimeLike | None = None
-    ticks: int | None = None
-    after: TimeLike = 0
-    plc: AnyPlc | None = None
-    wait_for_start: bool = False
-    skip: Collection[int] = ()
-    signals: Sequence[str] | None = None
-    sinks: Sequence[Sink] = ()
-    memory_trace: bool = True
-    record_writes: bool = True
-    why: bool = False
-    on_message: Callable[[ProgramMessage], None] | None = None
-    on_progress: Callable[[int, int | None], None] | None = None
-    on_cycle: Callable[[str, CycleDefinition], None] | None = None
-    blocks: bool = False
-    condition_signals: bool = False
-    stays: bool = False
-    record: InputListener | None = None
-    replay: Tape | None = None
-    from_line: int | None = None
-    from_block: int | None = None
-    statistics: bool = True
-
-    @property
-    def start(self) -> StartBlock | None:
-        """The block where the first program of channel 1 begins by block search."""
-        if self.from_line is None and self.from_block is None:
-            return None
-        return StartBlock(self.from_line or 0, self.from_block or 0)
-
-    def check(self) -> None:
-        """Check the types of the options; raises ``Failure``."""
-        for channel, programs in self.programs.items():
-            arguments.collection(f"channels[{channel}]", programs)
-        arguments.mapping("set", self.set)
-        arguments.collection("at", self.at)
-        arguments.collection("sinks", self.sinks)
-        if self.signals is not None:
-            arguments.collection("signals", self.signals)
-        if self.ticks is not None:
-            arguments.whole_number("ticks", self.ticks)
-        if self.from_line is not None and self.from_block is not None:
-            raise Failure(diagnostic(BOTH_STARTS_GIVEN))
-        for name, value in (("from_line", self.from_line), ("from_block", self.from_block)):
-            if value is not None:
-                arguments.whole_number(name, value, 1)
-        arguments.collection("skip", self.skip)
-        for level in self.skip:
-            arguments.whole_number("skip", level)
-        arguments.function("on_message", self.on_message)
-        arguments.function("on_progress", self.on_progress)
-        arguments.function("on_cycle", self.on_cycle)
-        arguments.function("record", self.record)
-        if self.plc is not None and not hasattr(self.plc, "cycle"):
-            arguments.refuse("plc", self.plc, _PLC)
-        if self.replay is not None and not hasattr(self.replay, "inputs"):
-            arguments.refuse("replay", self.replay, _TAPE)
-
-
 class ProgramRun:
     """A run that has begun; ``state`` is ``None`` until it is over.
 
-    Raises ``Failure`` as ``Controller.run``.
+    ``programs``: number of the channel, from 1 -> its programs, one after another. ``options``: all
+    of ``Controller.run``, checked. Raises ``Failure`` as ``Controller.run``.
     """
 
-    def __init__(self, loop: TickLoop, diagnostics: list[Diagnostic], options: RunOptions) -> None:
+    def __init__(
+        self,
+        loop: TickLoop,
+        diagnostics: list[Diagnostic],
+        programs: Mapping[int, Sequence[AnyProgram]],
+        options: RunKeywords,
+        *,
+        with_statistics: bool = True,
+    ) -> None:
         machine = loop.machine
+        self._programs = programs
         self._loop = loop
         self._machine = machine
         self._diagnostics = diagnostics
@@ -142,43 +74,39 @@ class ProgramRun:
         self._cycle_time_us = machine.configuration.cycle_time_us
         self._first_tick = first_tick = loop.tick
         self._end = first_tick + self._limit()
-        self._stimuli = [read_stimulus(stimulus) for stimulus in options.at]
-        for channel in loop.channels:
-            channel.skip_levels = frozenset(options.skip)
-            channel.marks_blocks = options.blocks
-            channel.start = None
-        loop.channels[0].start = options.start
-        loop.attach(options.plc)
-        for name, value in options.set.items():
+        self._stimuli = [read_stimulus(stimulus) for stimulus in options["at"]]
+        _set_up(loop.channels, options)
+        loop.attach(options["plc"])
+        for name, value in (options["set"] or {}).items():
             machine.write(name, value)
         machine.access.apply_writes()
-        machine.inputs.listen(options.record)
+        machine.inputs.listen(options["record"])
         for stimulus in self._stimuli:
             machine.access.check(stimulus.name, stimulus.value)
-        if isinstance(options.plc, WatchedPlc):
-            options.plc.begin_run(PlcView(machine))
+        plc = options["plc"]
+        if isinstance(plc, WatchedPlc):
+            plc.begin_run(PlcView(machine))
         self._first_diagnostic = len(diagnostics) if first_tick else 0
-        if isinstance(options.plc, WatchedPlc):
-            diagnostics += options.plc.notes()
-        self._memory = MemorySink() if options.memory_trace else None
-        machine.registry.on_cycle = options.on_cycle
+        if isinstance(plc, WatchedPlc):
+            diagnostics += plc.notes()
+        self._memory = MemorySink() if options["memory_trace"] else None
+        machine.registry.on_cycle = options["on_cycle"]
+        self._with_statistics = with_statistics
         self._statistics = RunStatistics(machine.registry.reactions_of, machine.registry.frozen_in)
         self._runs_before = machine.registry.runs()
         self._bodies_before = machine.registry.bodies()
-        machine.show_named(options.signals or ())
-        self._signals = loop.recording.checked(options.signals)
-        replay = options.replay
-        loop.connect(
-            options.plc, has_plc=options.plc is not None or (replay is not None and replay.has_plc)
-        )
+        machine.show_named(options["signals"] or ())
+        self._signals = loop.recording.checked(options["signals"])
+        replay = options["replay"]
+        loop.connect(plc, has_plc=plc is not None or (replay is not None and replay.has_plc))
         loop.recording.messages = []
-        loop.recording.on_message = options.on_message
+        loop.recording.on_message = options["on_message"]
         machine.inputs.plan(
             as_inputs(self._stimuli, first_tick, self._cycle_time_us)
             if replay is None
             else replay.inputs
         )
-        machine.poll = functools.partial(self._report_progress, options.on_progress)
+        machine.poll = functools.partial(self._report_progress, options["on_progress"])
         machine.inputs.on_select = self._select
         self._parts: Iterator[int] | None = None
         self._loaded: list[LoadedProgram] = []
@@ -191,17 +119,17 @@ class ProgramRun:
 
     def _limit(self) -> int:
         """Return the maximum number of ticks of the run."""
-        ticks, until = self._options.ticks, self._options.until
+        ticks, until = self._options["ticks"], self._options["until"]
         limits = [ticks] if ticks is not None else []
         if until is not None:
             limits.append(read_time(until).ticks(self._cycle_time_us))
-        if self._options.stays and not limits:
+        if self._options["stays"] and not limits:
             return NEVER
         return min(limits) if limits else DEFAULT_LIMIT_US // self._cycle_time_us
 
     def _default_limit(self) -> Text | None:
         """Return the limit of runs without one, ``None`` if somebody has set a limit."""
-        if self._options.ticks is not None or self._options.until is not None:
+        if self._options["ticks"] is not None or self._options["until"] is not None:
             return None
         limit = str(Time(DEFAULT_LIMIT_US))
         return Text(limit, limit)
@@ -216,7 +144,7 @@ class ProgramRun:
         """Read and check the programs, before the first tick."""
         loaded: dict[int, list[LoadedProgram]] = {}
         has_errors = False
-        for number, programs in self._options.programs.items():
+        for number, programs in self._programs.items():
             own = loaded.setdefault(number, [])
             for program in programs:
                 try:
@@ -226,7 +154,7 @@ class ProgramRun:
                 except ProgramErrors:
                     has_errors = True
         self._loaded = [program for own in loaded.values() for program in own]
-        if not self._options.stays and not has_errors:
+        if not self._options["stays"] and not has_errors:
             self._diagnostics += never_sent(self._machine, self._loaded)
             self._diagnostics += never_given(self._machine, self._loaded)
         self._open_recording(loaded)
@@ -235,15 +163,15 @@ class ProgramRun:
 
     def _open_recording(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> None:
         options, signals = self._options, self._signals
-        if options.condition_signals:
+        if options["condition_signals"]:
             signals = with_condition_signals(signals, programs, self._machine)
         memory = (self._memory,) if self._memory else ()
         self._loop.recording.open(
-            [*options.sinks, *memory, *([self._statistics] if options.statistics else [])],
+            [*options["sinks"], *memory, *([self._statistics] if self._with_statistics else [])],
             signals,
-            options.record_writes and (bool(options.sinks) or options.memory_trace),
-            options.why,
-            options.blocks,
+            options["record_writes"] and (bool(options["sinks"]) or options["memory_trace"]),
+            options["why"],
+            options["blocks"],
         )
 
     @property
@@ -280,7 +208,7 @@ class ProgramRun:
     def _run_programs(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> Iterator[int]:
         """Yield up to which tick the loop may go next; set the state at the end."""
         loop, end = self._loop, self._end
-        waits, stays = self._options.wait_for_start, self._options.stays
+        waits, stays = self._options["wait_for_start"], self._options["stays"]
         channels = [loop.channels[number - 1] for number, own in programs.items() if own or stays]
         if not waits:
             loop.make_ready(channels)
@@ -302,7 +230,7 @@ class ProgramRun:
             count = 1 if any(channel.is_braking for channel in channels) else PROGRESS_TICKS
             yield min(end, loop.tick + count)
         state = worst_state(channels, "ended")
-        stop = loop.tick + read_time(self._options.after).ticks(self._cycle_time_us)
+        stop = loop.tick + read_time(self._options["after"]).ticks(self._cycle_time_us)
         while loop.tick < min(stop, end):
             yield min(stop, end, loop.tick + PROGRESS_TICKS)
         count = REST_US // self._cycle_time_us if state == "error" else end
@@ -330,7 +258,7 @@ class ProgramRun:
             self._diagnostics += failure.diagnostics
             return
         self._loaded.append(loaded)
-        channel.queue([loaded], waits_for_start=self._options.wait_for_start)
+        channel.queue([loaded], waits_for_start=self._options["wait_for_start"])
         channel.proceed()
 
     def _proceed(self, channels: Sequence[ChannelRun]) -> bool:
@@ -367,7 +295,7 @@ class ProgramRun:
     def result(self) -> Run:
         """Return the result of a run that is over and closed."""
         assert self.state is not None
-        machine, loop, plc = self._machine, self._loop, self._options.plc
+        machine, loop, plc = self._machine, self._loop, self._options["plc"]
         if self.state not in ("error", "interrupted"):
             end_us = (loop.tick - self._first_tick) * self._cycle_time_us
             self._diagnostics += not_reached(self._stimuli, end_us, self._cycle_time_us)
@@ -381,7 +309,7 @@ class ProgramRun:
         return Run(
             programs=tuple(
                 program_loader.name_of(program)
-                for own in self._options.programs.values()
+                for own in self._programs.values()
                 for program in own
             ),
             cycle_time_us=self._cycle_time_us,
@@ -410,3 +338,18 @@ def _drawer(machine: AssembledMachine) -> RunDrawer:
 
     limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
     return Drawer(machine.channel_axes, machine.files.line_at, limits_jerk=limits_jerk)
+
+
+def _set_up(channels: Sequence[ChannelRun], options: RunKeywords) -> None:
+    """Give the channels their options."""
+    for channel in channels:
+        channel.skip_levels = frozenset(options["skip"])
+        channel.marks_blocks = options["blocks"]
+        channel.start = None
+    channels[0].start = _start_of(options)
+
+
+def _start_of(options: RunKeywords) -> StartBlock | None:
+    """Return the block where the first program of channel 1 begins by block search."""
+    line, number = options["from_line"], options["from_block"]
+    return None if line is None and number is None else StartBlock(line or 0, number or 0)

@@ -1,57 +1,33 @@
 # SPDX-License-Identifier: MIT
 """The words on a tape: the options of the run that it holds, as those of ``nctakt run``.
 
-In: a tape. Out: its words, of the right types; a tape may come from anywhere.
+In: a tape. Out: its words, of the right types; a tape may come from anywhere. The table of run
+options says which of them a tape keeps.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, cast
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INVALID_TAPE
+from nctakt.run.options import OPTIONS, RUN_OPTIONS, RunKeywords
 from nctakt.run.tape import Tape
 
+#: The options that a tape keeps; the words of each have its name for commands.
+KEPT = tuple(option for option in OPTIONS if "tape" in option.front_ends)
+_READ = tuple(option for option in KEPT if option in RUN_OPTIONS)
 
-def _is_number_or_none(value: object) -> bool:
-    return value is None or (isinstance(value, int) and not isinstance(value, bool))
-
-
-#: The options of a run that a tape keeps, and whether their value fits.
-WORDS: Mapping[str, Callable[[Any], bool]] = {
-    "programs": lambda value: _is_list_of(value, str),
-    "others": lambda value: (
-        isinstance(value, list) and all(_is_list_of(one, str) and len(one) == 2 for one in value)
-    ),
-    "machine": lambda value: isinstance(value, str | None),
-    "root": lambda value: isinstance(value, str | None),
-    "assignments": lambda value: _is_list_of(value, str),
-    "ticks": lambda value: isinstance(value, int | None) and not isinstance(value, bool),
-    "until": lambda value: isinstance(value, str | None),
-    "after": lambda value: isinstance(value, str),
-    "skip": lambda value: isinstance(value, str),
-    "wait_for_start": lambda value: isinstance(value, bool),
-    "blocks": lambda value: isinstance(value, bool),
-    "stays": lambda value: isinstance(value, bool),
-    "rtconf": lambda value: isinstance(value, str | None),
-    "load": lambda value: isinstance(value, str | None),
-    "system": lambda value: isinstance(value, str | None),
-    "confined": lambda value: _is_list_of(value, str),
-    "from_line": _is_number_or_none,
-    "from_block": _is_number_or_none,
-}
-
-#: Options that older tapes do not have.
-_LATER = {"from_line": None, "from_block": None}
+#: The words that every tape has; options that came later have their default on older ones.
+_FIRST = (
+    "programs", "others", "machine", "root", "assignments", "ticks", "until", "after", "skip",
+    "wait_for_start", "blocks", "stays", "rtconf", "load", "system", "confined",
+)  # fmt: skip
 
 #: Fits none of the options.
 _NOTHING_GIVEN = object()
-
-
-def _is_list_of(value: object, kind: type) -> bool:
-    return isinstance(value, list) and all(isinstance(one, kind) for one in value)
 
 
 def words_of(tape: Tape, name: str) -> dict[str, Any]:
@@ -60,13 +36,37 @@ def words_of(tape: Tape, name: str) -> dict[str, Any]:
     A run that was broken off has as many ``ticks`` as it ran. Raises ``Failure`` (901070) for words
     that are none of a run.
     """
-    for key, fits in WORDS.items():
-        if not fits(tape.words.get(key, _LATER.get(key, _NOTHING_GIVEN))):
+    words = {}
+    for option in KEPT:
+        key = option.word
+        missing = _NOTHING_GIVEN if key in _FIRST else option.kind.to_words(option.default)
+        value = tape.words.get(key, missing)
+        if value is _NOTHING_GIVEN or not option.kind.has_form_of_words(value):
             raise Failure(diagnostic(INVALID_TAPE, reason=f"{name}: {key}"))
-    words = {key: _immutable(tape.words.get(key, _LATER.get(key))) for key in WORDS}
+        words[key] = _immutable(value)
     if tape.state not in ("ended", "error", "limit", "reset"):
         words["ticks"] = tape.ticks
     return words
+
+
+def words_of_run(options: RunKeywords, **others: Any) -> dict[str, Any]:
+    """Return the words of a run; ``others``: those that are no options of ``Controller.run``."""
+    given = cast("Mapping[str, Any]", options)
+    return {
+        option.word: option.kind.to_words(given.get(option.name, option.default))
+        if option in _READ
+        else others.get(option.word)
+        for option in KEPT
+    }
+
+
+def options_of_words(words: Mapping[str, Any]) -> RunKeywords:
+    """Return the options of ``Controller.run`` that the words of a tape say.
+
+    Raises ``Failure`` for words that cannot be read.
+    """
+    options = {option.name: option.kind.from_words(words[option.word]) for option in _READ}
+    return cast("RunKeywords", options)
 
 
 def _immutable(value: Any) -> Any:

@@ -31,9 +31,10 @@ from nctakt.plc.loading import load_plc
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
+from nctakt.run.options import RunKeywords, completed
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import load
-from nctakt.run.program_run import ProgramRun, RunOptions
+from nctakt.run.program_run import ProgramRun
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
@@ -170,7 +171,9 @@ class Engine:
         self._machine = machine = AssembledMachine(configuration, access)
         machine.report = self._diagnostics.append
         self._signals = machine.signals()
-        recorded = _recorded(machine) if setup.signals is None else list(setup.signals)
+        options = setup.options
+        chosen = options.get("signals")
+        recorded = _recorded(machine) if chosen is None else list(chosen)
         self._cycle_us = configuration.cycle_time_us
         self._loop = TickLoop(machine, self._diagnostics.append, None)
         self._happened = Happened()
@@ -185,10 +188,9 @@ class Engine:
         self._told_diagnostics = self._told_messages = 0
         plc = None if setup.plc is None else load_plc(setup.plc)
         self._schedule.follow(self._loop, plc, self._diagnostics.append)
-        stimuli = [read_stimulus(stimulus) for stimulus in setup.at]
-        options = self._options(setup, plc, stimuli, recorded)
-        options.check()
-        self._run = ProgramRun(self._loop, self._diagnostics, options)
+        stimuli = [read_stimulus(stimulus) for stimulus in options.get("at", ())]
+        options = self._options(options, plc, stimuli, recorded)
+        self._run = ProgramRun(self._loop, self._diagnostics, setup.programs, completed(options))
         self._loop.attach(plc)
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
         self._recorded_cells = tuple(self._signals[name][0] for name in recorded)
@@ -206,29 +208,20 @@ class Engine:
         )
 
     def _options(
-        self, setup: Setup, plc: AnyPlc | None, stimuli: list[Stimulus], recorded: list[str]
-    ) -> RunOptions:
+        self, given: RunKeywords, plc: AnyPlc | None, stimuli: list[Stimulus], recorded: list[str]
+    ) -> RunKeywords:
         """Return the options of the run that the session is."""
-        return RunOptions(
-            setup.programs,
-            set=setup.set,
-            at=stimuli,
-            until=setup.until,
-            after=setup.after,
-            plc=plc,
-            wait_for_start=setup.wait_for_start,
-            skip=setup.skip,
-            signals=recorded,
-            sinks=(self._happened, self._trail),
-            memory_trace=False,
-            on_cycle=self._add_cycle,
-            blocks=True,
-            record=self._note,
-            why=setup.why,
-            stays=setup.stays,
-            from_line=setup.from_line,
-            from_block=setup.from_block,
-        )
+        return {
+            **given,
+            "at": stimuli,
+            "plc": plc,
+            "signals": recorded,
+            "sinks": (self._happened, self._trail),
+            "memory_trace": False,
+            "on_cycle": self._add_cycle,
+            "blocks": True,
+            "record": self._note,
+        }
 
     def schedule(self, request: str, *words: str) -> str | None:
         """Carry out a request of the session to a real schedule; ``None`` without one."""

@@ -45,7 +45,9 @@ class Past:
         """
         workshop = ProcessPool()
         try:
-            engine, _ = workshop.open(replace(self.setup, why=True))
+            engine, _ = workshop.open(
+                replace(self.setup, options={**self.setup.options, "why": True})
+            )
             try:
                 engine.plan(self.inputs)
                 self._rerun(engine, poll)

@@ -10,7 +10,7 @@ import contextlib
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, Self, Unpack
 
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure, error_text
@@ -20,8 +20,8 @@ from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
 from nctakt.run.input_words import API
 from nctakt.run.inputs import Input
+from nctakt.run.options import ProgramOptions, check_keywords, merged, with_keywords
 from nctakt.run.program_loader import NcText
-from nctakt.run.stimuli import StimulusLike
 from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
 from nctakt.session.decoders import DecoderState
@@ -38,9 +38,8 @@ from nctakt.trace.events import Event
 class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
 
-    Any thread may command; a command returns when it has been done. ``programs``, ``channels``,
-    ``set``, ``at``, ``until``, ``after``, ``wait_for_start``, ``skip``, ``from_line``,
-    ``from_block`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file.
+    Any thread may command; a command returns when it has been done. ``programs``, ``channels``
+    and ``options`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file.
     Without a PLC, functions acknowledge themselves unless ``acknowledges`` is false. ``folders``:
     the only ones whose files may be read. ``pace``: on the wall clock ``slice`` runs the ticks of
     10 ms together, ``tick`` each at its own time. ``stays``: it goes on after its programs.
@@ -60,43 +59,28 @@ class Session:
     1.0
     """
 
+    @with_keywords("session", ProgramOptions)
     def __init__(
         self,
         *programs: str | Path | NcText,
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
         machine: str | Path | None = None,
         plc: str | Path | None = None,
-        set: Mapping[str, float | str] | None = None,
-        at: Sequence[StimulusLike] = (),
-        until: TimeLike | None = None,
-        after: TimeLike = 0,
-        wait_for_start: bool = False,
-        skip: Sequence[int] = (),
         acknowledges: bool = True,
         folders: Sequence[str | Path] = (),
         pace: str = "slice",
         stays: bool = False,
-        signals: Sequence[str] | None = None,
-        from_line: int | None = None,
-        from_block: int | None = None,
+        **options: Unpack[ProgramOptions],
     ) -> None:
+        check_keywords("Session", "session", options)
         self._begin(
             Setup(
                 {1: programs, **(channels or {})},
                 machine,
                 plc,
-                set or {},
-                at,
-                until,
-                after,
-                wait_for_start,
-                skip,
                 acknowledges,
                 folders,
-                stays=stays,
-                signals=signals,
-                from_line=from_line,
-                from_block=from_block,
+                options=merged(options, {"stays": stays}),
             ),
             pace,
         )

@@ -8,11 +8,10 @@ from pathlib import Path
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
-from nctakt.lists.format.times import TimeLike
 from nctakt.nc.tree import RealtimeCycle
 from nctakt.run.inputs import Input
+from nctakt.run.options import RunKeywords
 from nctakt.run.program_loader import NcText
-from nctakt.run.stimuli import StimulusLike
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,31 +23,20 @@ class Setup:
     themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
     only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``rtconf``:
     a scheduling list by which the controller's threads run on a real clock, with its ``load`` and
-    the name of its operating system. ``signals``: those that the session records, by default those
-    of a run and the variables of the machine. ``why`` and the rest, among them the start block of
-    a block search, as in ``Controller.run``.
+    the name of its operating system. ``options``: those of ``Controller.run``, of which
+    ``signals`` are by default those of a run and the variables of the machine.
     """
 
     programs: Mapping[int, Sequence[str | Path | NcText]]
     machine: str | Path | None = None
     plc: str | Path | None = None
-    set: Mapping[str, float | str] = field(default_factory=dict)
-    at: Sequence[StimulusLike] = ()
-    until: TimeLike | None = None
-    after: TimeLike = 0
-    wait_for_start: bool = False
-    skip: Sequence[int] = ()
     acknowledges: bool = True
     folders: Sequence[str | Path] = ()
-    why: bool = False
-    stays: bool = False
-    signals: Sequence[str] | None = None
     inputs: Sequence[Input] = ()
     rtconf: str | None = None
     load: str | None = None
     system: str | None = None
-    from_line: int | None = None
-    from_block: int | None = None
+    options: RunKeywords = field(default_factory=RunKeywords)
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,16 +14,15 @@ from typing import Any
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
-from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
 from nctakt.messages.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
+from nctakt.run.options import RunKeywords
 from nctakt.run.program_loader import NcText, name_of
-from nctakt.run.stimuli import parse_assignment
 from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
-from nctakt.run.tape_words import words_of
+from nctakt.run.tape_words import options_of_words, words_of, words_of_run
 from nctakt.session.schedules import schedule_of_setup
 from nctakt.session.setup import Setup
 
@@ -43,24 +42,19 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
     replayed = Tape({}, texts, has_plc, tuple(inputs), {}, ticks, "", {})
     with OutputFile(path, "tape", access) as file:
         writer = TapeWriter(file.write, words_of_setup(setup), texts, has_plc)
-        run = controller.run(
-            *setup.programs.get(1, ()),
-            channels={number: own for number, own in setup.programs.items() if number > 1},
-            set=setup.set,
-            until=setup.until,
-            ticks=ticks,
-            after=setup.after,
-            wait_for_start=setup.wait_for_start,
-            skip=setup.skip,
-            memory_trace=False,
-            blocks=True,
-            stays=setup.stays,
-            from_line=setup.from_line,
-            from_block=setup.from_block,
-            sinks=(writer,),
-            record=writer.note,
-            replay=replayed,
-        )
+        options: RunKeywords = {
+            **setup.options,
+            "at": (),
+            "signals": None,
+            "ticks": ticks,
+            "memory_trace": False,
+            "blocks": True,
+            "sinks": (writer,),
+            "record": writer.note,
+            "replay": replayed,
+        }
+        channels = {number: own for number, own in setup.programs.items() if number > 1}
+        run = controller.run(*setup.programs.get(1, ()), channels=channels, **options)
         state = "interrupted" if run.state == "limit" else run.state
         files = {name_on_tape(one): one for one in access.read_files}
         writer.finish(state, controller.tick, files)
@@ -73,39 +67,21 @@ def programs_of(setup: Setup) -> list[str | Path | NcText]:
 
 def words_of_setup(setup: Setup) -> dict[str, Any]:
     """Return the words of the command that runs what the setup does."""
-    return {
-        "programs": [name_of(program) for program in setup.programs.get(1, ())],
-        "others": [
+    return words_of_run(
+        {**setup.options, "ticks": None, "blocks": True},
+        programs=[name_of(program) for program in setup.programs.get(1, ())],
+        others=[
             [str(number), name_of(program)]
             for number, own in setup.programs.items()
             if number > 1
             for program in own
         ],
-        "machine": None if setup.machine is None else str(setup.machine),
-        "root": None,
-        "assignments": [f"{name}={_value(value)}" for name, value in setup.set.items()],
-        "ticks": None,
-        "until": None if setup.until is None else _time(setup.until),
-        "after": _time(setup.after),
-        "skip": ",".join(map(str, setup.skip)),
-        "wait_for_start": setup.wait_for_start,
-        "blocks": True,
-        "stays": setup.stays,
-        "rtconf": setup.rtconf,
-        "load": setup.load,
-        "system": setup.system,
-        "confined": [str(folder) for folder in setup.folders],
-        "from_line": setup.from_line,
-        "from_block": setup.from_block,
-    }
-
-
-def _time(time: TimeLike) -> str:
-    return str(read_time(time))
-
-
-def _value(value: float | str) -> str:
-    return f'"{value}"' if isinstance(value, str) else repr(float(value))
+        machine=None if setup.machine is None else str(setup.machine),
+        rtconf=setup.rtconf,
+        load=setup.load,
+        system=setup.system,
+        confined=[str(folder) for folder in setup.folders],
+    )
 
 
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
@@ -133,19 +109,11 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
     for number, name in named:
         program = NcText(name, tape.texts[name]) if name in tape.texts else name
         programs.setdefault(number, []).append(program)
-    until = words["until"] if words["ticks"] is None else f"{words['ticks']} ticks"
     return Setup(
         programs,
         words["machine"],
-        set=dict(map(parse_assignment, words["assignments"])),
-        until=until,
-        after=words["after"],
-        wait_for_start=words["wait_for_start"],
-        skip=[int(level) for level in words["skip"].split(",") if level],
         acknowledges=not tape.has_plc,
         folders=folders,
-        stays=words["stays"],
         inputs=tape.inputs,
-        from_line=words["from_line"],
-        from_block=words["from_block"],
+        options=options_of_words(words),
     )

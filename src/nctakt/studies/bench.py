@@ -24,9 +24,9 @@ from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
 from nctakt.nc.parse.lexer import without_comments
 from nctakt.plc.loading import PlcFile
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.options import RunKeywords, merged
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
-from nctakt.run.program_run import RunOptions
 from nctakt.run.tape import TapeWriter
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.studies.begun_run import BegunRun, Digest, FinishedRun
@@ -243,21 +243,20 @@ class Bench:
         program = self._program_of(inputs, controller)
         before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()
-        options = RunOptions(
-            {1: (program,)},
-            set=inputs.assignments,
-            at=inputs.stimuli,
-            until=self.plan.until,
-            after=self.plan.after,
-            plc=self._plc(inputs),
-            signals=self.signals,
-            sinks=(digest,) if tape is None else (digest, tape),
-            blocks=blocks,
-            why=why,
-            statistics=why or schedule is not None or self._asks_all,
-            record=None if tape is None else tape.note,
-        )
-        return BegunRun(controller, controller.begin(options), inputs, before, digest, lent)
+        further: RunKeywords = {
+            "set": inputs.assignments,
+            "at": inputs.stimuli,
+            "plc": self._plc(inputs),
+            "signals": self.signals,
+            "sinks": (digest,) if tape is None else (digest, tape),
+            "blocks": blocks,
+            "why": why,
+            "record": None if tape is None else tape.note,
+        }
+        statistics = why or schedule is not None or self._asks_all
+        options = merged(self.plan.options, further)
+        run = controller.begin({1: (program,)}, statistics=statistics, **options)
+        return BegunRun(controller, run, inputs, before, digest, lent)
 
     def _controller(self, inputs: RunInputs) -> Controller:
         """Return a controller with the machine and the schedule of a run."""

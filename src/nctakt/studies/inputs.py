@@ -15,6 +15,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.format.times import Time
 from nctakt.plc.inputs import read_inputs
 from nctakt.project.run_settings import DEFAULT_PLC
+from nctakt.run.options import BY_NAME, command_words
 from nctakt.run.stimuli import assignment_text
 from nctakt.studies.changed_schedule import FAMILY, ScheduleChanges
 from nctakt.studies.dimension import Dimension, Value, chance
@@ -162,4 +163,7 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
         words += ["--until", str(plan.until).replace(" ", "")]
     if plan.after.count:
         words += ["--after", str(plan.after).replace(" ", "")]
+    for name, chosen in plan.further:
+        row = BY_NAME[name]
+        words += command_words(row, row.kind.to_words(chosen))
     return shlex.join(words)

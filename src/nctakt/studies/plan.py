@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal, cast
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import EXTRA_MISSING
+from nctakt.run.options import ProgramOptions
 from nctakt.studies.dimension import Dimension, Value, chance
 from nctakt.studies.measures import Expectation, Measure
 from nctakt.studies.python_measure import PythonMeasure
@@ -64,6 +65,7 @@ class Plan:
     runs. ``count``: the number of points of a method without a grid. ``rtconf``, ``load``,
     ``system``: the scheduling list, its load and its operating system; ``is_schedule``: the list is
     simulated without a program, which ``program`` then stands for.
+    ``further``: the run options that are no entries of their own here, by name.
     ``places``: where the entries stand in the plan's file, with the text of the line.
     """
 
@@ -87,7 +89,14 @@ class Plan:
     system: str = "rtx"
     is_schedule: bool = False
     names_default_plc: bool = False
+    further: tuple[tuple[str, Any], ...] = ()
     places: Mapping[Entry, Place] = field(default_factory=dict, compare=False, repr=False)
+
+    @property
+    def options(self) -> ProgramOptions:
+        """The run options of all runs, without the values that it sets."""
+        given = {**dict(self.further), "until": self.until, "after": self.after}
+        return cast("ProgramOptions", given)
 
     @property
     def files(self) -> list[Path]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -28,6 +28,8 @@ from nctakt.lists.machine.scheduling_profile import PROFILES
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.studies import EMPTY_STUDY, INVALID_PLAN, NAME_TAKEN
 from nctakt.project.run_settings import DEFAULT_PLC, Named, RunSettings, run_settings
+from nctakt.run.option_kinds import UnfitDataError
+from nctakt.run.options import RUN_OPTIONS, accepted_by
 from nctakt.run.program_loader import NcText
 from nctakt.run.stimuli import parse_assignment
 from nctakt.studies.changed_schedule import FAMILY
@@ -61,9 +63,17 @@ from nctakt.studies.plan_reader import (
 )
 from nctakt.studies.schedule_measures import ScheduledProgramReader, ScheduleReader
 
+#: The run options that a plan has beside those with a meaning of their own here.
+_FURTHER = tuple(
+    option
+    for option in accepted_by("plan")
+    if option in RUN_OPTIONS and option.name not in ("plc", "until", "after", "set", "at")
+)
+
 _TOP = (
     "program", "machine", "plc", "rtconf", "load", "os", "method", "count", "seed", "until",
     "after", "set", "at", "vary", "measure", "expect", "find",
+    *(option.name for option in _FURTHER),
 )  # fmt: skip
 _GOALS: tuple[GoalWord, ...] = ("minimize", "maximize", "boundary")
 _STIMULUS = Text('["20 ms", "V.E.DOOR = 1"]', '["20 ms", "V.E.DOOR = 1"]')
@@ -188,6 +198,7 @@ class _Reader(PlanReader):
             self.choice(tables, "os", list(PROFILES)),
             is_schedule,
             plc == Path(DEFAULT_PLC),
+            tuple(self._further(tables)),
         )
         plan = replace(plan, places=self._places(plan))
         self._check_names(plan)
@@ -203,7 +214,8 @@ class _Reader(PlanReader):
         if ("load" in tables or "os" in tables) and "rtconf" not in tables:
             self.missing("rtconf", THE_PLAN)
         if "program" not in tables:
-            for key in ("machine", "plc", "after", "set", "at"):
+            further = (option.name for option in _FURTHER)
+            for key in ("machine", "plc", "after", "set", "at", *further):
                 if key in tables:
                     self.wrong(key, tables[key], _WITH_PROGRAM)
 
@@ -264,6 +276,22 @@ class _Reader(PlanReader):
             self.folder / DEFAULT_PLC
         )
         return Path(DEFAULT_PLC) if is_default else self._path(tables, "plc")
+
+    def _further(self, tables: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+        """Yield the further run options that the plan has, each with its value."""
+        for option in _FURTHER:
+            if option.name not in tables:
+                continue
+            try:
+                value = option.kind.from_data(tables[option.name])
+                option.kind.check(option.name, value)
+            except UnfitDataError as error:
+                self.wrong(option.name, tables[option.name], error.expected)
+            except Failure as failure:
+                for found in failure.diagnostics:
+                    self.report(found, self.location(option.name, "", 0))
+            else:
+                yield option.name, value
 
     def _take_settings(self, named: Named) -> None:
         """Take what the plan leaves out from the project of its program."""

@@ -17,6 +17,7 @@ from nctakt.files.access import is_file_or_folder
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import INVALID_PLAN_VALUE, PLAN_ENTRY_MISSING, UNKNOWN_PLAN_ENTRY
+from nctakt.run.options import refused
 
 _ENTRY = re.compile(r"""\s*(?:\[|[\w.-]+\s*=|(?:"[^"]*"|'[^']*')\s*=)""")
 _HEADER = re.compile(r"\s*\[+\s*([\w.]+)\s*\]+")
@@ -139,7 +140,7 @@ class PlanReader:
         for key in table:
             if key not in names:
                 near = nearest(key, names) or NOTHING
-                found = diagnostic(
+                found = (None if header else refused(key, "plan")) or diagnostic(
                     UNKNOWN_PLAN_ENTRY, key=key, nearest=near, names=", ".join(names)
                 )
                 self.report(found, self.location(key, header, number))

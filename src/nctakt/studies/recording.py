@@ -16,8 +16,9 @@ from typing import Any
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile, write_file
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
-from nctakt.run.stimuli import assignment_text
+from nctakt.run.options import merged
 from nctakt.run.tape import TapeWriter, name_on_tape
+from nctakt.run.tape_words import words_of_run
 from nctakt.studies.bench import Bench
 from nctakt.studies.changed_lists import changed_texts
 from nctakt.studies.changed_schedule import ScheduleFiles
@@ -94,26 +95,16 @@ def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
     """Return the options of the run, as ``nctakt run`` has them."""
     changes = inputs.schedule
     load = changes.load or plan.load or (_LOAD if changes.entries else None)
-    return {
-        "programs": [str(plan.program)],
-        "others": [],
-        "machine": None if plan.machine is None else str(plan.machine),
-        "root": None,
-        "assignments": [assignment_text(*one) for one in inputs.assignments.items()],
-        "ticks": None,
-        "until": None if plan.until is None else str(plan.until),
-        "after": str(plan.after),
-        "skip": "",
-        "wait_for_start": False,
-        "blocks": False,
-        "stays": False,
-        "rtconf": None if plan.rtconf is None else str(changes.rtconf or plan.rtconf),
-        "load": None if load is None else str(load),
-        "system": None if plan.rtconf is None else plan.system,
-        "confined": [],
-        "from_line": None,
-        "from_block": None,
-    }
+    return words_of_run(
+        merged(plan.options, {"set": inputs.assignments}),
+        programs=[str(plan.program)],
+        others=[],
+        machine=None if plan.machine is None else str(plan.machine),
+        rtconf=None if plan.rtconf is None else str(changes.rtconf or plan.rtconf),
+        load=None if load is None else str(load),
+        system=None if plan.rtconf is None else plan.system,
+        confined=[],
+    )
 
 
 def _texts(bench: Bench, inputs: RunInputs) -> dict[str, str]:

@@ -16,6 +16,7 @@ from nctakt.plc import load_plc
 from nctakt.project.run_settings import RunSettings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.options import RunKeywords
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
 from nctakt.testing.queries import NcRun, values_before
@@ -81,20 +82,22 @@ class NcItem(pytest.Item):
         names += [name for name in self._signals(script) if f"{name}.ACS.ACT_POS" not in names]
         values = {**settings.values, **script.assignments}
         start = values_before(controller, dict.fromkeys(names), values)
+        options: RunKeywords = {
+            **script.options,
+            "set": values,
+            "at": script.stimuli,
+            "until": settings.until,
+            "plc": None if settings.plc is None else load_plc(settings.plc),
+            "signals": list(start),
+            "why": session_coverage(self.config) is not None,
+        }
         run = controller.run(
             NcText(self._shown(), text),
-            set=values,
-            at=script.stimuli,
-            until=settings.until,
-            after=script.after,
-            plc=None if settings.plc is None else load_plc(settings.plc),
-            wait_for_start=script.waits_for_start,
-            signals=list(start),
             channels={
                 number: [self.path.parent / program for program in programs]
                 for number, programs in script.channels.items()
             },
-            why=session_coverage(self.config) is not None,
+            **options,
         )
         return run, start
 

@@ -8,6 +8,7 @@ several, separated by ``;``. An expectation behind a block is about its line.
     ; given: V.E.DOOR = 1 at 20ms     at a time of the run
     ; given: plc slow_plc.py          files and folders relative to the program
     ; given: machine ../machine       until 2s, after 100ms, start: it waits for HLI.START
+    ; given: skip 1,2                 ticks 500, from line 40, from block 120
     ; given: channel 2 unload.nc      a program that runs in another channel meanwhile
 
     ; expect: fired                   an $IF of a realtime cycle; fired 17 line 5
@@ -29,7 +30,7 @@ from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
-from typing import Literal
+from typing import Any, Literal, cast
 
 from nctakt.base.comment_keywords import heads
 from nctakt.base.dataclass import dataclass, field
@@ -37,12 +38,14 @@ from nctakt.base.diagnostics import NOTHING, Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.base.text import split_lines
 from nctakt.lists.format import times
-from nctakt.lists.format.times import Time, TimeLike, read_time
+from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, NO_BRANCH_IN_LINE
 from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.source import Source
 from nctakt.project.run_settings import Named
+from nctakt.run.option_kinds import Flag, Whole
+from nctakt.run.options import DATA_NAMES, RunKeywords, accepted_by, merged
 from nctakt.run.stimuli import Stimulus, parse_assignment
 
 #: Tolerance of an expected value unless the expectation has one.
@@ -70,7 +73,13 @@ _VALUE = re.compile(
 )
 _CHANNEL = re.compile(r"channel\s+(?P<number>\d{1,3})\s+(?P<path>\S.*)", re.IGNORECASE)
 _FILE = re.compile(r"(?P<what>plc|machine)\s+(?P<path>\S.*)", re.IGNORECASE)
-_LIMIT = re.compile(rf"(?P<what>until|after)\s+(?P<time>{_TIME})", re.IGNORECASE)
+_UNTIL = re.compile(rf"until\s+(?P<time>{_TIME})", re.IGNORECASE)
+#: Further run options, each with the expression of its comment.
+_OPTIONS = tuple(
+    (option, re.compile(rf"{option.comment_name}(?:\s+(?P<words>\S.*))?", re.IGNORECASE))
+    for option in accepted_by("comment")
+    if option.name in DATA_NAMES and option.name != "until"
+)
 _GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.IGNORECASE)
 
 
@@ -105,8 +114,7 @@ class Script:
     plc: str | None = None
     machine: str | None = None
     until: Time | None = None
-    after: TimeLike = 0
-    waits_for_start: bool = False
+    options: RunKeywords = field(default_factory=RunKeywords)
     channels: dict[int, list[str]] = field(default_factory=dict)
 
     def named(self, folder: Path) -> Named:
@@ -282,14 +290,14 @@ def _subject(text: str, about: int | None) -> tuple[Kind, str, float, int | None
 
 def _give(script: Script, text: str) -> None:
     """Add an input of the run to the script."""
-    if text.lower() == "start":
-        script.waits_for_start = True
-    elif match := _FILE.fullmatch(text):
+    if match := _FILE.fullmatch(text):
         setattr(script, match["what"].lower(), match["path"].strip())
     elif match := _CHANNEL.fullmatch(text):
         script.channels.setdefault(int(match["number"]), []).append(match["path"].strip())
-    elif match := _LIMIT.fullmatch(text):
-        setattr(script, match["what"].lower(), read_time(match["time"]))
+    elif match := _UNTIL.fullmatch(text):
+        script.until = read_time(match["time"])
+    elif "=" not in text and (given := _option(text)) is not None:
+        script.options = merged(script.options, given)
     elif match := _GIVEN_AT.fullmatch(text):
         assignment = parse_assignment(match["assignment"])
         script.stimuli.append(Stimulus(match["time"], *assignment))
@@ -298,3 +306,20 @@ def _give(script: Script, text: str) -> None:
         script.assignments[name] = value
     else:
         raise _NotUnderstoodError
+
+
+def _option(text: str) -> RunKeywords | None:
+    """Return the run option that a comment says, ``None`` for another text."""
+    for option, pattern in _OPTIONS:
+        match = pattern.fullmatch(text)
+        if match is None or (match["words"] is None) != isinstance(option.kind, Flag):
+            continue
+        words: Any = match["words"] or True
+        if isinstance(option.kind, Whole):
+            if not words.isdecimal():
+                return None
+            words = int(words)
+        value = option.kind.from_words(words)
+        option.kind.check(option.name, value)
+        return cast("RunKeywords", {option.name: value})
+    return None

@@ -87,12 +87,23 @@ def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
     try:
         return (yield)
     except Exception as error:
-        failure = sys.modules.get("nctakt.base.failure")
-        if failure is None or not isinstance(error, failure.Failure):
+        if not _is_mistake_of_test(error):
             raise
         if not item.config.getoption("fulltrace"):
             _end_outside_of_nctakt(error)
         raise
+
+
+def _is_mistake_of_test(error: Exception) -> bool:
+    """Return whether nctakt has refused what a test asks for; it may not even be loaded."""
+    for module, name in (
+        ("nctakt.base.failure", "Failure"),
+        ("nctakt.run.options", "UnknownOptionError"),
+    ):
+        loaded = sys.modules.get(module)
+        if loaded is not None and isinstance(error, getattr(loaded, name)):
+            return True
+    return False
 
 
 def _end_outside_of_nctakt(error: Exception) -> None:

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Unpack
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
@@ -25,7 +26,7 @@ from nctakt.plc import AnyPlc, load_plc
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import StimulusLike
+from nctakt.run.options import ProgramOptions, check_keywords, merged
 from nctakt.trace.events import Event
 
 #: The name of a program that a test has as text.
@@ -39,48 +40,45 @@ def run_program(
     program: str | Path,
     folder: Path,
     *,
-    set: Mapping[str, float | str] | None = None,
-    at: Sequence[StimulusLike] = (),
-    until: TimeLike | None = None,
-    ticks: int | None = None,
-    after: TimeLike = 0,
     plc: AnyPlc | str | Path | None = None,
-    wait_for_start: bool = False,
-    signals: Iterable[str] = (),
     why: bool = False,
     limit_fails: bool | None = None,
+    **options: Unpack[ProgramOptions],
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
     ``plc``: an object, its file, or ``default`` for the built-in one; ``signals`` are recorded
-    beside positions, path speed, override, block and active cycles; the other parameters are those
-    of ``Controller.run``. What is not named comes from the project around ``folder``, but
+    beside positions, path speed, override, block and active cycles; ``options`` are those of
+    ``Controller.run``. What is not named comes from the project around ``folder``, but
     for the machine. A run that comes to its limit raises ``Failure`` (901016) if ``limit_fails``,
     which is so unless a limit is named.
     """
-    if set is not None:
-        arguments.mapping("set", set)
+    check_keywords("run_nc", "test", options)
+    until, ticks = options.get("until"), options.get("ticks")
+    own_values = options.get("set") or {}
+    arguments.mapping("set", own_values)
     if isinstance(program, str) and "\n" in program:
         source: Path | NcText = NcText(TEXT_NAME, program)
     else:
         source = folder / program
-    named = Named(values=set or {}, until=until, is_limited=ticks is not None, base=folder)
+    named = Named(values=own_values, until=until, is_limited=ticks is not None, base=folder)
     settings, own_plc = _settings_beside(named, plc)
-    values = {**settings.values, **(set or {})}
-    names = list(dict.fromkeys([*controller.default_signals, *signals]))
+    values = {**settings.values, **own_values}
+    names = list(dict.fromkeys([*controller.default_signals, *(options.get("signals") or ())]))
     try:
         start = values_before(controller, names, values)
         run = controller.run(
             source,
-            set=values,
-            at=at,
-            until=settings.until,
-            ticks=ticks,
-            after=after,
-            plc=own_plc,
-            wait_for_start=wait_for_start,
-            signals=names,
-            why=why,
+            **merged(
+                options,
+                {
+                    "set": values,
+                    "until": settings.until,
+                    "plc": own_plc,
+                    "signals": names,
+                    "why": why,
+                },
+            ),
         )
     except Failure as failure:
         raise settings.placed(failure) from failure

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt list``: each realtime cycle of a program as its elementary instructions.
+"""``nctakt disassemble``: each realtime cycle of a program as its elementary instructions.
 
 In: programs, a machine, values of variables. Out: on standard output the listing of each definition
 that the decoder reaches while the programs run, with its frozen values. A run is necessary, since
@@ -12,15 +12,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
-import click
-
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.cli import EXIT_NC_ERROR
+from nctakt.cli.help import described
+from nctakt.cli.options import FORMAT_OPTION
 from nctakt.cli.request import Options, read_request
 from nctakt.cli.running import (
-    FORMAT_OPTION,
     RUN_CODES,
+    TIMES_NOTE,
     choose_mode,
     exit_code,
     run_options,
@@ -40,16 +40,6 @@ if TYPE_CHECKING:
     from nctakt.results.run import Run
     from nctakt.run.controller import Controller
 
-_EPILOG = f"""\b
-An asynchronous variable is read when the definition is decoded: the listing
-shows its frozen value. Count: elementary instructions.
-
-{RUN_CODES}
-\b
-  nctakt list part.nc
-  nctakt list part.nc --set V.E.LIMIT=200 --until 5s
-"""
-
 
 @dataclass(frozen=True, slots=True)
 class ListedDefinition:
@@ -60,15 +50,38 @@ class ListedDefinition:
     lines: tuple[str, ...]
 
 
-@click.command("list", epilog=_EPILOG, short_help="List realtime cycles as their instructions.")
-@run_options("listing and diagnostics")
+@described(
+    "disassemble",
+    summary=Text(
+        "Show realtime cycles as their instructions.",
+        "Echtzeit-Zyklen als ihre Anweisungen zeigen.",
+    ),
+    text=Text(
+        "Run NC programs and show each realtime cycle that they define as its elementary "
+        "instructions ('-': standard input).",
+        "NC-Programme ausführen und jeden Echtzeit-Zyklus, den sie definieren, als seine "
+        "Elementaranweisungen zeigen ('-': Standardeingabe).",
+    ),
+    codes=RUN_CODES,
+    notes=Text(
+        "An asynchronous variable is read when the definition is decoded: the listing shows its "
+        f"frozen value. Count: elementary instructions. {TIMES_NOTE.en}",
+        "Eine asynchrone Variable wird gelesen, wenn die Definition dekodiert wird: Gezeigt wird "
+        f"ihr eingefrorener Wert. Gezählt werden Elementaranweisungen. {TIMES_NOTE.de}",
+    ),
+    examples=(
+        "nctakt disassemble part.nc",
+        "nctakt disassemble part.nc --set V.E.LIMIT=200 --until 5s",
+    ),
+)
+@run_options("disassemble")
 @FORMAT_OPTION
 def command(**words: Any) -> int:
-    """Run NC programs and list each realtime cycle that they define ('-': standard input)."""
-    return carry_out(words, _list, runs_code=False)
+    """Show realtime cycles as instructions."""
+    return carry_out(words, _disassemble, runs_code=False)
 
 
-def _list(options: Options, access: FileAccess) -> int:
+def _disassemble(options: Options, access: FileAccess) -> int:
     """Run and list; raises ``Failure`` for invalid options."""
     choose_mode(options)
     request = read_request(options, access)

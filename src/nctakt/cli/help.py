@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+"""Help of commands in both languages: options in groups, one wording of exit codes, examples.
+
+In: ``Text`` for everything that help says. Out: click's commands and options that show it in the
+language of ``--lang``, of ``NCTAKT_LANGUAGE`` or of the locale.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar, cast
+
+import click
+
+from nctakt.base.diagnostics import Language, Text
+
+#: The environment variable for the language.
+LANGUAGE_VARIABLE = "NCTAKT_LANGUAGE"
+
+#: The groups of options, in the order of the help.
+GROUPS: Mapping[str, Text] = {
+    "machine": Text("Machine, programs and PLC", "Maschine, Programme und SPS"),
+    "run": Text("Values, limits, beginning", "Werte, Grenzen, Beginn"),
+    "schedule": Text("Schedule", "Echtzeitkonfiguration"),
+    "command": Text("Options of this command", "Optionen dieses Befehls"),
+    "protocols": Text("Protocols", "Protokolle"),
+    "files": Text("Results", "Ergebnisse"),
+    "general": Text("General", "Allgemeines"),
+}
+
+#: The exit codes that all commands have in common; 0 and 1 have a text of each command.
+_CODES = Text(
+    "Exit codes: 0 {success}, 1 {failure}, 2 wrong usage or unusable input, 3 an error of nctakt "
+    "itself.",
+    "Rückgabewerte: 0 {success}, 1 {failure}, 2 falscher Aufruf oder unbrauchbare Eingabe, 3 ein "
+    "Fehler von nctakt selbst.",
+)
+_CODES_WITHOUT_FAILURE = Text(
+    "Exit codes: 0 {success}, 2 wrong usage or unusable input, 3 an error of nctakt itself.",
+    "Rückgabewerte: 0 {success}, 2 falscher Aufruf oder unbrauchbare Eingabe, 3 ein Fehler von "
+    "nctakt selbst.",
+)
+_USAGE = Text("Usage: ", "Aufruf: ")
+_EXAMPLES = Text("Examples", "Beispiele")
+_HELP = Text("Show this message and exit.", "Diese Hilfe zeigen.")
+
+#: The exit codes of commands without a text of their own.
+DONE = Text("done", "erledigt")
+
+_Command = TypeVar("_Command", bound=Callable[..., Any])
+
+
+def language_of_words(words: Sequence[str]) -> Language | None:
+    """Return the language of ``--lang`` among the words of a command line, else ``None``."""
+    for word, following in zip(words, [*words[1:], ""], strict=False):
+        language = word.partition("=")[2] if word.startswith("--lang=") else following
+        if word.startswith("--lang") and language in ("en", "de"):
+            return cast(Language, language)
+    return None
+
+
+def help_language(words: Sequence[str]) -> Language:
+    """Return the language of help: of ``--lang``, ``NCTAKT_LANGUAGE``, the locale, else English."""
+    named = language_of_words(words) or os.environ.get(LANGUAGE_VARIABLE)
+    if named in ("en", "de"):
+        return cast(Language, named)
+    names = ("LC_ALL", "LC_MESSAGES", "LANG")
+    locale = next((os.environ[name] for name in names if os.environ.get(name)), "")
+    return "de" if locale.lower().startswith("de") else "en"
+
+
+def shown_language(context: click.Context) -> Language:
+    """Return the language of the help that a context shows; ``main`` has put it there."""
+    return "de" if context.find_root().obj == "de" else "en"
+
+
+class GroupedOption(click.Option):
+    """An option with its group and its help in both languages."""
+
+    def __init__(self, *names: Any, texts: Text, group: str, **attributes: Any) -> None:
+        super().__init__(*names, **{**attributes, "help": texts.en})
+        self.texts = texts
+        self.group = group
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        record = super().get_help_record(ctx)
+        if record is None:
+            return None
+        return record[0], record[1].replace(self.texts.en, self.texts.get(shown_language(ctx)), 1)
+
+
+def option(
+    *names: str, text: Text, group: str = "command", **attributes: Any
+) -> Callable[[_Command], _Command]:
+    """Return the decorator of an option with its help in both languages."""
+    return click.option(*names, cls=GroupedOption, texts=text, group=group, **attributes)
+
+
+class _Shown(click.Command):
+    """What commands and groups have in common; the texts come from ``described``."""
+
+    summary = Text("", "")
+    text = Text("", "")
+    notes = Text("", "")
+    codes: tuple[Text, Text | None] = (DONE, None)
+    examples: tuple[str, ...] = ()
+
+    def get_help_option(self, ctx: click.Context) -> click.Option | None:
+        found = super().get_help_option(ctx)
+        if found is not None:
+            found.help = _HELP.get(shown_language(ctx))
+        return found
+
+    def get_short_help_str(self, limit: int = 45) -> str:
+        context = click.get_current_context(silent=True)
+        return self.summary.get("en" if context is None else shown_language(context))
+
+    def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        pieces = " ".join(self.collect_usage_pieces(ctx))
+        if shown_language(ctx) == "de":
+            pieces = pieces.replace("[OPTIONS]", "[OPTIONEN]").replace("COMMAND", "BEFEHL")
+        formatter.write_usage(ctx.command_path, pieces, _USAGE.get(shown_language(ctx)))
+
+    def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        formatter.write_paragraph()
+        with formatter.indentation():
+            formatter.write_text(self.text.get(shown_language(ctx)))
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        language = shown_language(ctx)
+        records: dict[str, list[tuple[str, str]]] = {name: [] for name in GROUPS}
+        for parameter in self.get_params(ctx):
+            is_option = isinstance(parameter, click.Option)
+            record = parameter.get_help_record(ctx) if is_option else None
+            if record is not None:
+                records[getattr(parameter, "group", "general")].append(record)
+        for name, title in GROUPS.items():
+            if records[name]:
+                with formatter.section(title.get(language)):
+                    formatter.write_dl(records[name])
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        language = shown_language(ctx)
+        success, failure = self.codes
+        codes = _CODES_WITHOUT_FAILURE if failure is None else _CODES
+        words = {
+            "success": success.get(language),
+            "failure": "" if failure is None else failure.get(language),
+        }
+        for text in (self.notes.get(language), codes.get(language).format(**words)):
+            if text:
+                formatter.write_paragraph()
+                formatter.write_text(text)
+        if self.examples:
+            with formatter.section(_EXAMPLES.get(language)):
+                for line in self.examples:
+                    formatter.write(f"{'':>{formatter.current_indent}}{line}\n")
+
+
+class ShownCommand(_Shown):
+    """A command whose help is in both languages."""
+
+
+class ShownGroup(_Shown, click.Group):
+    """A group of commands whose help is in both languages."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        _Shown.format_options(self, ctx, formatter)
+        self.format_commands(ctx, formatter)
+
+
+def described(
+    name: str,
+    *,
+    summary: Text,
+    text: Text,
+    codes: tuple[Text, Text | None] = (DONE, None),
+    notes: Text | None = None,
+    examples: Sequence[str] = (),
+) -> Callable[[Callable[..., Any]], click.Command]:
+    """Return the decorator of a subcommand.
+
+    ``summary``: a line for the list of commands; ``text``: what it does; ``codes``: what the exit
+    codes 0 and 1 mean, ``None`` for 1 if there is none; ``examples``: command lines.
+    """
+    described_command: Callable[[Callable[..., Any]], click.Command] = _shown(
+        click.command, ShownCommand, name, summary, text, codes, notes, examples
+    )
+    return described_command
+
+
+def described_group(
+    name: str,
+    *,
+    summary: Text,
+    text: Text,
+    codes: tuple[Text, Text | None] = (DONE, None),
+    notes: Text | None = None,
+    examples: Sequence[str] = (),
+) -> Callable[[Callable[..., Any]], click.Group]:
+    """Return the decorator of a subcommand that has subcommands; as ``described``."""
+    described_command: Callable[[Callable[..., Any]], click.Group] = _shown(
+        click.group, ShownGroup, name, summary, text, codes, notes, examples
+    )
+    return described_command
+
+
+def _shown(
+    make: Callable[..., Any],
+    cls: type[click.Command],
+    name: str,
+    summary: Text,
+    text: Text,
+    codes: tuple[Text, Text | None],
+    notes: Text | None,
+    examples: Sequence[str],
+) -> Any:
+    """Return a decorator that makes a command and gives it its texts."""
+
+    def decorate(function: Callable[..., Any]) -> Any:
+        described_command = make(name, cls=cls, help=text.en, short_help=summary.en)(function)
+        described_command.summary, described_command.text, described_command.codes = (
+            summary,
+            text,
+            codes,
+        )
+        described_command.notes = notes or Text("", "")
+        described_command.examples = tuple(examples)
+        return described_command
+
+    return decorate

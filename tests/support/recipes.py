@@ -171,8 +171,11 @@ SUBCOMMAND = Recipe(
     (
         Edit(
             "src/nctakt/cli/example.py",
-            '"""The subcommand ``nctakt example``."""\n\nimport click\n\n\n'
-            '@click.command("example", epilog="Exit codes: 0 always; 2 wrong usage")\n'
+            '"""The subcommand ``nctakt example``."""\n\n'
+            "from nctakt.base.diagnostics import Text\n"
+            "from nctakt.cli.help import described\n\n\n"
+            '@described("example", summary=Text("Do nothing.", "Nichts tun."), '
+            'text=Text("Do nothing.", "Nichts tun."))\n'
             "def command() -> int:\n"
             '    """Do nothing."""\n'
             "    return 0\n",
@@ -194,4 +197,44 @@ SUBCOMMAND = Recipe(
     ),
 )
 
-RECIPES = (REFUSED_WORD, VARIABLE, MESSAGE, CHANNEL_PARAMETER, SUBCOMMAND)
+RUN_OPTION = Recipe(
+    "A run option: 3 files",
+    (
+        Edit(
+            "src/nctakt/run/options.py",
+            "    example: int | None\n",
+            "    from_line: int | None\n    from_block",
+        ),
+        Edit(
+            "src/nctakt/run/options.py",
+            "    RunOption(\n"
+            '        name="example",\n'
+            "        kind=Whole(),\n"
+            '        help=Text("Run N ticks more.", "N Takte länger laufen."),\n'
+            '        accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} comment tape",\n'
+            "    ),\n",
+            '    RunOption(\n        name="plc",\n',
+        ),
+        Edit(
+            "src/nctakt/run/program_run.py",
+            '            limits = [one + (self._options["example"] or 0) for one in limits]\n',
+            '        if self._options["stays"] and not limits:\n',
+        ),
+        Edit(
+            "src/nctakt/run/program_run.py",
+            "        if limits:\n",
+            '            limits = [one + (self._options["example"]',
+        ),
+        Edit("tests/test_run_options.py", '    "example": (["9"], 9, 9),\n', '    "from_line": (['),
+        Edit(
+            "tests/test_run_options.py",
+            "def test_it():\n"
+            "    run = Controller().run(NcText('p.nc', 'G04 1\\nM30'), ticks=5, example=2)\n"
+            "    assert run.ticks == 7\n\n\n",
+            "def test_a_tape()",
+        ),
+    ),
+    ("tests/test_run_options.py",),
+)
+
+RECIPES = (REFUSED_WORD, VARIABLE, MESSAGE, CHANNEL_PARAMETER, SUBCOMMAND, RUN_OPTION)

@@ -9,8 +9,11 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.reference.article import Topic
+from nctakt.reference.concepts import find_concepts
 from nctakt.reference.layout import WIDTH
-from nctakt.reference.topics import TOPICS
+from nctakt.reference.messages import MESSAGES
+from nctakt.reference.topics import TOPICS, nearest_word
+from nctakt.testing.expectations import read_script
 
 pytestmark = pytest.mark.slow
 
@@ -135,7 +138,7 @@ def test_topic_lists_its_words(topic: Topic, capsys: Captured) -> None:
 
 def test_lines_are_short(capsys: Captured) -> None:
     """No line is wider than a terminal of 100 columns unless a word is."""
-    numbers = [article.name for article in TOPICS[0].articles()]
+    numbers = [article.name for article in MESSAGES.articles()]
     assert main(["explain", *numbers]) == 0
     assert all(len(line) <= WIDTH for line in capsys.readouterr().out.splitlines())
 
@@ -209,3 +212,43 @@ def test_a_word_without_an_article_is_searched_in_all_texts(capsys: Captured) ->
     assert any(line.startswith("22009 ") for line in lines)
     assert main(["explain", "gleich", "--lang", "de"]) == 0
     assert capsys.readouterr().out.startswith("'gleich' steht in ")
+
+
+@pytest.mark.parametrize(
+    ("words", "head"),
+    [
+        ("Z", "axis letters: subject"),
+        ("gate", "reaction: subject"),
+        ("override", "override: subject"),
+        ("M100", "M: word"),
+        ("waiting", "waiting: subject"),
+        ("expect", "expect: subject"),
+        ("expectations", "expect: subject"),
+        ("why does my program wait", "waiting: subject"),
+        ("worauf wartet die Achse", "axis letters: subject"),
+        ("Wartezeit", "waiting: subject"),
+        ("backward_motion", "hli_command.backward_motion: value of the interface"),
+    ],
+)
+def test_what_people_ask_for(words: str, head: str, capsys: Captured) -> None:
+    """Words and questions in both languages; what is about the subject comes first."""
+    assert main(["explain", *words.split()]) == 0
+    assert capsys.readouterr().out.startswith(head)
+
+
+def test_the_examples_of_expectations_can_be_read() -> None:
+    """What ``explain expect`` shows are inputs and expectations that a test takes."""
+    (article,) = find_concepts("expect")
+    for fact in article.facts[:2]:
+        parts = [part for line in fact.value.en.splitlines() for part in line.split("    ")]
+        script = read_script(Path("p.nc"), "".join(f"{part}\n" for part in parts) + "M30\n")
+        assert script.expectations or script.assignments
+
+
+@pytest.mark.parametrize(
+    ("word", "first"), [("2200", "2"), ("G1234", "G"), ("P-CHAN-9", "P-"), ("RC-1055", "RC-")]
+)
+def test_a_misspelt_word_is_like_its_family_only(word: str, first: str) -> None:
+    """A number is no parameter, a G function no message."""
+    near = nearest_word(word)
+    assert near == "" or near.startswith(first)

@@ -26,9 +26,17 @@ from nctakt.hli.table import find
 from nctakt.messages import diagnostic
 from nctakt.messages.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
 from nctakt.reference.article import Article
+from nctakt.reference.concepts import find_concepts
 from nctakt.reference.elements import is_path
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
-from nctakt.reference.topics import TOPICS, explain, nearest_word, search, topic
+from nctakt.reference.topics import (
+    TOPICS,
+    answer_question,
+    explain,
+    nearest_word,
+    search,
+    topic,
+)
 
 #: The form of a variable of a machine's lists.
 _MACHINE_VARIABLE = re.compile(r"Vs?\.(E|CH)\.", re.IGNORECASE)
@@ -37,6 +45,8 @@ _MACHINE_VARIABLE = re.compile(r"Vs?\.(E|CH)\.", re.IGNORECASE)
 _SHORTEST_SEARCHED = 3
 #: Maximum number of listed articles that contain a word.
 _MAX_FOUND = 30
+#: Maximum number of articles that answer a question.
+_MAX_ANSWERS = 3
 
 _FOUND = Text("'{word}' appears in {count} articles:", "'{word}' steht in {count} Artikeln:")
 _FURTHER = Text("… {count} more", "… {count} weitere")
@@ -63,6 +73,8 @@ _FURTHER = Text("… {count} more", "… {count} weitere")
         "nctakt explain P-CHAN-00425 V.RTA.ACS.ACT_POS.X RC-105 hli_axis.command",
         'nctakt explain "gpCh[0]^.bahn_state.program_end_r" backward_motion',
         "nctakt explain V.E.DOOR --machine mymachine",
+        "nctakt explain expect",
+        "nctakt explain why does my program wait",
         'nctakt explain "cannot be written"',
         'nctakt explain "#RT CYCLE" ONCE --lang de',
     ),
@@ -93,6 +105,10 @@ def _explain(words: Sequence[str], machine: str | None, form: str, language: Lan
         _show([*topic_lines(TOPICS, language)])
         return EXIT_RAN
     answers = [_answer(word, machine, language) for word in dict.fromkeys(_phrases(words))]
+    if len(words) > 1 and any(not answer.articles for answer in answers):
+        found = answer_question(" ".join(words), language)
+        if found:
+            answers = [_Answer(" ".join(words), tuple(found[:_MAX_ANSWERS]))]
     unknown = [message for answer in answers for message in answer.unknown]
     if form == "json":
         _show([as_json(_document(answers, unknown, language)).rstrip()])
@@ -131,8 +147,20 @@ def _answer(word: str, machine: str | None, language: Language) -> _Answer:
         return _Answer(word, (*own, *articles), unknown=() if own else variables.unknown(word))
     if articles or listed:
         return _Answer(word, articles, listed)
-    containing = tuple(search(word, language)) if len(word) >= _SHORTEST_SEARCHED else ()
+    if " " in word.strip():
+        found = find_concepts(word)
+        if found:
+            return _Answer(word, found)
+    containing = tuple(_containing(word, language)) if len(word) >= _SHORTEST_SEARCHED else ()
     return _Answer(word, containing=containing, unknown=() if containing else (_unknown(word),))
+
+
+def _containing(word: str, language: Language) -> list[Article]:
+    """Return the articles that contain a word, by their texts in the other language if need be."""
+    other: Language = "en" if language == "de" else "de"
+    words = " ".join(word.split())
+    found = search(words, language) or search(words, other)
+    return found or (answer_question(words, language) if " " in words else [])
 
 
 def _document(

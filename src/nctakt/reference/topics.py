@@ -7,9 +7,12 @@ word.
 
 from __future__ import annotations
 
+import re
+
 from nctakt.base.diagnostics import Language
 from nctakt.base.misspelling import nearest
 from nctakt.reference.article import Article, Topic
+from nctakt.reference.concepts import CONCEPTS, find_concepts
 from nctakt.reference.elements import ELEMENTS
 from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
@@ -21,16 +24,36 @@ from nctakt.reference.variables import VARIABLES
 
 #: The topics in the order of their display.
 TOPICS: tuple[Topic, ...] = (
-    MESSAGES,
-    PARAMETERS,
-    PARAMETER_NUMBERS,
-    VARIABLES,
     WORDS,
-    EXPRESSIONS,
     KEYWORDS_TOPIC,
-    RULES_TOPIC,
+    EXPRESSIONS,
+    CONCEPTS,
+    VARIABLES,
     HLI,
     ELEMENTS,
+    RULES_TOPIC,
+    PARAMETERS,
+    PARAMETER_NUMBERS,
+    MESSAGES,
+)
+
+#: Spellings by which a misspelt word is known to belong to some topics only.
+_FAMILIES = (
+    (re.compile(r"\d+"), (MESSAGES,)),
+    (re.compile(r"P-[A-Z]+-\d*", re.IGNORECASE), (PARAMETERS, PARAMETER_NUMBERS)),
+    (re.compile(r"RC-\d*", re.IGNORECASE), (RULES_TOPIC,)),
+    (re.compile(r"Vs?\..*", re.IGNORECASE), (VARIABLES, WORDS)),
+    (re.compile(r"#.*|\$.*|[GMH]\d+", re.IGNORECASE), (WORDS, KEYWORDS_TOPIC)),
+    (re.compile(r".*[\^\[].*"), (ELEMENTS, HLI)),
+)
+_WORD = re.compile(r"\w+")
+#: Words of a question that say nothing about its subject.
+_SMALL_WORDS = frozenset(
+    "a an and are be by can do does for from how i in is it my no not of on one or that the there "
+    "to what when where which who why with "
+    "auf aus bei das dem den der des die ein eine einem einen einer es für geht hat ich ist kann "
+    "kein keine mein meine mit nach nicht sich sind und von wann warum was wie wird wo worauf zu "
+    "zum zur".split()
 )
 
 
@@ -54,22 +77,49 @@ def explain(word: str) -> tuple[Article, ...]:
 
 
 def nearest_word(word: str) -> str:
-    """Return the known word most similar to this one, empty if none is."""
-    names = {name for topic in TOPICS for name in topic.names()}
+    """Return the known word most similar to this one, empty if none is.
+
+    A word that has the form of a message's number, a parameter, a variable … is similar to one of
+    these only.
+    """
+    family = next((topics for spelt, topics in _FAMILIES if spelt.fullmatch(word)), TOPICS)
+    names = {name for topic in family for name in topic.names()}
     return nearest(word, sorted(names))
 
 
 def search(words: str, language: Language) -> list[Article]:
-    """Return the articles whose texts contain words; those with them in name or meaning first."""
+    """Return the articles whose texts contain words.
+
+    First those that have them as whole words, in name or meaning before other facts; within these
+    in the order of the topics.
+    """
     phrase = " ".join(words.casefold().split())
-    first: list[Article] = []
-    others: list[Article] = []
+    whole = re.compile(rf"(?<!\w){re.escape(phrase)}(?!\w)")
+    found: tuple[list[Article], ...] = ([], [], [], [])
     for article in (article for topic in TOPICS for article in topic.articles()):
-        if phrase in _folded(article.name, article.meaning.get(language)):
-            first.append(article)
-        elif phrase in _folded(*(fact.value.get(language) for fact in article.facts)):
-            others.append(article)
-    return [*first, *others]
+        head = _folded(article.name, article.meaning.get(language))
+        facts = _folded(*(fact.value.get(language) for fact in article.facts))
+        if phrase in head:
+            found[0 if whole.search(head) else 2].append(article)
+        elif phrase in facts:
+            found[1 if whole.search(facts) else 3].append(article)
+    return [article for articles in found for article in articles]
+
+
+def answer_question(words: str, language: Language) -> list[Article]:
+    """Return the articles for a question: of the subjects that it names, else of its words.
+
+    Without a subject these are the articles whose texts have all of its words that say something.
+    """
+    concepts = find_concepts(words)
+    if concepts:
+        return list(concepts)
+    asked = [word for word in _WORD.findall(words.casefold()) if word not in _SMALL_WORDS]
+    if not asked:
+        return []
+    lists = [search(word, language) for word in asked]
+    names = [{article.name for article in one} for one in lists]
+    return [article for article in lists[0] if all(article.name in one for one in names)]
 
 
 def _folded(*texts: str) -> str:

@@ -374,7 +374,8 @@ class _Checker:
     def _plc(self, project: PlcInput) -> None:
         """Check a project of a PLC, or loose files of one."""
         collector = Collector()
-        programs = inspect_paths(project.paths, self._read, collector)
+        folders = self._libraries(project.paths[0])
+        programs = inspect_paths(project.paths, self._read, collector, folders=folders)
         only = {path.resolve() for path in project.only}
         names = {path.resolve(): path.as_posix() for path in project.only}
         for path in project.paths:
@@ -389,6 +390,16 @@ class _Checker:
             file = "" if found.span is None else found.span.file
             if not only or Path(file).resolve() in only:
                 self._keep(file, [found])
+
+    def _libraries(self, path: Path) -> tuple[Path, ...]:
+        """Return the folders with sources of a PLC's libraries, as its project file names them."""
+        try:
+            project = find_project(path, self._access)
+        except Failure as failure:
+            for found in failure.diagnostics:
+                self._keep("" if found.span is None else found.span.file, [found])
+            return ()
+        return () if project is None else project.libraries
 
     # --- programs --------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.base.failure import Failure
 from nctakt.base.mode import is_compiled
+from nctakt.files.access import FileAccess
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.steps import steps_in_order
 from nctakt.kernel.st.tasks import CyclicTask, PlcTask, PlcTasks
@@ -37,6 +38,7 @@ from nctakt.messages.plc_code import (
 )
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
+from nctakt.project.project_file import find_project
 from nctakt.run.realtime_plc import RealtimePlc
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program
@@ -67,7 +69,9 @@ _MESSAGES = {
 def load_structured(path: str | Path) -> StructuredPlc:
     """Return the PLC of a project or a file; raises ``PlcError`` with all its mistakes."""
     collector = Collector()
-    programs = inspect_paths([Path(path)], _read, collector)
+    project = find_project(Path(path), FileAccess())
+    folders = () if project is None else project.libraries
+    programs = inspect_paths([Path(path)], _read, collector, folders=folders)
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
     if errors:
         raise PlcError(*errors)

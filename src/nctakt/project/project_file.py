@@ -11,6 +11,10 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
     language = "de"
     signals = ["X.ACS.ACT_POS"]       # what --trace records and --plot draws
     paths = ["programs", "lists"]     # what `nctakt check` checks if nothing is named
+
+    [plc]                             # instead of plc = "…"
+    file = "Cell.plcproj"
+    libraries = ["libraries"]         # folders with sources of libraries, or stubs for them
 """
 
 from __future__ import annotations
@@ -44,6 +48,7 @@ from nctakt.run.options import accepted_by, refused
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
+_PLC_KEYS = ("file", "libraries")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
@@ -64,6 +69,7 @@ class Project:
 
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
     are those of variables before the first tick; ``places``: where each stands, and ``plc``.
+    ``libraries``: folders with sources of the PLC's libraries.
     """
 
     file: Path
@@ -75,6 +81,7 @@ class Project:
     until: Time | None = None
     values: Mapping[str, float | str] = field(default_factory=dict)
     places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
+    libraries: tuple[Path, ...] = ()
 
     def placed(self, found: Diagnostic) -> Diagnostic:
         """Return a diagnostic about one of its values at the place of that value.
@@ -195,10 +202,11 @@ class _Reader:
         for key in entries:
             if key not in _KEYS:
                 self._refuse(key)
+        plc, libraries = self._plc(entries.get("plc"))
         return Project(
             self._file,
             self._path("machine", entries.get("machine"), 'machine = "lists"'),
-            self._path("plc", entries.get("plc"), 'plc = "cell_plc.py"'),
+            plc,
             self._language(entries.get("language")),
             self._signals(entries.get("signals")),
             self._paths(entries.get("paths")),
@@ -206,6 +214,7 @@ class _Reader:
             values := self._values(entries.get("set")),
             {"plc": self._location("plc")}
             | {name: self._location_of_value(name) for name in values},
+            libraries,
         )
 
     def _refuse(self, key: str) -> None:
@@ -220,6 +229,38 @@ class _Reader:
         self._collector.report(
             UNKNOWN_PROJECT_ENTRY, span, line, key=key, nearest=near, names=names
         )
+
+    def _plc(self, value: Any) -> tuple[Path | None, tuple[Path, ...]]:
+        """Return the file of the PLC, and the folders with sources of its libraries."""
+        if not isinstance(value, dict):
+            return self._path("plc", value, 'plc = "cell_plc.py"'), ()
+        for key in value:
+            if key not in _PLC_KEYS:
+                near = nearest(key, _PLC_KEYS) or NOTHING
+                self._collector.report(
+                    UNKNOWN_PROJECT_ENTRY,
+                    *self._location_in_plc(key),
+                    key=f"plc.{key}",
+                    nearest=near,
+                    names=", ".join(_PLC_KEYS),
+                )
+        location = self._location_in_plc("libraries")
+        texts = self._texts(
+            "libraries", value.get("libraries"), 'libraries = ["libraries"]', location
+        )
+        folders = [self._folder / text for text in texts or ()]
+        for text, folder in zip(texts or (), folders, strict=True):
+            if not folder.is_dir():
+                self._collector.report(PROJECT_PATH_MISSING, *location, key="libraries", path=text)
+        file = self._path("file", value.get("file"), 'file = "Cell.plcproj"')
+        return file, tuple(from_here(Path(os.path.normpath(one))) for one in folders)
+
+    def _location_in_plc(self, key: str) -> Place:
+        """Return the place of an entry of the table ``plc``, else that of the table."""
+        header, self._header = self._header, f"{self._header}.plc".removeprefix(".")
+        found = self._location(key)
+        self._header = header
+        return found if found[1] else self._location("plc")
 
     def _path(self, key: str, value: Any, example: str) -> Path | None:
         if value is None:
@@ -240,11 +281,15 @@ class _Reader:
     def _signals(self, value: Any) -> tuple[str, ...] | None:
         return self._texts("signals", value, 'signals = ["X.ACS.ACT_POS"]')
 
-    def _texts(self, key: str, value: Any, example: str) -> tuple[str, ...] | None:
+    def _texts(
+        self, key: str, value: Any, example: str, location: Place | None = None
+    ) -> tuple[str, ...] | None:
         if value is None:
             return None
-        if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
-            self._wrong(key, value, _TEXTS, example)
+        if not isinstance(value, list) or not all(
+            isinstance(one, str) and "\0" not in one for one in value
+        ):
+            self._wrong(key, value, _TEXTS, example, location)
             return None
         return tuple(value)
 

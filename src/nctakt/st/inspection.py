@@ -10,6 +10,7 @@ from pathlib import Path
 
 from nctakt.messages import Collector
 from nctakt.st.check.project import check_project
+from nctakt.st.files.libraries import OwnLibrary, own_libraries
 from nctakt.st.files.objects import read_objects
 from nctakt.st.files.project import (
     PROJECT_SUFFIX,
@@ -31,26 +32,37 @@ OUR_DEFINITION = "nctakt"
 
 
 def inspect_paths(
-    paths: Sequence[Path], read: ReadFile, collector: Collector, libraries: Sequence[str] = ()
+    paths: Sequence[Path],
+    read: ReadFile,
+    collector: Collector,
+    libraries: Sequence[str] = (),
+    folders: Sequence[Path] = (),
 ) -> list[Program]:
-    """Check projects, and single files as one project; ``libraries``: further references."""
+    """Check projects, and single files as one project.
+
+    ``libraries``: further references; ``folders``: where sources of libraries are.
+    """
     programs: list[Program] = []
     loose = [path for path in paths if path.suffix.lower() not in (PROJECT_SUFFIX, SYSTEM_SUFFIX)]
     for path in paths:
         if path not in loose:
             reporter = Reporter(Sources(), collector)
             for project in read_project(path, read, reporter):
-                programs.append(inspect_sources(project, read, reporter, libraries))
+                programs.append(inspect_sources(project, read, reporter, libraries, folders))
     if loose:
         reporter = Reporter(Sources(), collector)
-        programs.append(inspect_sources(loose_files(loose), read, reporter, libraries))
+        programs.append(inspect_sources(loose_files(loose), read, reporter, libraries, folders))
     return programs
 
 
 def inspect_sources(
-    project: PlcSources, read: ReadFile, reporter: Reporter, libraries: Sequence[str] = ()
+    project: PlcSources,
+    read: ReadFile,
+    reporter: Reporter,
+    libraries: Sequence[str] = (),
+    folders: Sequence[Path] = (),
 ) -> Program:
-    """Read and check all files of a project."""
+    """Read and check all files of a project, with the libraries in ``folders``."""
     texts = [(path.as_posix(), read(path)) for path in project.files]
     return inspect_texts(
         project.name,
@@ -60,6 +72,7 @@ def inspect_sources(
         if project.libraries is not None
         else None,
         project=project,
+        own=own_libraries(folders, read, reporter),
     )
 
 
@@ -70,10 +83,11 @@ def inspect_texts(
     *,
     libraries: Sequence[str] | None = None,
     project: PlcSources | None = None,
+    own: Mapping[str, OwnLibrary] | None = None,
 ) -> Program:
     """Check texts by their names; ``libraries`` ``None``: all known ones."""
     with _collector_waiting():
-        return _inspect(name, texts, reporter, libraries, project)
+        return _inspect(name, texts, reporter, libraries, project, own)
 
 
 @contextlib.contextmanager
@@ -94,6 +108,7 @@ def _inspect(
     reporter: Reporter,
     libraries: Sequence[str] | None,
     project: PlcSources | None,
+    own: Mapping[str, OwnLibrary] | None,
 ) -> Program:
     values = {OUR_DEFINITION: "", **(project.definitions if project is not None else {})}
     stems = frozenset(Path(file).stem.lower() for file in texts)
@@ -107,6 +122,6 @@ def _inspect(
                 task = project.tasks[node.name.lower()]
                 node.cycle_us, node.priority = task.cycle_us, task.priority
     found = default_libraries() if libraries is None else list(libraries)
-    program = check_project(name, declarations, found, reporter)
+    program = check_project(name, declarations, found, reporter, own)
     program.files = list(texts)
     return program

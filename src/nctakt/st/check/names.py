@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.st.files.libraries import OwnLibrary
 from nctakt.st.tree import (
     GlobalList,
     InterfaceNode,
@@ -87,9 +88,12 @@ class PendingVariable:
 class Names:
     """All namespaces of a project."""
 
-    def __init__(self, libraries: list[str]) -> None:
+    def __init__(self, libraries: list[str], own: Mapping[str, OwnLibrary]) -> None:
         self.project = Namespace("")
+        self.own = own
         self.libraries = {name.lower(): Namespace(name) for name in libraries}
+        for key, library in own.items():
+            self.libraries.setdefault(key, Namespace(library.name))
         self._known: dict[str, Declared | Target | Ambiguous | None] = {}
         #: Enters what a library declares.
         self.load: Callable[[Namespace], None] = lambda space: None
@@ -104,10 +108,19 @@ class Names:
         else:
             yield self.project
         for key, space in self.libraries.items():
-            if key == library.lower() or (name and name not in words_of(space.library)):
+            if key == library.lower() or (name and name not in self._words(key, space)):
                 continue
             self.read(space)
             yield space
+
+    def _words(self, key: str, space: Namespace) -> frozenset[str]:
+        """Return all words of a library's texts."""
+        own = self.own.get(key)
+        return words_of(space.library) if own is None else own.words
+
+    def _declared_names(self, space: Namespace) -> tuple[str, ...]:
+        own = self.own.get(space.library.lower())
+        return declared_names(space.library) if own is None else own.declared_names
 
     def read(self, space: Namespace) -> None:
         """Read a library, once."""
@@ -150,7 +163,7 @@ class Names:
         """Yield all names that can stand without prefix; of libraries those of their objects."""
         for space in (self.project, *self.libraries.values()):
             if not space.is_read and space.library:
-                yield from declared_names(space.library)
+                yield from self._declared_names(space)
             yield from (declared.name for declared in space.declared.values())
             yield from (found[0][1].name for found in space.variables.values())
             yield from (value.name for value in space.values.values())

@@ -7,7 +7,7 @@ are reported; an object with mistakes leaves the others checked.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from nctakt.messages.st_check import (
     CONSTANT_EXPECTED,
@@ -22,6 +22,7 @@ from nctakt.st.check.conversions import bases_of
 from nctakt.st.check.names import Names, Namespace, Scope
 from nctakt.st.check.resolver import Resolver
 from nctakt.st.check.statements import StatementChecker
+from nctakt.st.files.libraries import OwnLibrary
 from nctakt.st.files.objects import parse_text
 from nctakt.st.parse.parser import MAX_DEPTH
 from nctakt.st.program import Program, Task
@@ -342,22 +343,32 @@ def check_project(
     declarations: list[Declaration],
     libraries: list[str],
     reporter: Reporter,
+    own: Mapping[str, OwnLibrary] | None = None,
 ) -> Program:
-    """Check the objects of a project that refers to ``libraries``; mistakes are reported."""
+    """Check the objects of a project that refers to ``libraries``; mistakes are reported.
+
+    ``own``: the libraries whose sources the user gives, by their names in lower case.
+    """
+    own = {key: one for key, one in (own or {}).items() if not known(one.name)}
     found = [known(library) for library in libraries]
     loaded = list(dict.fromkeys([one for one in found if one] + [SYSTEM]))
-    names = Names(loaded)
+    names = Names(loaded, own)
     resolver = Resolver(names, reporter)
     checker = ProjectChecker(names, resolver, reporter)
     resolver.evaluator = checker
+    references = [library.partition(",")[0] for library in libraries]
     checker.foreign_libraries = [
-        library.partition(",")[0] for library, one in zip(libraries, found, strict=True) if not one
+        one for one in references if not known(one) and one.strip().lower() not in own
     ]
 
     def load(space: Namespace) -> None:
         """Enter what a library declares, when one of its names is used."""
-        text = text_of(space.library)
-        resolver.declare(space, parse_text(space.library, text, reporter))
+        library = own.get(space.library.lower())
+        if library is None:
+            nodes = parse_text(space.library, text_of(space.library), reporter)
+        else:
+            nodes = library.declarations
+        resolver.declare(space, nodes)
         resolver.declare_values(space)
 
     names.load = load
@@ -365,6 +376,12 @@ def check_project(
     resolver.declare_values(names.project)
     checker.check(declarations)
     tasks = checker.tasks([node for node in declarations if isinstance(node, TaskNode)])
+    return _program(name, resolver, names, tasks)
+
+
+def _program(name: str, resolver: Resolver, names: Names, tasks: list[Task]) -> Program:
+    """Return what was checked as a program."""
+    reporter = resolver.reporter
     return Program(
         name,
         reporter.sources,

@@ -26,7 +26,7 @@ from support.ads_wire import (
 )
 
 from nctakt.servers.address import is_within, read_network
-from nctakt.servers.ads import limits, symbols
+from nctakt.servers.ads import clients, limits, notifications, symbols
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import Command, Error, Group, State
 from nctakt.servers.ads.data import Item, Leaf
@@ -423,6 +423,38 @@ def test_limits_hold_at_their_number(monkeypatch: pytest.MonkeyPatch) -> None:
         assert added == [0, 0, Error.NO_HANDLES]
         asked = [read(VARIABLES, 0, 8, source=source) for source in (1, 2)]
         assert [result(await found.ask(one, wire, one_)) for one_ in asked] == [0, Error.BUSY]
+
+    with_bench(act)
+
+
+def test_a_newcomer_gets_a_notification_where_others_hold_all(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The oldest one of the connection with most of them goes, and its client is told."""
+    monkeypatch.setattr(notifications, "MAX_ALL_NOTIFICATIONS", 5)
+    monkeypatch.setattr(clients, "MAX_CONNECTION_HANDLES", 2)
+
+    async def act(found: Bench) -> None:
+        greedy, its = found.connect()
+        other, wire = found.connect()
+        for source in (1, 1, 2, 2, 2):
+            request = notification(VARIABLES, 0, 8, source=source)
+            assert result(await found.ask(greedy, its, request)) == 0
+        notifier = found.door.service.notifier
+        oldest = next(iter(notifier._all))
+        for _ in range(2):
+            assert result(await found.ask(other, wire, notification(VARIABLES, 0, 8))) == 0
+        assert result(await found.ask(other, wire, notification(VARIABLES, 0, 8))) == (
+            Error.NO_HANDLES
+        )
+        assert len(notifier) == 5
+        assert oldest not in notifier._all
+        empty = pack("<II", oldest, 0)
+        assert empty in bytes(its.sent)
+        greedy.end("it goes")
+        assert len(notifier) == 2
+        opened = [result(await found.ask(other, wire, by_name("V.E.COUNT"))) for _ in range(3)]
+        assert opened == [0, 0, Error.NO_HANDLES]
 
     with_bench(act)
 

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import signal
+import subprocess
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -106,3 +109,22 @@ def test_a_step_of_many_ticks_ends_between_two_slices(
         done = session.step(1_000_000)
     assert tick < done.tick < tick + 1_000_000
     assert session.step(3).tick == done.tick + 3
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals are sent in another way there")
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_controller_that_starts_leaves_signals_to_its_session(
+    number: signal.Signals, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Ctrl-C goes to all processes of a terminal, also to one that still imports modules."""
+
+    class Interrupted(subprocess.Popen[bytes]):
+        def __init__(self, *words: Any, **keywords: Any) -> None:
+            super().__init__(*words, **keywords)
+            self.send_signal(number)
+
+    monkeypatch.setattr(subprocess, "Popen", Interrupted)
+    with Session(NcText("part.nc", "G01 X10 F600\nM30\n")) as session:
+        session.run("5 ticks")
+        assert session.tick == 5
+    assert not capfd.readouterr().err

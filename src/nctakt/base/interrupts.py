@@ -20,6 +20,8 @@ Handler = Callable[[int, FrameType | None], object]
 #: The number of the request to the system that a process gets a signal when its parent ends.
 _PR_SET_PDEATHSIG = 1
 
+_BOTH = (signal.SIGINT, signal.SIGTERM)
+
 #: The answers of this module to SIGTERM: signals belong to the process, and so does their count.
 _terminations: list[int] = []
 
@@ -63,10 +65,28 @@ def handling(handler: Handler, *, only_termination: bool = False) -> Iterator[No
             signal.signal(number, own)
 
 
+@contextmanager
+def kept_back() -> Iterator[None]:
+    """Keep both from a process that starts meanwhile, until it calls ``ignore``.
+
+    They may go to a whole group while it still imports modules: whoever starts it answers them.
+    """
+    if sys.platform == "win32":
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, _BOTH)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def ignore() -> None:
     """Ignore both, in a process that is ended by the one that has started it."""
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in _BOTH:
         signal.signal(number, signal.SIG_IGN)
+    if sys.platform != "win32":
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _BOTH)  # what was kept back is forgotten
 
 
 def end_with_parent() -> None:

@@ -19,6 +19,7 @@ from multiprocessing import AuthenticationError
 from multiprocessing.connection import Client, Connection, Listener
 from typing import Any, cast
 
+from nctakt.base import interrupts
 from nctakt.base.failure import Failure
 from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
@@ -177,11 +178,12 @@ class ProcessPool:
         """Return a new controller before its first tick; raises ``Failure`` with its mistakes."""
         name = self.next_name()
         address = self._listener.address
-        process = subprocess.Popen(
-            python_command("nctakt.session.worker", str(address), name),
-            stdin=subprocess.PIPE,
-            env=python_environment(),
-        )
+        with interrupts.kept_back():
+            process = subprocess.Popen(
+                python_command("nctakt.session.worker", str(address), name),
+                stdin=subprocess.PIPE,
+                env=python_environment(),
+            )
         self._processes.append(process)
         assert process.stdin is not None
         with contextlib.suppress(OSError):

@@ -16,7 +16,7 @@ import subprocess
 import sys
 import threading
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import IO, Self
 
 from nctakt.base import interrupts
@@ -37,19 +37,6 @@ MAX_STARTS = 3
 def can_copy() -> bool:
     """Return whether this process can be copied; elsewhere than on Linux libraries forbid it."""
     return sys.platform == "linux" and threading.active_count() == 1
-
-
-@contextlib.contextmanager
-def _without_interrupts() -> Iterator[None]:
-    """Keep Ctrl-C and SIGTERM from a process that starts meanwhile: who starts it answers."""
-    if sys.platform == "win32":
-        yield
-        return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGTERM})
-    try:
-        yield
-    finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class WorkerProcess:
@@ -74,7 +61,7 @@ class WorkerProcess:
         answers, answered = os.pipe()
         sys.stdout.flush()
         sys.stderr.flush()
-        with _without_interrupts(), warnings.catch_warnings():
+        with interrupts.kept_back(), warnings.catch_warnings():
             warnings.simplefilter(
                 "ignore", DeprecationWarning
             )  # threads of numpy, which it has not
@@ -110,7 +97,7 @@ class WorkerProcess:
         """
         for _ in range(MAX_STARTS):
             try:
-                with _without_interrupts():
+                with interrupts.kept_back():
                     process = subprocess.Popen(
                         python_command("nctakt.studies.worker"),
                         stdin=subprocess.PIPE,

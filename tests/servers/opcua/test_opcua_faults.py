@@ -12,6 +12,7 @@ import struct
 import time
 from dataclasses import replace
 from datetime import timedelta
+from typing import ClassVar
 
 import pytest
 
@@ -43,6 +44,7 @@ def served(tmp_path_factory):
     limits = Limits(
         connections=30,
         sessions=8,
+        subscriptions=14,
         subscriptions_per_session=3,
         items_per_subscription=20,
         message_bytes=1 << 20,
@@ -235,6 +237,35 @@ def test_who_has_vanished_makes_room(served):
 
     asyncio.run(work())
     assert "its connection is gone, and its place was needed" in served.refusals()
+
+
+def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
+    """The oldest one of the client that has most goes, and that client is told."""
+
+    class Told:
+        statuses: ClassVar[list] = []
+
+        def status_change_notification(self, status):
+            self.statuses.append(status.Status.name)
+
+    async def work():
+        held = served.door._subscriptions.subscriptions
+        await until(lambda: not held)
+        async with contextlib.AsyncExitStack() as stack:
+            for count in (3, 3, 3, 3, 2):
+                client = await stack.enter_async_context(connected(served))
+                for _ in range(count):
+                    await client.create_subscription(50, Told())
+            oldest = next(iter(held))
+            newcomer = await stack.enter_async_context(connected(served))
+            await newcomer.create_subscription(50, Told())
+            assert len(held) == 14
+            assert oldest not in held
+            await until(lambda: Told.statuses == ["BadTooManySubscriptions"])
+        await is_well(served)
+
+    asyncio.run(work())
+    assert "its oldest subscription ends: others have less" in served.refusals()
 
 
 def test_wrong_items_and_foreign_subscriptions_are_refused(served):

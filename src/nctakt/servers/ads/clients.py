@@ -9,11 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from itertools import count
+from typing import Protocol
 
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import Item
 from nctakt.servers.ads.frames import shown_net_id
-from nctakt.servers.ads.limits import MAX_HANDLES
+from nctakt.servers.ads.limits import MAX_CONNECTION_HANDLES, MAX_HANDLES
 from nctakt.servers.ads.types import Symbol
 
 #: Sum commands of a client whose parts are remembered at most.
@@ -23,16 +24,30 @@ _MAX_PLANS = 64
 _MAX_PLANNED = 200_000
 
 
+class HasHandles(Protocol):
+    """A connection; ``handle_count``: the handles of all its clients."""
+
+    @property
+    def handle_count(self) -> int: ...
+
+
 class Client:
     """One client; ``name``: NetId and port, as on the tape and in the log.
 
-    ``send``: sends bytes to it. ``plans``: sum commands -> what they read. ``begins``: handles of
-    notifications whose first value is still to be sent.
+    ``send``: sends bytes to it. ``connection``: that it comes by. ``plans``: sum commands -> what
+    they read. ``begins``: handles of notifications whose first value is still to be sent.
     """
 
     _numbers = count(1)
 
-    def __init__(self, net_id: bytes, port: int, send: Callable[[bytes], None]) -> None:
+    def __init__(
+        self,
+        net_id: bytes,
+        port: int,
+        send: Callable[[bytes], None],
+        connection: HasHandles | None = None,
+    ) -> None:
+        self.connection = connection
         self.net_id = net_id
         self.port = port
         self.name = f"{shown_net_id(net_id)}:{port}"
@@ -51,6 +66,8 @@ class Client:
         """Return a handle of a symbol; raises ``AdsError`` for too many."""
         if len(self.handles) >= MAX_HANDLES:
             raise AdsError(Error.NO_HANDLES, f"{MAX_HANDLES} handles are open")
+        if self.connection and self.connection.handle_count >= MAX_CONNECTION_HANDLES:
+            raise AdsError(Error.NO_HANDLES, f"{MAX_CONNECTION_HANDLES} handles are open")
         handle = self.next_number()
         self.handles[handle] = symbol
         return handle

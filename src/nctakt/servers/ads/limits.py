@@ -14,6 +14,12 @@ MAX_CLIENTS = 256
 MAX_HANDLES = 10_000
 MAX_NOTIFICATIONS = 4096
 
+#: Handles of all clients of a connection.
+MAX_CONNECTION_HANDLES = 20_000
+
+#: Notifications of all clients; beyond, the connection that has most of them loses its oldest one.
+MAX_ALL_NOTIFICATIONS = 32_768
+
 #: Requests of a connection that wait for the session; then nothing more is read from it.
 MAX_IN_FLIGHT = 256
 

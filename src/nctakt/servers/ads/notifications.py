@@ -8,6 +8,7 @@ that are due with the same distance. Times are FILETIMEs.
 from __future__ import annotations
 
 import heapq
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from itertools import count
 from struct import Struct
@@ -16,8 +17,14 @@ from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Command, Error
 from nctakt.servers.ads.data import Readable
 from nctakt.servers.ads.frames import REQUEST, Frame
-from nctakt.servers.ads.limits import MAX_NOTIFICATIONS, MAX_PERIOD, MIN_PERIOD
+from nctakt.servers.ads.limits import (
+    MAX_ALL_NOTIFICATIONS,
+    MAX_NOTIFICATIONS,
+    MAX_PERIOD,
+    MIN_PERIOD,
+)
 from nctakt.servers.clock import MachineClock
+from nctakt.servers.shares import greediest
 from nctakt.servers.store import Scalar
 
 #: 100 ns of ADS in a microsecond.
@@ -63,6 +70,7 @@ class Notifier:
         self._queue: list[tuple[int, int, _Series]] = []
         self._order = count()
         self._all: dict[int, _Notification] = {}
+        self._counts: Counter[object] = Counter()
         self._tick = 0
 
     def add(
@@ -80,6 +88,8 @@ class Notifier:
         """
         if len(client.notifications) >= MAX_NOTIFICATIONS:
             raise AdsError(Error.NO_HANDLES, f"{MAX_NOTIFICATIONS} notifications are open")
+        if len(self._all) >= MAX_ALL_NOTIFICATIONS:
+            self._make_room(client)
         period = min(max(MIN_PERIOD, cycle_units // self._cycle_units), MAX_PERIOD)
         key = client, period, own[1]
         series = self._series.get(key)
@@ -90,7 +100,23 @@ class Notifier:
         added = _Notification(handle, item, series, sends_changes=sends_changes)
         series.members[handle] = self._all[handle] = added
         client.notifications.add(handle)
+        self._counts[client.connection] += 1
         return handle
+
+    def _make_room(self, client: Client) -> None:
+        """End the oldest notification of the connection with most; raises ``AdsError``.
+
+        As the protocol has it, its client is told by a sample without data.
+        """
+        connection = greediest(self._counts, client.connection)
+        if connection is None:
+            raise AdsError(Error.NO_HANDLES, f"{MAX_ALL_NOTIFICATIONS} notifications are open")
+        oldest = next(
+            one for one in self._all.values() if one.series.client.connection == connection
+        )
+        self._send(oldest.series, [(oldest.handle, b"")], self._tick)
+        if oldest.handle in self._all:  # else it has been disconnected for taking nothing
+            self.delete(oldest.series.client, oldest.handle)
 
     def items(self) -> Iterator[Readable]:
         """Yield what is sent."""
@@ -115,6 +141,9 @@ class Notifier:
         client.notifications.remove(handle)
         series = self._all.pop(handle).series
         del series.members[handle]
+        self._counts[client.connection] -= 1
+        if not self._counts[client.connection]:
+            del self._counts[client.connection]
 
     def forget(self, client: Client) -> None:
         """End all notifications of a client."""

@@ -193,6 +193,11 @@ class Connection(asyncio.Protocol):
         """Whether it waits for nothing: no answer, no notification."""
         return not self._tasks and not any(one.notifications for one in self._clients.values())
 
+    @property
+    def handle_count(self) -> int:
+        """The handles of all its clients."""
+        return sum(len(one.handles) for one in self._clients.values())
+
     def _end_late(self, reason: str) -> None:
         self._log.refuse(DOOR, self._address, reason)
         self.end(reason)
@@ -260,7 +265,7 @@ class Connection(asyncio.Protocol):
             if len(self._clients) >= MAX_CLIENTS:
                 self._log.refuse(DOOR, self.peer, "too many clients")
                 return None
-            client = self._clients[key] = Client(*key, self._notify)
+            client = self._clients[key] = Client(*key, self._notify, self)
         return client
 
     def _answer(self, client: Client, frame: Frame) -> bytes | None:

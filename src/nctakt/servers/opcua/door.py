@@ -70,7 +70,7 @@ class OpcuaDoor:
         internal = server.iserver
         nodes = Nodes(internal.aspace)
         self._space = space = LiveSpace(internal.aspace, host, host.clock)
-        self._subscriptions = Subscriptions(space, limits, internal.make_room)
+        self._subscriptions = Subscriptions(space, limits, internal.make_room, internal.refuse)
         internal.subscription_service = internal.isession.subscription_service = self._subscriptions
         types = CompanionTypes(nodes, cnc)
         types.add_all()

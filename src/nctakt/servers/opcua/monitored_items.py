@@ -23,9 +23,17 @@ _DISABLED = ua.MonitoringMode.Disabled
 
 
 class MonitoredItems:
-    """The items of all subscriptions; ``count``: how many there are."""
+    """The items of all subscriptions; ``count``: how many there are.
 
-    def __init__(self, space: LiveSpace, limits: Limits, make_room: Callable[[], bool]) -> None:
+    ``make_room``: makes some for so many items of a subscription, and returns whether it could.
+    """
+
+    def __init__(
+        self,
+        space: LiveSpace,
+        limits: Limits,
+        make_room: Callable[[Subscription, int], bool],
+    ) -> None:
         self._space = space
         self._make_room = make_room
         self._limits = limits
@@ -37,8 +45,10 @@ class MonitoredItems:
         self, subscription: Subscription, params: ua.CreateMonitoredItemsParameters
     ) -> list[ua.MonitoredItemCreateResult]:
         """Monitor values and events from now on."""
-        while self.count + len(params.ItemsToCreate) > self._limits.items and self._make_room():
-            pass
+        requested = len(params.ItemsToCreate)
+        while self.count + requested > self._limits.items:
+            if not self._make_room(subscription, requested):
+                break
         pairs = [self._create_item(subscription, request) for request in params.ItemsToCreate]
         items = [item for item, _ in pairs if item is not None]
         lives = [item.live for item in items if item.live is not None]

@@ -57,6 +57,13 @@ class CncInternalServer(LibraryInternalServer):
         session.client = f"{name[0]}:{name[1]}" if isinstance(name, tuple) else str(name)
         return session
 
+    def refuse(self, session_id: ua.NodeId, reason: str) -> None:
+        """Tell in the log that something of a session was refused."""
+        assert self.services is not None
+        for one in self.client_sessions:
+            if one.session_id == session_id:
+                self.services.host.log.refuse(DOOR, one.client, reason)
+
     def make_room(self) -> bool:
         """End a session that nobody uses; return whether there was any.
 

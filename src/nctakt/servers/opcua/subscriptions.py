@@ -6,6 +6,7 @@ In: requests of their sessions. Out: subscriptions, as many as the limits allow.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -17,18 +18,27 @@ from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.monitored_items import MonitoredItems
 from nctakt.servers.opcua.subscription import Subscription
+from nctakt.servers.shares import greediest
 
 
 class Subscriptions:
     """The subscriptions of all sessions, by their numbers.
 
-    ``make_room``: ends a session whose connection is gone, and returns whether there was one.
+    ``make_room``: ends a session whose connection is gone, and returns whether there was one;
+    ``refuse``: tells in the log of a session that something of it was refused.
     """
 
-    def __init__(self, space: LiveSpace, limits: Limits, make_room: Callable[[], bool]) -> None:
+    def __init__(
+        self,
+        space: LiveSpace,
+        limits: Limits,
+        make_room: Callable[[], bool],
+        refuse: Callable[[ua.NodeId, str], None],
+    ) -> None:
         self.limits = limits
         self.make_room = make_room
-        self.items = MonitoredItems(space, limits, make_room)
+        self._refuse = refuse
+        self.items = MonitoredItems(space, limits, self._make_room_for_items)
         self.subscriptions: dict[int, Subscription] = {}
         self._number = 0
         self.languages: dict[ua.NodeId, Language] = {}
@@ -47,8 +57,10 @@ class Subscriptions:
         request_callback: Callable[[int], Any],
     ) -> ua.CreateSubscriptionResult:
         """Create a subscription of a session; raises ``ServiceError`` where there are too many."""
-        while len(self.subscriptions) >= self.limits.subscriptions and self.make_room():
-            pass
+        while len(self.subscriptions) >= self.limits.subscriptions:
+            counts = Counter(one.session_id for one in self.subscriptions.values())
+            if not self.make_room() and not self._take_from(greediest(counts, session_id)):
+                break
         own = sum(one.session_id == session_id for one in self.subscriptions.values())
         if (
             len(self.subscriptions) >= self.limits.subscriptions
@@ -72,6 +84,26 @@ class Subscriptions:
         self.subscriptions[self._number] = subscription
         subscription.start()
         return result
+
+    def _make_room_for_items(self, subscription: Subscription, requested: int) -> bool:
+        """Make room for items of a subscription; return whether there was any to be made."""
+        counts: Counter[ua.NodeId] = Counter()
+        for one in self.subscriptions.values():
+            counts[one.session_id] += len(one.items)
+        session_id = greediest(counts, subscription.session_id, requested)
+        return self.make_room() or self._take_from(session_id)
+
+    def _take_from(self, session_id: ua.NodeId | None) -> bool:
+        """End the oldest subscription of a session, which is told; return whether there is one."""
+        found = (one for one in self.subscriptions.values() if one.session_id == session_id)
+        oldest = next(found, None)
+        if oldest is None:
+            return False
+        self._refuse(oldest.session_id, "its oldest subscription ends: others have less")
+        oldest.status = int(ua.StatusCodes.BadTooManySubscriptions)
+        oldest.publish()
+        self.expire(oldest)
+        return True
 
     def _revise(self, result: Any, params: Any) -> None:
         result.RevisedPublishingInterval = self.limits.interval_ms(

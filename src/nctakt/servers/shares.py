@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: MIT
+"""Fair shares: who has most of what is all taken makes room for who has less.
+
+In: how many places each client has. Out: whose oldest place goes, if any. Who takes all of them
+keeps nobody out, and who has no more than the others loses nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from typing import TypeVar
+
+_Client = TypeVar("_Client", bound=Hashable)
+
+
+def greediest(
+    counts: Mapping[_Client, int], newcomer: _Client, requested: int = 1
+) -> _Client | None:
+    """Return who has most places, if more than a newcomer would have with those it asks for."""
+    if not counts:
+        return None
+    most = max(counts, key=lambda client: counts[client])
+    return most if counts[most] > counts.get(newcomer, 0) + requested else None

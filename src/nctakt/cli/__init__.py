@@ -46,6 +46,7 @@ _COMMANDS = {
     "lsp": "nctakt.cli.lsp",
     "disassemble": "nctakt.cli.disassemble",
     "new": "nctakt.cli.new",
+    "init": "nctakt.cli.init",
     "why": "nctakt.cli.why",
     "coverage": "nctakt.cli.coverage",
     "study": "nctakt.cli.study",

@@ -98,3 +98,18 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
     second=("another program", "ein anderes Programm"),
     other=("the machine of that one", "die Maschine von jenem"),
 )
+FILE_KEPT = note(
+    902382,
+    en="{file} is there already and stays as it is",
+    de="{file} gibt es schon und bleibt, wie sie ist",
+    remedy_en="Remove it first to have it written anew.",
+    remedy_de="Sie vorher löschen, damit sie neu geschrieben wird.",
+)
+NO_LISTS_OR_PROGRAMS = error(
+    902383,
+    en="{folder} has neither lists nor programs",
+    de="{folder} enthält weder Listen noch Programme",
+    remedy_en="Name the folder that has them, or begin with a machine of nctakt: nctakt new FOLDER",
+    remedy_de="Den Ordner nennen, der sie enthält, oder mit einer Maschine von nctakt beginnen: "
+    "nctakt new FOLDER",
+)

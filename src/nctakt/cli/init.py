@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt init``: a project file, a first test and a CI file for a folder that has lists.
+
+In: a folder. Out: what was found below it (standard output), and the files; one that is there
+already stays as it is. Nobody's code is run: PLCs in Python are found by reading them.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import click
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Language, Text
+from nctakt.base.failure import Failure
+from nctakt.checking.inputs import gather
+from nctakt.cli import EXIT_RAN, EXIT_USAGE
+from nctakt.cli.ci_files import CI_FILES
+from nctakt.cli.help import described, option
+from nctakt.cli.options import language_option, table_option
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_MISSING, FILE_NOT_WRITABLE
+from nctakt.messages.project import FILE_KEPT, NO_LISTS_OR_PROGRAMS
+from nctakt.project.project_file import OWN_NAME
+from nctakt.run.options import BY_NAME
+from nctakt.st.files.project import PROJECT_SUFFIXES
+
+#: Maximum number of names in a line.
+_MAX_NAMED = 5
+_END = re.compile(rb"\bM0*(?:2|30)\b", re.IGNORECASE)
+_FOUND = {
+    "machines": Text("machines", "Maschinen"),
+    "programs": Text("programs", "Programme"),
+    "plcs": Text("PLCs", "SPS"),
+}
+_NONE = Text("none", "keine")
+_WRITTEN = Text("written", "geschrieben")
+_NEXT = Text("Next", "Weiter")
+
+_MACHINE = Text(
+    "the folder or start-up list of the machine, demo or demo5",
+    "Ordner oder Hochlaufliste der Maschine, demo oder demo5",
+)
+_PLC = Text("the PLC of the runs", "die SPS der Läufe")
+_UNTIL = Text("the limit of the runs", "die Grenze der Läufe")
+_VALUES = Text("values before the first tick", "Werte vor dem ersten Takt")
+_LANGUAGE = Text("language of messages", "Sprache der Meldungen")
+_PATHS = Text("what nctakt check checks", "was nctakt check prüft")
+
+
+@dataclass(frozen=True, slots=True)
+class _Content:
+    """What a folder has, seen from there."""
+
+    machines: tuple[str, ...]
+    programs: tuple[str, ...]
+    plcs: tuple[str, ...]
+    main_program: str
+
+
+@described(
+    "init",
+    summary=Text("Make a project of your folder.", "Aus einem Ordner ein Projekt machen."),
+    text=Text(
+        "Find lists, programs and PLCs below a folder; write nctakt.toml, a first test and a file "
+        "for CI. Files that are there stay as they are.",
+        "Listen, Programme und SPS unter einem Ordner finden; nctakt.toml, einen ersten Test und "
+        "eine CI-Datei schreiben. Dateien, die es schon gibt, bleiben, wie sie sind.",
+    ),
+    codes=(Text("the files are there", "die Dateien sind da"), None),
+    notes=Text(
+        "For a folder without lists: nctakt new. Nothing that is found is run.",
+        "Für einen Ordner ohne Listen: nctakt new. Nichts Gefundenes wird ausgeführt.",
+    ),
+    examples=("nctakt init", "nctakt init cell --ci github"),
+)
+@click.argument("folder", metavar="[FOLDER]", default=".")
+@option(
+    "--ci",
+    type=click.Choice(list(CI_FILES)),
+    text=Text("Write a file for this CI, too.", "Auch eine Datei für diese CI schreiben."),
+)
+@language_option("en")
+@table_option(BY_NAME["quiet"])
+def command(folder: str, ci: str | None, language: Language, quiet: bool) -> int:
+    """Make a project of a folder."""
+    try:
+        for line in _init(Path(folder), ci, language):
+            if not quiet:
+                click.echo(line)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
+    return EXIT_RAN
+
+
+def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
+    """Write the files; yield what was found and written. Raises ``Failure``."""
+    if not folder.is_dir():
+        raise Failure(diagnostic(FILE_MISSING, file=str(folder)))
+    content = _content(folder)
+    if not (content.machines or content.programs):
+        raise Failure(diagnostic(NO_LISTS_OR_PROGRAMS, folder=str(folder)))
+    for name, label in _FOUND.items():
+        yield f"{label.get(language)}: {_shown(getattr(content, name), language)}"
+    files = {OWN_NAME: _project_text(content, language)}
+    if content.main_program:
+        files["test_programs.py"] = _test_text(content)
+    if ci is not None:
+        name, text = CI_FILES[ci]
+        files[name] = text
+    for name, text in files.items():
+        if _write(folder / name, text):
+            yield f"{_WRITTEN.get(language)}: {(folder / name).as_posix()}"
+        else:
+            print_diagnostics([diagnostic(FILE_KEPT, file=str(folder / name))], language)
+    yield f"{_NEXT.get(language)}:"
+    yield from (f"  {line}" for line in _next_commands(folder, content))
+
+
+def _content(folder: Path) -> _Content:
+    """Return what lies below a folder, in the order of the names."""
+    found = gather([folder], FileAccess(), [])
+
+    def names(paths: Sequence[Path]) -> tuple[str, ...]:
+        return tuple(sorted({path.relative_to(folder).as_posix() for path in paths}))
+
+    plcs = [
+        path
+        for one in found.plc
+        for path in one.paths
+        if path.suffix.casefold() in PROJECT_SUFFIXES
+    ]
+    plcs += [path for path in _python_files(folder) if _is_plc(path)]
+    programs = names(found.programs)
+    ended = (name for name in programs if _END.search(FileAccess().read_bytes(folder / name)))
+    return _Content(
+        names([path for path, _ in found.machines]),
+        programs,
+        names(plcs),
+        next(ended, programs[0] if programs else ""),
+    )
+
+
+def _python_files(folder: Path) -> Iterator[Path]:
+    """Yield the Python files below a folder, without hidden folders and environments."""
+    for path in sorted(folder.iterdir()):
+        if path.name.startswith(".") or path.is_symlink():
+            continue
+        if path.is_dir() and not (path / "pyvenv.cfg").exists():
+            yield from _python_files(path)
+        elif path.suffix == ".py":
+            yield path
+
+
+def _is_plc(path: Path) -> bool:
+    """Return whether a Python file has a class that plays a PLC; it is read, not run."""
+    try:
+        tree = ast.parse(path.read_bytes())
+    except (SyntaxError, ValueError, OSError):
+        return False
+    return any(isinstance(node, ast.ClassDef) and _plays_plc(node) for node in tree.body)
+
+
+def _plays_plc(node: ast.ClassDef) -> bool:
+    bases = {ast.unparse(base).rpartition(".")[2] for base in node.bases}
+    methods = {one.name for one in node.body if isinstance(one, ast.FunctionDef)}
+    return "Plc" in bases or bool({"cycle", "each_tick"} & methods)
+
+
+def _project_text(content: _Content, language: Language) -> str:
+    """Return the project file; an entry that is not clear is a comment with what there is."""
+    rows = [
+        _row("machine", content.machines, "demo", _MACHINE.get(language)),
+        _row("plc", content.plcs, "cell_plc.py", _PLC.get(language)),
+        ('# until = "60 s"', _UNTIL.get(language)),
+        ('# set = {"V.E.VALUE" = 5}', _VALUES.get(language)),
+        (f'language = "{language}"', _LANGUAGE.get(language)),
+        ('paths = ["."]', _PATHS.get(language)),
+    ]
+    width = max(len(entry) for entry, _ in rows)
+    return "".join(f"{entry.ljust(width)}  # {comment}\n" for entry, comment in rows)
+
+
+def _row(key: str, names: Sequence[str], example: str, comment: str) -> tuple[str, str]:
+    """Return an entry and its comment; several or no values make it a comment."""
+    if len(names) == 1:
+        return f'{key} = "{names[0]}"', comment
+    others = f": {', '.join(names[1:])}" if names else ""
+    return f'# {key} = "{names[0] if names else example}"', comment + others
+
+
+def _test_text(content: _Content) -> str:
+    """Return the first test: the program comes to its end without errors."""
+    return (
+        f'"""The programs of this folder: nctakt runs them, pytest checks what comes of them."""\n'
+        f"\n\n"
+        f"def test_the_program_ends(run_nc):\n"
+        f'    run = run_nc("{content.main_program}")\n'
+        f"    assert run.ended\n"
+        f"    assert run.errors == []\n"
+    )
+
+
+def _write(path: Path, text: str) -> bool:
+    """Write a new file; return whether there was none. Raises ``Failure`` if it cannot be."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+    except FileExistsError:
+        return False
+    except OSError as error:
+        reason = error.strerror or str(error)
+        raise Failure(diagnostic(FILE_NOT_WRITABLE, file=str(path), reason=reason)) from error
+    return True
+
+
+def _next_commands(folder: Path, content: _Content) -> Iterator[str]:
+    """Yield the commands from here on, with the folder's files."""
+    yield f"nctakt check {folder.as_posix()}"
+    if content.main_program:
+        program = (folder / content.main_program).as_posix()
+        yield f"nctakt run {program}"
+        yield f"nctakt live {program} --open"
+        yield f"pytest {folder.as_posix()}"
+
+
+def _shown(names: Sequence[str], language: Language) -> str:
+    """Return names in a line, those beyond the first ones counted."""
+    if not names:
+        return _NONE.get(language)
+    further = f" … (+{len(names) - _MAX_NAMED})" if len(names) > _MAX_NAMED else ""
+    return ", ".join(names[:_MAX_NAMED]) + further

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt init``: a folder with lists and programs becomes a project; nothing is overwritten."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nctakt.cli import main
+from nctakt.cli.ci_files import CI_FILES
+from nctakt.files.access import FileAccess
+from nctakt.project.project_file import find_project
+
+Captured = pytest.CaptureFixture[str]
+
+
+@pytest.fixture
+def cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with a machine, a program, a subprogram, a PLC and other Python code."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "lists", "--quiet"]) == 0
+    (tmp_path / "programs").mkdir()
+    (tmp_path / "programs" / "a_sub.nc").write_text("G91 X1\nM29\n", "utf-8")
+    (tmp_path / "programs" / "part.nc").write_text("G01 X1 F6000\nM30\n", "utf-8")
+    plc = "raise SystemExit\n\nclass Cell(Plc):\n    pass\n"
+    (tmp_path / "cell_plc.py").write_text(plc, "utf-8")
+    (tmp_path / "tool.py").write_text("class Tool:\n    pass\n", "utf-8")
+    return tmp_path
+
+
+def test_a_folder_becomes_a_project(cell: Path, capsys: Captured) -> None:
+    """It says what it found, by reading alone; the files are a project and a test that runs."""
+    assert main(["init"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    assert "programs: programs/a_sub.nc, programs/part.nc" in captured.out
+    assert "PLCs: cell_plc.py" in captured.out
+    assert "nctakt run programs/part.nc" in captured.out
+    project = find_project(cell, FileAccess())
+    assert project is not None
+    assert project.machine is not None
+    assert project.machine.exists()
+    assert project.plc == Path("cell_plc.py")
+    assert 'run_nc("programs/part.nc")' in (cell / "test_programs.py").read_text("utf-8")
+    assert main(["run", "programs/part.nc", "--plc", "default", "--quiet"]) == 0
+
+
+@pytest.mark.parametrize("ci", CI_FILES)
+def test_a_file_for_ci(ci: str, cell: Path) -> None:
+    """It checks the folder and runs the tests."""
+    assert main(["init", "--ci", ci, "--quiet"]) == 0
+    text = (cell / CI_FILES[ci][0]).read_text("utf-8")
+    assert "nctakt check ." in text
+    assert "pytest" in text
+
+
+def test_nothing_is_overwritten(cell: Path, capsys: Captured) -> None:
+    """A file that is there stays, and is named (902382)."""
+    (cell / "nctakt.toml").write_text('language = "de"\n', "utf-8")
+    assert main(["init"]) == 0
+    assert "note 902382: " in capsys.readouterr().err
+    assert (cell / "nctakt.toml").read_text("utf-8") == 'language = "de"\n'
+
+
+def test_a_folder_without_anything(tmp_path: Path, capsys: Captured) -> None:
+    """902383 names ``nctakt new``; nothing is written."""
+    assert main(["init", str(tmp_path)]) == 2
+    assert "error 902383: " in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []

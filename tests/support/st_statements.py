@@ -323,7 +323,7 @@ def shown(name: str, kind: str) -> str:
 def cycles(plc: StructuredPlc) -> list[tuple[bytes, int]]:
     """The memory after each cycle, and the fault."""
     translated = plc.translated
-    context = translated.context
+    context = plc.context
     context.begin(0)
     context.max_steps = 1_000_000
     translated.start.execute(context)

@@ -400,7 +400,7 @@ def test_a_value_that_a_variable_cannot_hold_is_refused(
     "text",
     [
         "PROGRAM MAIN TcUnit.RUN(); END_PROGRAM",
-        "PROGRAM MAIN VAR x : BOOL; END_VAR x := gpCh[0]^.bahn_state.program_end_r; END_PROGRAM",
+        "PROGRAM MAIN VAR a : AXIS_REF; h : MC_Home; END_VAR h(Axis := a); END_PROGRAM",
     ],
 )
 def test_what_does_not_run_is_refused_by_name(tmp_path: Path, text: str) -> None:

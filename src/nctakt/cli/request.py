@@ -220,6 +220,10 @@ def _program(program: str, options: Options) -> Path | NcText:
 
 def _load_plc(path: str, access: FileAccess) -> AnyPlc:
     from nctakt.plc import load_plc  # noqa: PLC0415 - the mode is chosen before its import
+    from nctakt.run.realtime_plc import files_of  # noqa: PLC0415 - as above
 
     access.note(path)
-    return load_plc(path)
+    plc = load_plc(path)
+    for file in files_of(plc):
+        access.note(file)
+    return plc

@@ -15,6 +15,7 @@ from collections.abc import Callable, Sequence
 
 from nctakt.hli import table
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
+from nctakt.kernel import cells
 from nctakt.lists.declared.technology_functions import SYNCHRONISATIONS
 
 #: What waits for the PLC.
@@ -28,20 +29,20 @@ _UnitKey = tuple[str, int]
 _Identity = tuple[tuple[str, int], int]
 
 STANDARD, LATE = "techno_unit_std_sync", "techno_unit_late_sync"
-_USED = {STANDARD: "used_units_std_sync_r", LATE: "used_units_late_sync_r"}
+USED = {STANDARD: "used_units_std_sync_r", LATE: "used_units_late_sync_r"}
 _UNIT = re.compile(rf"({STANDARD}|{LATE})\[(\d+)\]\.(please_rw|done_w)")
 #: Kinds of functions (HLI_INTF_…); 3: of a spindle.
-_TYPES = {"M": 1, "H": 2, "T": 4}
-_SPINDLE = 3
-_PLEASE, _DONE, _TYPE, _DATA = 0, 1, 2, 8
-_DATA_BYTES = 40
+_TYPES = {"M": cells.TECHNO_M, "H": cells.TECHNO_H, "T": cells.TECHNO_T}
+_SPINDLE = cells.TECHNO_S
+_PLEASE, _DONE, _TYPE = cells.TECHNO_PLEASE, cells.TECHNO_DONE, cells.TECHNO_TYPE
+_DATA, _DATA_BYTES = cells.TECHNO_DATA, cells.TECHNO_DATA_BYTES
 #: Units of the interface in a revolution per minute: 0.001°/s; in a degree: 0.0001°.
-_SPEED, _ANGLE = 6000, 10_000
+_SPEED, _ANGLE = 6 * cells.TECHNO_ROTATION, cells.TECHNO_ANGLE
 
 
 def is_unit(path: str) -> bool:
     """Return whether an element belongs to the technology units, or counts them."""
-    return path.startswith((STANDARD, LATE)) or path in _USED.values()
+    return path.startswith((STANDARD, LATE)) or path in USED.values()
 
 
 class FunctionUnits:
@@ -70,7 +71,7 @@ class FunctionUnits:
         self._done: dict[_UnitKey, _Identity] = {}
         arrays = {one.name: one for one in table.structure(table.ROOTS[root]).members}
         self._arrays = {name: arrays[name] for name in (STANDARD, LATE)}
-        self._used = {name: path for name, path in _USED.items() if path in arrays}
+        self._used = {name: path for name, path in USED.items() if path in arrays}
 
     def show(self, waiting: Sequence[Placed]) -> None:
         """Show the functions that wait; each keeps its unit until it is acknowledged."""
@@ -140,7 +141,8 @@ def _identity(entry: Waiting) -> _Identity:
 def _record(entry: Waiting) -> tuple[int, bytes]:
     """Return the kind of a function, and its data as the PLC reads them."""
     if isinstance(entry, SpindleEntry):
-        position, speed = round(entry.position * _ANGLE), round(entry.speed * _SPEED)
+        sign = {4: -1, 5: 0}.get(entry.function, 1)
+        position, speed = round(entry.position * _ANGLE), round(sign * entry.speed * _SPEED)
         return _SPINDLE, struct.pack("<iiI", position, speed, 0)
     if entry.letter == "T":
         return _TYPES["T"], struct.pack("<i", entry.number)

@@ -29,6 +29,7 @@ from nctakt.hli import table
 from nctakt.hli.function_units import FunctionUnits, Placed, Waiting, is_unit
 from nctakt.hli.plc_entries import SpindleEntry
 from nctakt.hli.table import ACTS, MANAGED, UNSERVED, DataType, Element, Tie
+from nctakt.kernel import cells
 from nctakt.lists.machine.axis_configuration import AxisType
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary import strings
@@ -58,12 +59,14 @@ AXIS_TYPES = {AxisType.LINEAR: 1, AxisType.ROTARY: 2, AxisType.SPINDLE: 4}
 _SIMULATED = 4
 
 #: The mode of operation that is simulated, and its states (HLI_IMCM_…).
-STANDBY, AUTOMATIC = 1, 2
-DESELECTED, SELECTED, READY, ACTIVE, HOLD, ERROR, RESETTING = 1, 2, 3, 4, 5, 6, 15
+STANDBY, AUTOMATIC = 1, cells.MODE_AUTOMATIC
+DESELECTED, SELECTED, READY = cells.MODE_DESELECTED, cells.MODE_SELECTED, cells.MODE_READY
+ACTIVE, HOLD, ERROR = cells.MODE_ACTIVE, cells.MODE_HOLD, cells.MODE_ERROR
+RESETTING = cells.MODE_RESETTING
 
 _MODE_NAMES = ("STATE", "PAUSED", "FEED_HOLD", "ARMED")
-_MODE = "channel_mc_control.mode_and_state"
-_ERROR_FLAG = "mc_error.semaphor_rw"
+MODE = "channel_mc_control.mode_and_state"
+ERROR_FLAG = "mc_error.semaphor_rw"
 _ERROR_NAMES = ("ERROR", "ERROR_SERIAL")
 
 #: The releases of an axis, in the order in which the table has them.
@@ -302,8 +305,8 @@ class Area:
         root = shape.root
         present = "plc_present_w" if root == "gpPform" else "head.plc_present_w"
         self._present = slots(root)[present]
-        self._mode_names = tuple(map(self._panel, _MODE_NAMES))
-        self._error_names = tuple(map(self._panel, _ERROR_NAMES))
+        self.mode_names = tuple(map(self._panel, _MODE_NAMES))
+        self.error_names = tuple(map(self._panel, _ERROR_NAMES))
         self._functions = f"{ASKED}{shape.channel}.functions" if shape.channel else ""
         self._units: FunctionUnits | None = None
         if shape.channel:
@@ -354,11 +357,11 @@ class Area:
     def _prepare(self, slot: Slot) -> None:
         """Note what a slot shows, or keep what a control unit begins with."""
         tie, name = slot.element.tie, self.shape.session_name(slot.element)
-        if slot.path.startswith(f"{_MODE}.state_r."):
+        if slot.path.startswith(f"{MODE}.state_r."):
             number = self._mode_state if slot.path.endswith(".state") else _automatic
-            self._shown[slot.offset] = slot, self._mode_names, number
-        elif slot.path == _ERROR_FLAG:
-            self._shown[slot.offset] = slot, self._error_names, self._is_error_new
+            self._shown[slot.offset] = slot, self.mode_names, number
+        elif slot.path == ERROR_FLAG:
+            self._shown[slot.offset] = slot, self.error_names, self._is_error_new
         elif slot.unit in RELEASES and slot.path.endswith(("request_r", "state_r")):
             self._shown[slot.offset] = slot, (), partial(self._released, slot)
         elif tie is not None and name and not slot.is_commanded:
@@ -399,7 +402,7 @@ class Area:
 
     def _mode_state(self, values: Mapping[str, Scalar]) -> float:
         """Return the state of the automatic mode."""
-        state, is_paused, is_held, is_armed = (values[name] for name in self._mode_names)
+        state, is_paused, is_held, is_armed = (values[name] for name in self.mode_names)
         if state in (2, 3):
             return ERROR if state == 2 else RESETTING
         if state == 1:
@@ -407,8 +410,31 @@ class Area:
         return READY if is_armed else SELECTED
 
     def _is_error_new(self, values: Mapping[str, Scalar]) -> float:
-        error, serial = (float(values[name]) for name in self._error_names)
+        error, serial = (float(values[name]) for name in self.error_names)
         return float(error != 0.0 and serial != self._read_error)
+
+    def shown_numbers(self) -> Iterator[tuple[Slot, str, Tie]]:
+        """Yield the numbers that show one value of the session as it is, and that value."""
+        for slot, names, _ in self._shown.values():
+            tie = slot.element.tie
+            is_plain = tie is not None and tie.kind != "fact" and tie.name not in MANAGED
+            if is_plain and tie is not None and slot.element.by == "CNC" and len(names) == 1:
+                if slot.is_number and not slot.path.endswith(".request_r"):
+                    yield slot, names[0], tie
+
+    def control_units(self) -> Iterator[tuple[str, str, Tie, bool]]:
+        """Yield path, value, tie of each control unit that acts; whether by its edge."""
+        for slot in slots(self.shape.root).values():
+            element = slot.element
+            name = self.shape.session_name(element)
+            if slot.is_commanded and not element.is_enable and name and slot.unit not in RELEASES:
+                if element.tie is not None and element.row is not None:
+                    yield slot.unit, name, element.tie, element.row.handshake == "edge"
+
+    @property
+    def present(self) -> Slot:
+        """The element by which a PLC announces itself for the area."""
+        return self._present
 
     # --- bytes ----------------------------------------------------------------------------------
 
@@ -448,12 +474,12 @@ class Area:
     def check(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> None:
         """Raise ``NotWritable`` for bytes that ``write`` would not take now."""
         touched, data = self.shape.checked(offset, data)
-        if any(slot.path.startswith(_MODE) for slot in touched):
+        if any(slot.path.startswith(MODE) for slot in touched):
             self._show(self._present, values)
             kept = bytes(self.memory)
             try:
                 self.memory[offset : offset + len(data)] = data
-                self._take_transition(Written(), values)
+                self.take_transition(Written(), values)
             finally:
                 self.memory[:] = kept
 
@@ -469,11 +495,11 @@ class Area:
         written = Written()
         for slot in touched:
             self._take(slot, before.get(slot.path, 0.0), written, values)
-        if any(slot.path.startswith(_MODE) or slot is self._present for slot in touched):
+        if any(slot.path.startswith(MODE) or slot is self._present for slot in touched):
             try:
-                self._take_transition(written, values)
+                self.take_transition(written, values)
             except NotWritable:  # it stood there from before the PLC was there
-                written.refused.append(f"{self.name}.{_MODE}.command_semaphor_rw")
+                written.refused.append(f"{self.name}.{MODE}.command_semaphor_rw")
         if any(slot.unit in RELEASES or slot is self._present for slot in touched):
             if self.shape.root == "gpAx":
                 is_locked = not all(map(self._is_released, RELEASES))
@@ -485,10 +511,10 @@ class Area:
     ) -> None:
         """Let one written slot have its effect; ``before``: its number before."""
         tie, name = slot.element.tie, self.shape.session_name(slot.element)
-        if slot.path == _ERROR_FLAG:
+        if slot.path == ERROR_FLAG:
             if self._get(slot) == 0.0:
-                self._read_error = float(values[self._error_names[1]])
-        elif slot.path.startswith(_MODE) or slot.unit in RELEASES:
+                self._read_error = float(values[self.error_names[1]])
+        elif slot.path.startswith(MODE) or slot.unit in RELEASES:
             pass
         elif is_unit(slot.path):
             entry = None if self._units is None else self._units.write(slot.path, self._get(slot))
@@ -561,22 +587,21 @@ class Area:
 
     # --- operation mode manager -----------------------------------------------------------------
 
-    def _take_transition(self, written: Written, values: Mapping[str, Scalar]) -> None:
+    def take_transition(self, written: Written, values: Mapping[str, Scalar]) -> None:
         """Take the transition that the PLC commands, where its semaphore is set."""
         if self.shape.root != "gpCh":
             return
-        semaphore = self._slot(f"{_MODE}.command_semaphor_rw")
+        semaphore = self._slot(f"{MODE}.command_semaphor_rw")
         if not self._get(semaphore):
             return
-        if not self._is_decided(_MODE):
-            written.waiting.append(f"{self.name}.{_MODE}")
+        if not self._is_decided(MODE):
+            written.waiting.append(f"{self.name}.{MODE}")
             return
         self._put(semaphore, 0.0)
         mode, state = (
-            int(self._get(self._slot(f"{_MODE}.command_w.{one}")))
-            for one in ("to_mode", "to_state")
+            int(self._get(self._slot(f"{MODE}.command_w.{one}"))) for one in ("to_mode", "to_state")
         )
-        text = self._slot(f"{_MODE}.command_w.parameter")
+        text = self._slot(f"{MODE}.command_w.parameter")
         program = strings.decode(self.memory[text.offset : text.end])
         written_now = self.go_to(mode, state, program, values)
         written.values.update(written_now.values)

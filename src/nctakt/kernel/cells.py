@@ -135,3 +135,23 @@ IMAGE_TIME, IMAGE_DURATION, IMAGE_SPEED, IMAGE_POSITION = range(4)
 
 #: Words of the clock of the image: sequence and tick.
 CLOCK_SEQUENCE, CLOCK_TICK = range(2)
+
+# --- bytes of the interface by the controller's names ---------------------------------------------
+
+#: Bytes of a technology unit: flags, kind of the function, data.
+TECHNO_PLEASE, TECHNO_DONE, TECHNO_TYPE = 0, 1, 2
+TECHNO_DATA, TECHNO_DATA_BYTES = 8, 40
+#: Units of one area at most.
+TECHNO_UNITS = 20
+#: Kinds of functions.
+TECHNO_M, TECHNO_H, TECHNO_S, TECHNO_T = range(1, 5)
+#: Bytes of the data of M and H functions.
+TECHNO_NUMBER, TECHNO_TIME, TECHNO_VALUE, TECHNO_MODE = 0, 4, 16, 24
+#: Bytes of the data of a spindle's function.
+TECHNO_POSITION, TECHNO_SPEED = 0, 4
+#: Units of the interface: 0.0001°; 0.001°/s in a degree/s.
+TECHNO_ANGLE, TECHNO_ROTATION = 10_000, 1_000
+#: The mode that is simulated, and its states.
+MODE_AUTOMATIC = 2
+MODE_DESELECTED, MODE_SELECTED, MODE_READY, MODE_ACTIVE, MODE_HOLD, MODE_ERROR = range(1, 7)
+MODE_RESETTING = 15

@@ -79,6 +79,7 @@ cdef class Kernel:
     cdef int calls_plc(self) noexcept nogil
     @cython.locals(end=cython.longlong, reason=int)
     cdef int loop(self, long long ticks) noexcept nogil
+    @cython.locals(posted=Py_ssize_t)
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef void run_tick(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)

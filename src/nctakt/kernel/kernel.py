@@ -265,7 +265,8 @@ class Kernel:
 
     def event_bound(self) -> int:
         """Highest number of events in a tick."""
-        return self.lane.event_bound() + self.image.event_bound + self.requests.event_bound()
+        posted = self.image.event_bound + self.plc.event_bound() + self.requests.event_bound()
+        return self.lane.event_bound() + posted
 
     def loop(self, ticks: int) -> int:
         """Run ticks without Python objects; return as ``run``."""
@@ -335,10 +336,12 @@ class Kernel:
         self.record.event(rows.EVENT_OVERFLOW, 0, thread)
 
     def latch_inputs(self) -> None:
-        """Latch the PLC's image, then the posted values."""
+        """Latch what another process has written, a PLC in the tick, then the posted values."""
         if self.image.is_attached:
             self.image.latch()
+        self.plc.latch()
         self.latch_posted()
+        self.plc.guard()
         self.requests.latch()
 
     def record_row(self) -> None:

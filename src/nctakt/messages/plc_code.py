@@ -42,6 +42,22 @@ POINTER_OUTSIDE = error(
     calls=_CALLS,
     time=_TIME,
 )
+AXIS_NOT_RELEASED = error(
+    902340,
+    en="the axis takes no command: MC_Power has not released it, or MC_Stop holds it",
+    de="die Achse nimmt nichts an: MC_Power hat sie nicht freigegeben, oder MC_Stop hält sie",
+    remedy_en="Call MC_Power with Enable TRUE before, and let Execute of MC_Stop fall.",
+    remedy_de="Vorher MC_Power mit Enable TRUE aufrufen und Execute von MC_Stop fallen lassen.",
+)
+AXIS_REFERENCE_UNBOUND = error(
+    902341,
+    en="{path} names no axis of this machine; its axes: {known}",
+    de="{path} nennt keine Achse dieser Maschine; ihre Achsen: {known}",
+    remedy_en="Give the variable the name of the axis, or pass the axis by the variable's path.",
+    remedy_de="Die Variable wie die Achse nennen oder die Achse zum Pfad der Variablen angeben.",
+    path=("the variable of the type AXIS_REF", "die Variable vom Typ AXIS_REF"),
+    known=("axes of the machine", "Achsen der Maschine"),
+)
 STACK_FULL = error(
     902268,
     en="the PLC stops at {time}: its stack is full after {depth} calls within each other{calls}",

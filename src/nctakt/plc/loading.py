@@ -51,9 +51,9 @@ def load_plc(path: str | Path) -> AnyPlc:
     (900520), several classes (900521), an exception in the file (900522).
     """
     if Path(path).suffix.lower() in PLC_SUFFIXES:
-        from nctakt.plc.structured_text import load_structured  # noqa: PLC0415 - rare
+        from nctakt.plc.structured_text import load_projects  # noqa: PLC0415 - rare
 
-        return load_structured(path)
+        return load_projects(path)
     return PlcFile(path).plc()
 
 

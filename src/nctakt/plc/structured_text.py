@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,11 +17,15 @@ from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.base.failure import Failure
 from nctakt.base.mode import is_compiled
 from nctakt.files.access import FileAccess
+from nctakt.hli.table import SINGLE_ROOTS
 from nctakt.kernel.st import kinds
+from nctakt.kernel.st.outside import Connection
 from nctakt.kernel.st.steps import steps_in_order
-from nctakt.kernel.st.tasks import CyclicTask, PlcTask, PlcTasks
+from nctakt.kernel.st.tasks import CyclicTask, PlcSide, PlcTask, PlcTasks
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.plc import INVALID_AXIS_COMMAND
 from nctakt.messages.plc_code import (
+    AXIS_NOT_RELEASED,
     CONVERSION_OUTSIDE,
     DIVISION_BY_ZERO,
     EXCEPTION_RAISED,
@@ -36,12 +40,15 @@ from nctakt.messages.plc_code import (
     STEP_ZERO,
     TOO_MANY_INSTRUCTIONS,
 )
+from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
+from nctakt.plc.st_interface import StInterface, connect, lay_out
 from nctakt.project.project_file import find_project
-from nctakt.run.realtime_plc import RealtimePlc
+from nctakt.run.plc_view import AnyPlc
+from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
 from nctakt.st.inspection import inspect_paths
-from nctakt.st.program import Program
+from nctakt.st.program import Program, Task
 from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.project import Translation, translate
@@ -51,6 +58,8 @@ if TYPE_CHECKING:
     from nctakt.run.assembly import AssembledMachine
     from nctakt.run.machine_names import SignalCell
 
+#: What a task counts in the list of tasks.
+_COUNTED = ("CycleCount", "FirstCycle")
 #: Elementary instructions per µs of a task's cycle (ST-830).
 _STEPS_PER_US = 1000
 _MESSAGES = {
@@ -66,8 +75,27 @@ _MESSAGES = {
 }
 
 
-def load_structured(path: str | Path) -> StructuredPlc:
-    """Return the PLC of a project or a file; raises ``PlcError`` with all its mistakes."""
+def load_structured(path: str | Path, axes: Mapping[str, str] | None = None) -> StructuredPlc:
+    """Return the PLC of a project or a file; raises ``PlcError`` with all its mistakes.
+
+    ``axes``: names of axes by paths of variables of the type AXIS_REF.
+    """
+    programs, findings = _inspected(path)
+    if len(programs) > 1:
+        names = ", ".join(one.name for one in programs)
+        raise PlcError(diagnostic(SEVERAL_PLC_PROJECTS, file=str(path), names=names))
+    return _plc_of(programs[0], path, findings, axes)
+
+
+def load_projects(path: str | Path) -> AnyPlc:
+    """Return the PLC of a file; of a system with several projects all of them together."""
+    programs, findings = _inspected(path)
+    plcs = [_plc_of(one, path, () if i else findings) for i, one in enumerate(programs)]
+    return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
+
+
+def _inspected(path: str | Path) -> tuple[list[Program], Sequence[Diagnostic]]:
+    """Return the projects of a file and the warnings; raises ``PlcError`` with all mistakes."""
     collector = Collector()
     project = find_project(Path(path), FileAccess())
     folders = () if project is None else project.libraries
@@ -75,13 +103,21 @@ def load_structured(path: str | Path) -> StructuredPlc:
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
     if errors:
         raise PlcError(*errors)
-    if len(programs) > 1:
-        names = ", ".join(one.name for one in programs)
-        raise PlcError(diagnostic(SEVERAL_PLC_PROJECTS, file=str(path), names=names))
-    if not programs or not any(task.programs for task in programs[0].tasks):
+    if not programs:
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
-    plc = StructuredPlc(programs[0], collector.diagnostics)
-    refused = [_refusal(programs[0], one.node.start, one.what) for one in plc.translated.refused]
+    return programs, collector.diagnostics
+
+
+def _plc_of(
+    program: Program,
+    path: str | Path,
+    findings: Sequence[Diagnostic],
+    axes: Mapping[str, str] | None = None,
+) -> StructuredPlc:
+    if not any(task.programs for task in program.tasks):
+        raise PlcError(diagnostic(NO_TASK, file=str(path)))
+    plc = StructuredPlc(program, findings, axes)
+    refused = [_refusal(program, one.node.start, one.what) for one in plc.translated.refused]
     if refused:
         raise PlcError(*refused)
     return plc
@@ -102,13 +138,21 @@ def _span(program: Program, start: int) -> Span | None:
 class StructuredPlc(RealtimePlc):
     """A PLC in Structured Text, and its variables by their paths."""
 
-    def __init__(self, program: Program, findings: Sequence[Diagnostic]) -> None:
+    def __init__(
+        self,
+        program: Program,
+        findings: Sequence[Diagnostic],
+        axes: Mapping[str, str] | None = None,
+    ) -> None:
         self._program = program
+        #: The axes that variables of the type AXIS_REF mean, by their paths.
+        self.axes = axes or {}
         self._findings = findings
         self.translated: Translation = translate(program)
         self._tasks: PlcTasks | None = None
         self._machine: AssembledMachine | None = None
-        self._is_fresh = True
+        self._interface: StInterface | None = None
+        self.context = self.translated.layout.context(self.translated.layout.memory())
 
     def notes(self) -> Sequence[Diagnostic]:
         """Return the warnings about its text."""
@@ -116,38 +160,113 @@ class StructuredPlc(RealtimePlc):
 
     def attach(self, machine: AssembledMachine) -> StructuredPlc:
         """Begin anew on a machine: initial values, FB_init, then the tasks from its next tick."""
-        if not self._is_fresh:
-            self.translated = translate(self._program)
-        self._is_fresh = False
         if not is_compiled():
             allow_depth()
-        context = self.translated.context
-        kernel = machine.kernel
+        layout, kernel = self.translated.layout, machine.kernel
+        interface = lay_out(machine, layout.interface, self.translated.roots)
+        memory = layout.memory(bytes(interface.content))
+        self.context = context = layout.context(memory)
+        self._interface = interface
+        cnc = connect(machine, interface, context, memory)
+        context.outside = self._outside(machine, interface)
+        self._bind_axes(machine)
         tasks = PlcTask()
         for task in sorted(self._program.tasks, key=_priority, reverse=True):
             bodies = [self.translated.bodies[pou.name.lower()] for pou in task.programs]
             limit = task.cycle_us * _STEPS_PER_US
             body = steps_in_order(bodies)
-            tasks = CyclicTask(body, 1000 * task.cycle_us, limit, tasks)
+            number, places = self._task_info(task)
+            tasks = CyclicTask(body, 1000 * task.cycle_us, limit, tasks, number, *places)
         tick_ns = 1000 * machine.configuration.cycle_time_us
-        self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory)
+        self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory, cnc)
         self._machine = machine
         context.begin(0)
         self.translated.start.execute(context)
         if context.fault:
             raise PlcError(self._fault())
-        kernel.attach_plc(self._tasks)
+        machine.registry.plc_span = self.span_of
         return self
 
+    def side(self) -> PlcSide:
+        """Return its tasks on the machine that it is attached to."""
+        return PlcSide() if self._tasks is None else self._tasks
+
+    def data(self) -> memoryview:
+        """Return its data, without the stack of calls, on the machine that it is attached to."""
+        return memoryview(self.context.memory)[kinds.NULL_BYTES : self.context.stack]
+
+    @property
+    def files(self) -> Sequence[str]:
+        """The files that it was read from."""
+        return self._program.files
+
+    def span_of(self, start: int) -> Span | None:
+        """Return where a statement stands, by its number in events."""
+        return _span(self._program, start)
+
+    def _bind_axes(self, machine: AssembledMachine) -> None:
+        """Give each AXIS_REF its axis; raises ``PlcError`` for those without one (ST-742)."""
+        found, missing = bound_axes(self._program, machine.configuration, self.axes)
+        if missing:
+            raise PlcError(*missing)
+        for one in found:
+            variable = find_variable(self._program, one.number_path)
+            if variable is not None:
+                self.context.poke(variable.address, self.check(one.number_path, one.number))
+
+    def _task_info(self, task: Task) -> tuple[int, tuple[int, int]]:
+        """Fill in what code reads of a task (ST-721); return its number and what it counts in."""
+        number = self._program.tasks.index(task) + 1
+        path = f"TwinCAT_SystemInfoVarList._TaskInfo[{number}]"
+        for name, value in (
+            ("CycleTime", 10 * task.cycle_us),
+            ("Priority", task.priority),
+            ("TaskName", task.name),
+        ):
+            variable = find_variable(self._program, f"{path}.{name}")
+            if variable is None:
+                return number, (0, 0)
+            self.context.poke(variable.address, self.check(f"{path}.{name}", value))
+        counted = (find_variable(self._program, f"{path}.{name}") for name in _COUNTED)
+        count, first = (0 if one is None else one.address for one in counted)
+        return number, (count, first)
+
+    def _outside(self, machine: AssembledMachine, interface: StInterface) -> Connection:
+        """Return what calls reach of the machine."""
+        pointers = []
+        for (root, index), value in interface.pointers.items():
+            suffix = "" if root in SINGLE_ROOTS else f"[{index}]"
+            pointer = find_variable(self._program, f"{root}{suffix}")
+            if pointer is not None:
+                pointers.append((pointer.address, value))
+        axes = machine.configuration.axes
+        measures = [
+            machine.layout.axis_value(index, source)
+            for index in range(len(axes))
+            for source in ("ACS.ACT_POS", "ACS.CUR_POS", "ACS.CMD_POS", "STATE")
+        ]
+        return Connection(
+            machine.kernel.requests,
+            pointers,
+            [axis.logical_number for axis in axes],
+            measures,
+            machine.memory,
+            (INVALID_AXIS_COMMAND.id, AXIS_NOT_RELEASED.id),
+        )
+
     def news(self) -> Sequence[Diagnostic]:
-        """Return the fault that has stopped it, once."""
+        """Return the fault that has stopped it, once; do what it commands that needs Python."""
         if self._tasks is None or not self._tasks.has_news:
             return ()
         self._tasks.has_news = False
-        return [self._fault()]
+        if self.context.fault:
+            return [self._fault()]
+        if self._interface is None or self._machine is None:
+            return ()
+        return list(self._interface.go_on(self._machine, self.context))
 
     def _fault(self) -> Diagnostic:
-        context = self.translated.context
+        context = self.context
         message = _MESSAGES[context.fault]
         words: dict[str, str] = {"time": f"{context.now / 1e6:g} ms", "calls": self._calls()}
         if context.fault == kinds.INDEX:
@@ -163,7 +282,7 @@ class StructuredPlc(RealtimePlc):
         return diagnostic(message, _span(self._program, context.fault_source), **words)
 
     def _calls(self) -> str:
-        context = self.translated.context
+        context = self.context
         shown = []
         for source in context.trail[: context.trail_length : 2]:
             span = _span(self._program, source)
@@ -216,7 +335,7 @@ class StructuredPlc(RealtimePlc):
         return self._value(variable)
 
     def _value(self, variable: PlacedVariable) -> float | bool | str:
-        context, sought = self.translated.context, variable.type
+        context, sought = self.context, variable.type
         data = context.peek(variable.address, max(sought.size, 1))
         if isinstance(sought, StringType) and sought.is_wide:
             return data.decode("utf-16-le", "replace").partition("\0")[0]

@@ -56,6 +56,8 @@ class EventRegistry:
         self._past_bodies: Counter[BranchKey] = Counter()
         self._meant_aborts: set[int] = set()
         self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
+        #: Where a statement of the PLC in the tick stands, by its number.
+        self.plc_span: Callable[[int], Span | None] | None = None
 
     # --- names of events ------------------------------------------------------------------------
 
@@ -105,7 +107,9 @@ class EventRegistry:
         return self._threads[number]
 
     def span(self, source: int) -> Span | None:
-        """Return the span of a source id."""
+        """Return the span of a source id; a negative one is that of a statement of the PLC."""
+        if source < 0:
+            return None if self.plc_span is None else self.plc_span(-source)
         return self._files.span(source)
 
     def line_at(self, span: Span) -> str:

@@ -7,8 +7,6 @@ In: ``Machine`` and the layout of its memory. Out: ``RealtimePart``. It knows no
 
 from __future__ import annotations
 
-import struct
-from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from nctakt.decoder.axis_limits import history_blocks, listed_limits, look_ahead, single_axes
@@ -23,13 +21,13 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.lists.machine.axes_by_number import path_axes, spindle_numbers
 from nctakt.lists.machine.channel_configuration import ONLY_MOTIONS
 from nctakt.lists.machine.gantries import gantries
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.nc.vocabulary.variable_table import Layout, Location
 from nctakt.run.spindle_setup import channel_spindles, gear_steps
+from nctakt.run.technology_tables import axes_of
 
 if TYPE_CHECKING:
     from nctakt.decoder.state.kept_trees import KeptTrees
@@ -152,23 +150,5 @@ def _set_areas(hli: Hli, channel: ChannelConfiguration) -> None:
     parameters = channel.parameters
     for section in (hli.program, hli.realtime):
         section.set_areas(
-            _axes_of(parameters.m_functions, channel), _axes_of(parameters.h_functions, channel)
+            axes_of(parameters.m_functions, channel), axes_of(parameters.h_functions, channel)
         )
-
-
-def _axes_of(
-    functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
-) -> bytearray:
-    """Return the logical number of the axis or spindle of each function by its number, 0: none.
-
-    Functions behind the last one that has an axis are left out.
-    """
-    numbers = {axis.name: axis.logical_number for axis in channel.axes}
-    numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
-    found = {one.number: numbers.get(one.axis_name, 0) for one in functions.values()}
-    last = max((number for number, logical in found.items() if logical), default=0)
-    table = bytearray(8 * (last + 1))
-    for number, logical in found.items():
-        if logical:
-            struct.pack_into("=q", table, 8 * number, logical)
-    return table

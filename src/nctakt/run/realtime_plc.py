@@ -1,17 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""A PLC that runs in the realtime part: what a run knows of it."""
+"""PLCs that run in the realtime part: what a run knows of them, and groups of PLCs."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.kernel.st.tasks import PlcPair, PlcSide
 from nctakt.run.named_values import NamedValues
-from nctakt.run.plc_view import PlcView, WatchedPlc
+from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
+from nctakt.st.files.project import PLC_SUFFIXES
 
 if TYPE_CHECKING:
     from nctakt.run.assembly import AssembledMachine
+
+
+def is_structured(path: str | Path | None) -> bool:
+    """Return whether a PLC's file is Structured Text, which runs again where a tape is replayed."""
+    return path is not None and Path(path).suffix.lower() in PLC_SUFFIXES
 
 
 class RealtimePlc(WatchedPlc):
@@ -24,6 +32,122 @@ class RealtimePlc(WatchedPlc):
         """Begin anew on a machine, before its next tick; return its variables."""
         raise NotImplementedError
 
+    def side(self) -> PlcSide:
+        """Return what runs in the tick, once it is attached."""
+        raise NotImplementedError
+
+    def data(self) -> memoryview:
+        """Return its data, once it is attached."""
+        return memoryview(b"")
+
+    @property
+    def files(self) -> Sequence[str]:
+        """The files that it was read from."""
+        return ()
+
     def news(self) -> Sequence[Diagnostic]:
         """Return what has stopped it since the last call."""
         raise NotImplementedError
+
+
+class PlcGroup(WatchedPlc):
+    """Several PLCs of one machine, in the order of their tasks in a tick.
+
+    All of them but one run in the tick; the other one may be a PLC in Python.
+
+    >>> both = PlcGroup([PlcGroup([])])
+    >>> len(both.realtime), both.called
+    (0, None)
+    """
+
+    def __init__(self, plcs: Sequence[AnyPlc]) -> None:
+        self.realtime: list[RealtimePlc] = []
+        called: list[AnyPlc] = []
+        for plc in plcs:
+            realtime, other = parts_of(plc)
+            self.realtime += realtime
+            called += [] if other is None else [other]
+        if len(called) > 1:
+            raise ValueError("more than one PLC that Python calls")
+        self.called: AnyPlc | None = called[0] if called else None
+
+    def _watched(self) -> list[WatchedPlc]:
+        found: list[WatchedPlc] = [*self.realtime]
+        if isinstance(self.called, WatchedPlc):
+            found.append(self.called)
+        return found
+
+    def cycle(self, hli: PlcView) -> None:
+        """Call the PLC in Python."""
+        if self.called is not None:
+            self.called.cycle(hli)
+
+    def begin_run(self, hli: PlcView) -> None:
+        """Let each of them begin."""
+        for plc in self._watched():
+            plc.begin_run(hli)
+
+    def notes(self) -> Sequence[Diagnostic]:
+        """Return the notes of all."""
+        return [note for plc in self._watched() for note in plc.notes()]
+
+    def unused_handlers(self, hli: PlcView) -> Sequence[Diagnostic]:
+        """Return the unused methods of all."""
+        return [one for plc in self._watched() for one in plc.unused_handlers(hli)]
+
+
+def parts_of(plc: AnyPlc | None) -> tuple[list[RealtimePlc], AnyPlc | None]:
+    """Return the PLCs that run in the tick, and the one that Python calls."""
+    if isinstance(plc, PlcGroup):
+        return plc.realtime, plc.called
+    if isinstance(plc, RealtimePlc):
+        return [plc], None
+    return [], plc
+
+
+def files_of(plc: AnyPlc) -> list[str]:
+    """Return the files of the PLCs that run in the tick."""
+    return [file for one in parts_of(plc)[0] for file in one.files]
+
+
+def memories_of(plc: AnyPlc | None) -> list[memoryview]:
+    """Return the data of the PLCs that run in the tick, once they are attached."""
+    return [one.data() for one in parts_of(plc)[0]]
+
+
+def side_of(plcs: Sequence[RealtimePlc]) -> PlcSide:
+    """Return what runs in the tick for these PLCs, once they are attached."""
+    if not plcs:
+        return PlcSide()
+    first, *others = plcs
+    return PlcPair(first.side(), side_of(others)) if others else first.side()
+
+
+class NamedGroup:
+    """The variables of several PLCs by their paths; the first one that knows a name has it."""
+
+    def __init__(self, parts: Sequence[NamedValues]) -> None:
+        self._parts = parts
+
+    def _of(self, name: str) -> NamedValues:
+        return next((part for part in self._parts if part.knows(name)), self._parts[0])
+
+    def knows(self, name: str) -> bool:
+        """Return whether a name is one of their variables."""
+        return any(part.knows(name) for part in self._parts)
+
+    def read(self, name: str) -> float | bool | str:
+        """Return the value of a variable."""
+        return self._of(name).read(name)
+
+    def check(self, name: str, value: float | bool | str) -> object:
+        """Raise ``Failure`` for a value that the variable cannot hold."""
+        return self._of(name).check(name, value)
+
+    def write(self, name: str, value: float | bool | str) -> None:
+        """Set a variable from its next cycle on."""
+        self._of(name).write(name, value)
+
+    def signal(self, name: str) -> tuple[int, str, bool] | None:
+        """Return where a variable is shown in each tick; ``None`` for what is no number."""
+        return self._of(name).signal(name)

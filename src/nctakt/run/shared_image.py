@@ -13,7 +13,7 @@ import contextlib
 import os
 import struct
 import weakref
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING
 
@@ -44,7 +44,6 @@ from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.interface_image import KINDS
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.declared.technology_functions import MAX_FUNCTIONS, TechnologyFunction
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.lists.machine.machine import Machine
 from nctakt.lists.machine.variables_layout import fields, pack_of
@@ -59,6 +58,7 @@ from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.realtime_variables import SPINDLE_VALUES
 from nctakt.nc.vocabulary.variable_table import Layout
 from nctakt.run.image_inputs import ImageInputs
+from nctakt.run.technology_tables import types_of
 
 if TYPE_CHECKING:
     from multiprocessing.shared_memory import SharedMemory
@@ -369,20 +369,12 @@ def _units(
                 layout.command(index) + entry(COMMAND, f"ack_{name}").offset,
                 cycle_time_us,
                 identifier,
-                _types_of(m_functions),
-                _types_of(h_functions),
+                types_of(m_functions),
+                types_of(h_functions),
                 0 if tool is None else tool.synchronisation_bits,
                 units,
             )
     return units
-
-
-def _types_of(functions: Mapping[int, TechnologyFunction]) -> bytearray:
-    """Return the bits of each function's synchronisation type and modifiers by its number."""
-    table = bytearray(8 * MAX_FUNCTIONS)
-    for function in functions.values():
-        struct.pack_into("=q", table, 8 * function.number, function.synchronisation_bits)
-    return table
 
 
 def _create(name: str, size: int) -> SharedMemory:

@@ -14,6 +14,7 @@ from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.tape import INVALID_TAPE
 from nctakt.run.options import OPTIONS, RUN_OPTIONS, RunKeywords
+from nctakt.run.realtime_plc import is_structured
 from nctakt.run.tape import Tape
 
 #: The options that a tape keeps; the words of each have its name for commands.
@@ -58,6 +59,12 @@ def words_of_run(options: RunKeywords, **others: Any) -> dict[str, Any]:
         else others.get(option.word)
         for option in KEPT
     }
+
+
+def plc_of(tape: Tape) -> str | None:
+    """Return the file of the PLC that runs again with a tape: one in Structured Text."""
+    file = tape.words.get("plc")
+    return file if isinstance(file, str) and is_structured(file) else None
 
 
 def options_of_words(words: Mapping[str, Any]) -> RunKeywords:

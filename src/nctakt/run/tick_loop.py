@@ -14,13 +14,12 @@ from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
-from nctakt.kernel.st.tasks import PlcSide
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun, is_reported
 from nctakt.run.inputs import NEVER
 from nctakt.run.plc_player import PlcPlayer
 from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import RealtimePlc
+from nctakt.run.realtime_plc import NamedGroup, RealtimePlc, parts_of, side_of
 from nctakt.run.recording import Recording
 
 if TYPE_CHECKING:
@@ -75,7 +74,7 @@ class TickLoop:
             self.follow(scheduled_run)
         self.plc: AnyPlc | None = None
         self._player: PlcPlayer | None = None
-        self._realtime_plc: RealtimePlc | None = None
+        self._realtime_plcs: list[RealtimePlc] = []
         self._report = report
         self.has_plc = False
         self.ends_deadlock = False
@@ -98,19 +97,21 @@ class TickLoop:
 
         Its variables are known from now on.
         """
-        self._kernel.attach_plc(PlcSide())
-        named = plc.attach(self.machine) if isinstance(plc, RealtimePlc) else None
-        self.machine.access.named = named
+        for channel in self.channels:
+            channel.channel.hli.is_divided = False
+        realtime, _ = parts_of(plc)
+        named = [one.attach(self.machine) for one in realtime]
+        self._kernel.attach_plc(side_of(realtime))
+        self.machine.access.named = NamedGroup(named) if len(named) > 1 else next(iter(named), None)
 
     def connect(self, plc: AnyPlc | None, *, has_plc: bool) -> None:
         """Let this PLC run after each tick; without any, functions acknowledge themselves."""
         self.plc = plc
-        self._realtime_plc = plc if isinstance(plc, RealtimePlc) else None
-        is_called = plc is not None and self._realtime_plc is None
-        self._player = PlcPlayer(plc, self.machine) if plc is not None and is_called else None
-        if not is_called:
+        self._realtime_plcs, called = parts_of(plc)
+        self._player = PlcPlayer(called, self.machine) if called is not None else None
+        if called is None:
             self._kernel.calls.stop()
-        if self._realtime_plc is not None:
+        if self._realtime_plcs and called is None:
             has_plc = False
         self.has_plc = has_plc
         for channel in self.channels:
@@ -132,6 +133,7 @@ class TickLoop:
         kernel.ends_deadlock = (
             self.ends_deadlock
             and not self.has_plc
+            and not self._realtime_plcs
             and due_input >= NEVER
             and not kernel.image.is_attached
         )
@@ -165,8 +167,8 @@ class TickLoop:
     def settle(self, reason: int) -> None:
         """Hand on what the kernel has recorded, and do what it has returned for."""
         self.recording.drain()
-        if self._realtime_plc is not None:
-            for message in self._realtime_plc.news():
+        for plc in self._realtime_plcs:
+            for message in plc.news():
                 self._report(message)
         self.is_deadlocked = reason == codes.DEADLOCK
         if reason and reason != codes.FULL:

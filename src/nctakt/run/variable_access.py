@@ -176,6 +176,7 @@ class VariableAccess:
             return
         if self.named is not None and self.named.knows(name):
             self.named.write(name, value)
+            self.notes.add(source, WRITE, name, value)
             return
         self.bind(name).write(value, source)
 

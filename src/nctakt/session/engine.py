@@ -35,6 +35,7 @@ from nctakt.run.options import RunKeywords, completed
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun
+from nctakt.run.realtime_plc import memories_of
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
@@ -191,7 +192,7 @@ class Engine:
         stimuli = [read_stimulus(stimulus) for stimulus in options.get("at", ())]
         options = self._options(options, plc, stimuli, recorded)
         self._run = ProgramRun(self._loop, self._diagnostics, setup.programs, completed(options))
-        self._loop.attach(plc)
+        self._trail.follow(memories_of(plc))
         self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
         self._recorded_cells = tuple(self._signals[name][0] for name in recorded)
         self._selected: Sequence[int] | None = None

@@ -21,7 +21,7 @@ from nctakt.run.program_loader import NcText
 from nctakt.run.tape import TapeWriter, digest_of, name_on_tape
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
-from nctakt.session.tapes import programs_of, words_of_setup
+from nctakt.session.tapes import has_called_plc, programs_of, words_of_setup
 
 #: Files of earlier processes that may be there at most.
 _MAX_LEFT = 1000
@@ -82,7 +82,7 @@ class GrowingTape:
         lines: list[str] = []
         setup = self._setup
         texts = {one.name: one.text for one in programs_of(setup) if isinstance(one, NcText)}
-        has_plc = setup.plc is not None or not setup.acknowledges
+        has_plc = has_called_plc(setup)
         writer = TapeWriter(
             lines.append, words_of_setup(setup), texts, has_plc, has_checksums=False
         )

@@ -17,12 +17,14 @@ from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
 from nctakt.messages.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
+from nctakt.plc.loading import load_plc
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
 from nctakt.run.options import RunKeywords
 from nctakt.run.program_loader import NcText, name_of
+from nctakt.run.realtime_plc import is_structured
 from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
-from nctakt.run.tape_words import options_of_words, words_of, words_of_run
+from nctakt.run.tape_words import options_of_words, plc_of, words_of, words_of_run
 from nctakt.session.schedules import schedule_of_setup
 from nctakt.session.setup import Setup
 
@@ -33,7 +35,7 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
     Raises ``Failure`` for a file that cannot be written.
     """
     access = FileAccess([Path(folder) for folder in setup.folders])
-    has_plc = setup.plc is not None or not setup.acknowledges
+    has_plc = has_called_plc(setup)
     texts = {one.name: one.text for one in programs_of(setup) if isinstance(one, NcText)}
     for program in programs_of(setup):
         if not isinstance(program, NcText):
@@ -52,6 +54,7 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
             "sinks": (writer,),
             "record": writer.note,
             "replay": replayed,
+            "plc": load_plc(setup.plc) if setup.plc and is_structured(setup.plc) else None,
         }
         channels = {number: own for number, own in setup.programs.items() if number > 1}
         run = controller.run(*setup.programs.get(1, ()), channels=channels, **options)
@@ -67,7 +70,7 @@ def programs_of(setup: Setup) -> list[str | Path | NcText]:
 
 def words_of_setup(setup: Setup) -> dict[str, Any]:
     """Return the words of the command that runs what the setup does."""
-    return words_of_run(
+    words = words_of_run(
         {**setup.options, "ticks": None, "blocks": True},
         programs=[name_of(program) for program in setup.programs.get(1, ())],
         others=[
@@ -82,6 +85,12 @@ def words_of_setup(setup: Setup) -> dict[str, Any]:
         system=setup.system,
         confined=[str(folder) for folder in setup.folders],
     )
+    return {**words, "plc": str(setup.plc) if is_structured(setup.plc) else None}
+
+
+def has_called_plc(setup: Setup) -> bool:
+    """Return whether a PLC outside of the tick acknowledges: a tape has what it does."""
+    return (setup.plc is not None and not is_structured(setup.plc)) or not setup.acknowledges
 
 
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
@@ -116,4 +125,5 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         folders=folders,
         inputs=tape.inputs,
         options=options_of_words(words),
+        plc=plc_of(tape),
     )

@@ -53,12 +53,17 @@ class Trail:
 
     def __init__(self, memory: bytearray) -> None:
         self._memory = memory
+        self._plc_memories: Sequence[memoryview] = ()
         self._events = hashlib.blake2b(digest_size=DIGEST_SIZE)
         self._rows: list[bytes] = []
         self._columns = ColumnTrail()
         self.keeps = False
         self._since_us = 0.0
         self.part = 64
+
+    def follow(self, memories: Sequence[memoryview]) -> None:
+        """Digest the data of PLCs that run in the tick, too."""
+        self._plc_memories = memories
 
     def open(self, header: TraceHeader) -> None:
         """Do nothing."""
@@ -99,9 +104,11 @@ class Trail:
         return self._columns.take()
 
     def digest(self) -> bytes:
-        """Return the digest of the machine's memory and of all events so far."""
+        """Return the digest of the machine's memory, of the PLC's data and of all events so far."""
         whole = self._events.copy()
         whole.update(self._memory)
+        for memory in self._plc_memories:
+            whole.update(memory)
         return whole.digest()
 
     def note(self, ticks: int, work_us: float) -> bool:

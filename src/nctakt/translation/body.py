@@ -45,6 +45,8 @@ class Routines(Protocol):
     """The project as a body sees it: the routine of what is called, and its memory."""
 
     layout: Layout
+    #: The pointers to the CNC's interface that code uses.
+    roots: set[str]
 
     def routine(self, called: Callable) -> Routine:
         """Return the routine of a function, method or body."""

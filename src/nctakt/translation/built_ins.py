@@ -6,6 +6,14 @@ from __future__ import annotations
 from collections.abc import Callable as Function
 
 from nctakt.kernel.st import kinds
+from nctakt.kernel.st.axis_calls import (
+    CommandAxis,
+    LookAtAxis,
+    MeasureAxis,
+    OpenInterface,
+    SwitchAxis,
+    TaskNumber,
+)
 from nctakt.kernel.st.blocks_of_bytes import CompareBytes, FillBytes, MoveBytes
 from nctakt.kernel.st.kept import WholeAfter
 from nctakt.kernel.st.reals import (
@@ -314,6 +322,37 @@ def _fill_bytes(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
     return FillBytes(*(body.whole(one) for one in operands))
 
 
+def _task_number(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return TaskNumber()
+
+
+def _open_interface(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return OpenInterface()
+
+
+def _command_axis(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    kind, axis, target, speed, mode, direction = operands
+    return CommandAxis(
+        body.whole(kind), body.whole(axis), body.real(target), body.real(speed), body.whole(mode),
+        body.whole(direction),
+    )  # fmt: skip
+
+
+def _switch_axis(is_lock: bool) -> Function[[BuiltIns, Call, list[Expression]], Node]:
+    def build(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+        return SwitchAxis(body.whole(operands[0]), body.whole(operands[1]), is_lock)
+
+    return build
+
+
+def _look_at_axis(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return LookAtAxis(*(body.whole(one) for one in operands))
+
+
+def _measure_axis(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return MeasureAxis(*(body.whole(one) for one in operands))
+
+
 def _compare_bytes(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
     return CompareBytes(*(body.whole(one) for one in operands))
 
@@ -345,6 +384,13 @@ _BUILDERS: dict[str, Function[[BuiltIns, Call, list[Expression]], Node]] = {
     "SEL": _select,
     "TIME": _time(1000000),
     "UPPER_BOUND": _bound(True),
+    "GETCURTASKINDEXEX": _task_number,
+    "__AXIS_COMMAND": _command_axis,
+    "__AXIS_LOCK": _switch_axis(is_lock=True),
+    "__AXIS_LOOK": _look_at_axis,
+    "__AXIS_MEASURE": _measure_axis,
+    "__AXIS_POWER": _switch_axis(is_lock=False),
+    "__CNC_OPEN": _open_interface,
     "__ISVALIDREF": _is_valid_reference,
     "__QUERYINTERFACE": _query,
     "__QUERYPOINTER": _query,

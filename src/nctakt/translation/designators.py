@@ -60,7 +60,7 @@ class Designators(CheckFunctions):
             return self.literal_location(expression.value, value_type(expression))
         match expression:
             case Name(target=Variable() as variable):
-                return self.followed(self._named_location(variable, expression), variable)
+                return self.followed(self.variable_location(variable, expression), variable)
             case Member(target=Variable() as variable, base=base):
                 return self.followed(self.member_location(expression, variable, base), variable)
             case Member(bit=bit, base=base) if bit >= 0:
@@ -100,25 +100,25 @@ class Designators(CheckFunctions):
             return Location(Origin.DATA, self.layout.address(self.pou.instance), self.pou.type)
         return Location(Origin.INSTANCE, 0, self.pou.type)
 
-    def _named_location(self, variable: Variable, expression: Expression) -> Location:
-        """Return the slot of a variable in code; those of the CNC's interface are not connected."""
-        if variable.name in ROOTS and variable.owner == LIST_NAME.rstrip("."):
-            raise CannotRunError(expression, variable.name)
-        return self.variable_location(variable, expression)
-
     def variable_location(self, variable: Variable, expression: Expression) -> Location:
         """Return the slot of a variable that is named alone."""
         found = variable.type
         if variable.storage is Storage.GLOBAL:
-            return Location(Origin.DATA, self.layout.address(variable.offset), found)
+            return self._global_location(variable)
         if variable.storage is Storage.FRAME:
             return Location(Origin.FRAME, variable.offset, found)
         return self.own_instance(expression).member(variable.offset, found)
 
+    def _global_location(self, variable: Variable) -> Location:
+        """Return the slot of a global variable; note the pointers to the CNC's interface."""
+        if variable.name in ROOTS and variable.owner == LIST_NAME.rstrip("."):
+            self.project.roots.add(variable.name)
+        return Location(Origin.DATA, self.layout.address(variable.offset), variable.type)
+
     def member_location(self, expression: Member, variable: Variable, base: Expression) -> Location:
         """Return the slot of a member; of a list or program that only qualifies, the variable's."""
         if variable.storage is Storage.GLOBAL:
-            return Location(Origin.DATA, self.layout.address(variable.offset), variable.type)
+            return self._global_location(variable)
         owner = self.instance_location(base)
         return owner.member(variable.offset, variable.type, variable.bit)
 
@@ -153,7 +153,7 @@ class Designators(CheckFunctions):
         """Return the slot of a reference or of an interface variable, as it is bound."""
         match expression:
             case Name(target=Variable() as variable):
-                return self._named_location(variable, expression)
+                return self.variable_location(variable, expression)
             case Member(target=Variable() as variable, base=base):
                 return self.member_location(expression, variable, base)
         return self.location(expression)

@@ -2,7 +2,7 @@
 """The memory of a PLC project: which address everything has (ST-001, ST-330, ST-407).
 
 From the lowest address on: bytes that no pointer reaches, the data area with globals and program
-instances, the stack of calls, literals and initial images.
+instances, the stack of calls, literals and initial images, the interface to the CNC.
 """
 
 from __future__ import annotations
@@ -131,8 +131,19 @@ class Layout:
             self._literals += content
         return found
 
-    def context(self) -> PlcContext:
-        """Return a context with a memory: the data as they are at the start, and an empty stack."""
+    @property
+    def interface(self) -> int:
+        """The address where the interface to the CNC begins, once all literals are known."""
+        return aligned(self.stack_end + len(self._literals), 64)
+
+    def memory(self, interface: bytes = b"") -> bytearray:
+        """Return a memory: the data as they are at the start, an empty stack, an interface."""
         memory = bytearray(kinds.NULL_BYTES) + self.data
-        memory += bytes(self.stack_end - self.data_end) + self._literals + bytes(kinds.SLACK + 8)
-        return PlcContext(memory, self.data_end, self.stack_end)
+        memory += bytes(self.stack_end - self.data_end) + self._literals
+        memory += bytes(self.interface - len(memory)) + interface
+        memory += bytes(aligned(len(memory), 8) - len(memory)) + bytes(kinds.SLACK + 8)
+        return memory
+
+    def context(self, memory: bytearray) -> PlcContext:
+        """Return a context with a memory of this layout."""
+        return PlcContext(memory, self.data_end, self.stack_end, self.interface)

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.calls import Callee, Routine, callee_of
-from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.steps import Evaluate, Step, StepPair, steps_in_order
 from nctakt.kernel.st.wholes import WholeConstant
 from nctakt.st.program import Program
@@ -37,13 +36,17 @@ from nctakt.translation.reflection import InstancePaths
 
 @dataclass(slots=True, eq=False)
 class Translation:
-    """A program that can run; ``refused`` is what cannot, with its location."""
+    """A program that can run; ``refused`` is what cannot, with its location.
+
+    ``roots``: the pointers to the CNC's interface that it uses.
+    """
 
     program: Program
-    context: PlcContext
+    layout: Layout
     start: Step
     bodies: dict[str, Step]  # of the programs of the tasks, by their names in lower case
     refused: list[CannotRunError]
+    roots: set[str]
 
 
 def translate(program: Program) -> Translation:
@@ -54,7 +57,7 @@ def translate(program: Program) -> Translation:
         pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
     }
     project.complete()
-    return Translation(program, project.layout.context(), start, bodies, project.refused)
+    return Translation(program, project.layout, start, bodies, project.refused, project.roots)
 
 
 class _Project:
@@ -64,6 +67,7 @@ class _Project:
         self.program = program
         self.layout = Layout(program.data_size)
         self.refused: list[CannotRunError] = []
+        self.roots: set[str] = set()
         self._blocks = [one for one in program.pous.values() if one.type is not None]
         self._numbers = _numbered(self._blocks)
         self._images = Images(self.number_of)

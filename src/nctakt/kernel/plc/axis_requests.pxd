@@ -18,6 +18,13 @@ cdef class AxisRequests:
     cdef long long posted
     cdef long long latched
 
+    @cython.locals(slot=Py_ssize_t)
+    cdef long long put(
+        self, long long kind, long long axis, double value, double speed_v, long long mode,
+        long long direction
+    ) noexcept nogil
+    @cython.locals(newest=cython.longlong)
+    cdef long long answer_of(self, long long owner) noexcept nogil
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef void latch(self) noexcept nogil
     @cython.locals(

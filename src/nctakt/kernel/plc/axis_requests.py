@@ -39,6 +39,12 @@ class AxisRequests:
         """Post a request for the next tick; return its owner number, 0 if there is no room."""
         check_range(kind, codes.ABSOLUTE, codes.CLEAR_FAULT, "kind of request")
         self.single_axes.check_command(axis, value, speed_v, mode, direction, codes.PLC_OWNER)
+        return self.put(kind, axis, value, speed_v, mode, direction)
+
+    def put(
+        self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
+    ) -> int:
+        """Post a request whose numbers were checked, as ``post``."""
         if self.posted - self.latched >= self.capacity:
             return 0
         slot = self.posted % self.capacity
@@ -60,6 +66,13 @@ class AxisRequests:
         newest = codes.PLC_OWNER + self.posted - 1
         oldest = max(codes.PLC_OWNER, newest - self.capacity + 1)
         check_range(owner, oldest, newest, "request")
+        return self.answer[(owner - codes.PLC_OWNER) % self.capacity]
+
+    def answer_of(self, owner: int) -> int:
+        """Answer as ``answer_to``; 0 for a number that is not the owner of one of the last ones."""
+        newest = codes.PLC_OWNER + self.posted - 1
+        if owner < codes.PLC_OWNER or owner > newest or owner <= newest - self.capacity:
+            return 0
         return self.answer[(owner - codes.PLC_OWNER) % self.capacity]
 
     def is_open(self, owner: int) -> bool:

@@ -41,6 +41,8 @@ cdef class InterfaceImage:
     cdef long long[::1] is_stale
     cdef long long[::1] was_refused
     cdef long long[::1] refused_cells
+    cdef Py_ssize_t refused_capacity
+    cdef InterfaceImage reports_to
     cdef Py_ssize_t shadow_count
     cdef Py_ssize_t stale_count
     cdef long long[::1] shadow
@@ -61,6 +63,8 @@ cdef class InterfaceImage:
     cdef double number(self, int kind) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, cell=Py_ssize_t)
     cdef void remember(self, Py_ssize_t entry) noexcept nogil
+    @cython.locals(slot=Py_ssize_t)
+    cdef void note_refused(self, Py_ssize_t cell) noexcept nogil
     cdef void mark_stale(self, Py_ssize_t entry) noexcept nogil
     cdef void publish(self, long long ticks) noexcept nogil
     @cython.locals(i=Py_ssize_t)

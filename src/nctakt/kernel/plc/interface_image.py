@@ -47,6 +47,11 @@ class InterfaceImage:
         self.as_signed_32 = scratch.cast("i")
         self.as_unsigned_32 = scratch.cast("I")
         self.as_real = scratch.cast("d")
+        self.refused_capacity = 2 * len(self.words)
+        self.refused_cells = memoryview(bytearray(8 * self.refused_capacity)).cast("q")
+        self.refused_count = 0
+        self.refused_reported = 0
+        self.reports_to = self
         self.detach()
 
     # --- Python's side, between two runs --------------------------------------------------------
@@ -86,8 +91,6 @@ class InterfaceImage:
         self.event_bound = sum(
             1 for _, kind, _, _, is_input in table if is_input and kind == codes.IMAGE_REAL64
         )
-        self.refused_count = 0
-        self.refused_reported = 0
         self.word_count = len(image) // 8
         self.publish(ticks)
         self.is_attached = True
@@ -113,7 +116,6 @@ class InterfaceImage:
         self.first_shadow = memoryview(bytearray(8 * count + 8)).cast("q")
         self.is_stale = memoryview(bytearray(8 * count + 8)).cast("q")
         self.was_refused = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.refused_cells = memoryview(bytearray(8 * count + 8)).cast("q")
         shadows = sum(-(-size // 8) for _, _, _, size, _ in table)
         self.shadow = memoryview(bytearray(8 * shadows + 8)).cast("q")
         self.shadowed_cell = memoryview(bytearray(8 * shadows + 8)).cast("q")
@@ -142,8 +144,6 @@ class InterfaceImage:
         self.shadow_count = 0
         self.stale_count = 0
         self.event_bound = 0
-        self.refused_count = 0
-        self.refused_reported = 0
         self.word_count = 0
         self.clock_word = 0
         self.first_input_word = 0
@@ -161,17 +161,28 @@ class InterfaceImage:
         self.first_shadow = nothing.cast("q")
         self.is_stale = nothing.cast("q")
         self.was_refused = nothing.cast("q")
-        self.refused_cells = nothing.cast("q")
         self.shadow = nothing.cast("q")
         self.shadowed_cell = nothing.cast("q")
         self.shadowed_entry = nothing.cast("q")
 
+    def report_to(self, image: InterfaceImage) -> None:
+        """Let another image keep which values are refused, in one order with its own."""
+        self.reports_to = image
+
     def next_refused(self) -> int:
         """Cell of the next 900346 not asked for yet, in the order of the events."""
         check_index(self.refused_reported, self.refused_count, "refused value")
-        cell = self.refused_cells[self.refused_reported]
+        cell = self.refused_cells[self.refused_reported % self.refused_capacity]
         self.refused_reported += 1
         return cell
+
+    def note_refused(self, cell: int) -> None:
+        """Keep the cell of a refused value until it is asked for."""
+        slot = self.refused_count
+        while slot >= self.refused_capacity:
+            slot -= self.refused_capacity
+        self.refused_cells[slot] = cell
+        self.refused_count += 1
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -232,8 +243,7 @@ class InterfaceImage:
         if self.was_refused[entry] == 0:
             self.was_refused[entry] = 1
             self.event_bound -= 1
-            self.refused_cells[self.refused_count] = self.cell[entry]
-            self.refused_count += 1
+            self.reports_to.note_refused(self.cell[entry])
             self.record.event(rows.EVENT_ERROR, 0, 0, 21820 if value == value else 21821)
 
     def number(self, kind: int) -> float:

@@ -21,6 +21,7 @@ cdef class Section:
     cdef long long[::1] h_areas
     cdef Py_ssize_t m_count
     cdef Py_ssize_t h_count
+    cdef long long[::1] answer_source
     cdef Py_ssize_t last_slot
     cdef long long[::1] done
     cdef readonly long long issued_in_tick
@@ -43,7 +44,7 @@ cdef class Section:
     cdef int is_waiting(self, long long function) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void acknowledge_done(self, long long tick) noexcept nogil
-    @cython.locals(i=Py_ssize_t, number=cython.longlong)
+    @cython.locals(i=Py_ssize_t, number=cython.longlong, source=cython.longlong)
     cdef void record_answers(
         self, Record record, int state, int kind, int is_realtime
     ) noexcept nogil
@@ -56,6 +57,7 @@ cdef class Hli:
     cdef readonly Section realtime
     cdef readonly Section program
     cdef public bint acknowledges_itself
+    cdef public bint is_divided
 
     cdef void latch(self) noexcept nogil
     cdef int has_default_plc(self) noexcept nogil

@@ -27,6 +27,8 @@ class Section:
     one (``give_value``); ``version`` changes with the slots. A function is named by its code
     (``hli/function_codes.py``). Its ``unit`` is where the interface shows it, in the area of the
     channel or of its axis: the first free one when it comes, until it is acknowledged.
+    ``answer_source``: the statement of a PLC in the tick that has acknowledged it, negative, 0
+    without one.
     """
 
     def __init__(self, slot_count: int) -> None:
@@ -43,6 +45,7 @@ class Section:
         self.area = memoryview(bytearray(8 * slot_count)).cast("q")
         self.unit = memoryview(bytearray(8 * slot_count)).cast("q")
         self.set_areas(bytearray(8), bytearray(8))
+        self.answer_source = memoryview(bytearray(8 * slot_count)).cast("q")
         self.last_slot = 0
         self.issued_in_tick = 0
         self.taken_count = 0
@@ -89,6 +92,7 @@ class Section:
                 self.value[i] = 0
                 self.area[i] = self.area_of(function)
                 self.unit[i] = self.free_unit(i)
+                self.answer_source[i] = 0
                 self.last_slot = i
                 return self.issued_in_tick
         return -1
@@ -141,7 +145,8 @@ class Section:
         for i in range(self.slot_count):
             if self.state[i] == state:
                 number = self.sequence[i] if is_realtime else 0
-                record.event(kind, 0, 0, self.function[i], number, self.tick[i])
+                source = self.answer_source[i]
+                record.event(kind, source, 0, self.function[i], number, self.tick[i])
 
     def clear(self) -> None:
         """Free all slots (reset)."""
@@ -196,7 +201,8 @@ def _order(entry: tuple[int, int, int, int, int]) -> tuple[int, int]:
 class Hli:
     """One channel's image; ``realtime`` is the section POS_RT, ``program`` the main program's.
 
-    ``panel`` is the operator's side.
+    ``panel`` is the operator's side. ``is_divided``: a PLC that runs in the tick acknowledges the
+    functions of areas that it has not announced (``kernel.st.technology``).
     """
 
     def __init__(self, panel: Panel, slot_count: int = SLOT_COUNT) -> None:
@@ -204,6 +210,7 @@ class Hli:
         self.realtime = Section(slot_count)
         self.program = Section(slot_count)
         self.acknowledges_itself = True
+        self.is_divided = False
 
     def latch(self) -> None:
         """Latch panel and acknowledgements at the start of a tick."""
@@ -213,7 +220,9 @@ class Hli:
 
     def has_default_plc(self) -> int:
         """Return whether no script and no other process plays the PLC."""
-        return 1 if self.acknowledges_itself and not self.panel.plc_present else 0
+        if self.is_divided or self.panel.plc_present:
+            return 0
+        return 1 if self.acknowledges_itself else 0
 
     def run_default_plc(self, tick: int) -> None:
         """Run the PLC phase of a tick, if no other PLC is connected."""

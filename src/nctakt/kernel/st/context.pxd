@@ -2,13 +2,18 @@
 # C types of context.py.
 cimport cython
 from nctakt.kernel.st cimport kinds
+from nctakt.kernel.st.outside cimport Outside
 
 @cython.final
 cdef class PlcContext:
-    cdef unsigned char[::1] memory
+    cdef readonly unsigned char[::1] memory
     cdef readonly long long stack
     cdef readonly long long stack_end
     cdef readonly long long end
+    cdef readonly long long interface
+    cdef public Outside outside
+    cdef long long[::1] writers
+    cdef public long long task
     cdef public long long frame
     cdef public long long top
     cdef public long long instance
@@ -33,5 +38,7 @@ cdef class PlcContext:
     cdef int stop_at(self, long long source) noexcept nogil
     cdef int over_budget(self, long long source) noexcept nogil
     cdef void note_call(self, long long source) noexcept nogil
+    cdef void note_writer(self, long long address, long long source) noexcept nogil
+    cpdef long long writer_of(self, long long address) noexcept nogil
     cdef long long checked(self, long long address, long long size) noexcept nogil
     cdef long long checked_target(self, long long address, long long size) noexcept nogil

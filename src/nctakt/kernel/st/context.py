@@ -2,34 +2,44 @@
 """What running PLC code sees: its memory, the frame and instance at work, its bounds, its fault.
 
 The memory is one block of bytes: ``NULL_BYTES`` that no pointer reaches, data, the stack of calls,
-literals, and ``SLACK`` bytes more, so that an access by a small fixed offset needs no check
-(ST-001). A pointer is an offset in it; 0 is null.
+literals, the interface to the CNC, and ``SLACK`` bytes more, so that an access by a small fixed
+offset needs no check (ST-001). A pointer is an offset in it; 0 is null.
 """
 
 from __future__ import annotations
 
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds
+from nctakt.kernel.st.outside import Outside
 
 
 class PlcContext:
-    """One PLC project at work.
+    """One PLC project at work; ``outside`` is what its calls reach of the machine.
+
+    ``interface`` is where the interface begins, which code may write; literals it may not.
 
     ``frame`` is the address of the running routine's variables, ``top`` the first byte of the stack
     that is free, ``instance`` the block that is called, ``passing`` the address where a call's
     arguments go and its results come from. ``steps`` counts the elementary instructions of the
-    cycle, up to ``max_steps`` (ST-830); ``now`` is the time of the cycle in ns (ST-804).
+    cycle of ``task``, up to ``max_steps`` (ST-830); ``now`` is the cycle's time in ns (ST-804).
     ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
     its source, its values and the calls that led to it (ST-560).
     """
 
-    def __init__(self, memory: bytearray, stack: int, stack_end: int) -> None:
+    def __init__(
+        self, memory: bytearray, stack: int, stack_end: int, interface: int | None = None
+    ) -> None:
         check_range(stack_end, kinds.NULL_BYTES, len(memory) - kinds.SLACK, "end of the stack")
         check_range(stack, kinds.NULL_BYTES, stack_end, "stack")
         self.memory = memoryview(memory)
+        self.task = 0
         self.stack = stack
         self.stack_end = stack_end
         self.end = len(memory) - kinds.SLACK
+        self.interface = self.end if interface is None else interface
+        check_range(self.interface, stack_end, self.end, "interface")
+        self.outside = Outside()
+        self.writers = memoryview(bytearray(8 * (self.end - self.interface) + 8)).cast("q")
         self.frame = stack
         self.top = stack
         self.instance = stack
@@ -97,9 +107,27 @@ class PlcContext:
     def checked_target(self, address: int, size: int) -> int:
         """Return the address of ``size`` bytes that may be written; else note a fault."""
         if address < kinds.NULL_BYTES or size < 0 or address > self.stack_end - size:
-            self.fail(kinds.PLACE, address, size)
-            return self.stack
+            if size < 0 or address < self.interface or address > self.end - size:
+                self.fail(kinds.PLACE, address, size)
+                return self.stack
         return address
+
+    def note_writer(self, address: int, source: int) -> None:
+        """Note which statement has written a byte of the interface last."""
+        if address < self.end:
+            self.writers[address - self.interface] = source
+
+    def writer_of(self, address: int) -> int:
+        """Return the source of the statement that has written a byte last, 0 without one."""
+        if address < self.interface or address >= self.end:
+            return 0
+        return self.writers[address - self.interface]
+
+    def poke(self, address: int, data: bytes) -> None:
+        """Write bytes into the data or the interface, between two ticks."""
+        check_range(address, kinds.NULL_BYTES, self.end - len(data), "address")
+        for i, byte in enumerate(data):
+            self.memory[address + i] = byte
 
     def peek(self, address: int, size: int) -> bytes:
         """Return bytes of the memory."""

@@ -58,3 +58,47 @@ MAX_MEMORY = 1 << 30
 #: Bytes that a PLC gets from outside in one cycle, and variables that are signals, at most.
 MAX_INPUTS = 4096
 MAX_OUTPUTS = 256
+
+#: What code asks of an axis or of a command.
+(
+    AXIS_ANSWER,
+    AXIS_OPEN,
+    AXIS_ACTIVE,
+    AXIS_ARRIVED,
+    AXIS_AT_SPEED,
+    AXIS_FAULT,
+    AXIS_STATE,
+    AXIS_POWERED,
+    AXIS_INDEX,
+) = range(9)
+#: What code measures of an axis: command position, actual position, target, actual speed.
+AXIS_MEASURES = 4
+
+#: How an element of the interface shows a value: scaled, where it is a number or is not, by a table
+#: of numbers.
+SCALED, EQUALS, DIFFERS, MAPPED = range(4)
+#: Entries of a table of numbers.
+MAPPED_NUMBERS = 16
+
+#: A row of what the interface has of a channel beside numbers and control units: addresses first,
+#: then cells, then the area.
+(
+    RECORD_MODE,
+    RECORD_STATE,
+    RECORD_SEMAPHORE,
+    RECORD_ENABLE,
+    RECORD_ERROR,
+    RECORD_STATE_CELL,
+    RECORD_PAUSED_CELL,
+    RECORD_HOLD_CELL,
+    RECORD_ARMED_CELL,
+    RECORD_ERROR_CELL,
+    RECORD_SERIAL_CELL,
+    RECORD_AREA,
+    RECORD_WIDTH,
+) = range(13)
+#: Numbers of a row of an axis' releases.
+RELEASE_WIDTH = 8
+
+#: A command of the interface: none, taken from the PLC, in force.
+NOT_COMMANDED, COMMANDED, IN_FORCE = range(3)

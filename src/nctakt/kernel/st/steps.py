@@ -171,6 +171,8 @@ class StoreAt(Sourced):
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, at, self.kind, value)
+        if at >= context.interface:
+            context.note_writer(at, self.source)
         return kinds.GOES_ON
 
 
@@ -258,6 +260,8 @@ class StoreRealAt(Sourced):
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, at, self.kind, number)
+        if at >= context.interface:
+            context.note_writer(at, self.source)
         return kinds.GOES_ON
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds, words
 from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.interface import CncSide
 from nctakt.kernel.st.steps import Step
 
 #: The longest cycle of a task, in ns.
@@ -20,23 +21,46 @@ MAX_CYCLE_NS = 1 << 60
 class PlcTask:
     """Base of a task, and null object at the end of the chain of tasks."""
 
+    def is_due(self, end: int) -> int:
+        """Return whether a task is due before ``end``, in ns."""
+        return 0
+
     def run(self, context: PlcContext, begin: int, end: int) -> int:
         """Run the tasks that are due before ``end``, in ns; return whether all goes on."""
         return kinds.GOES_ON
 
 
 class CyclicTask(PlcTask):
-    """A task with its programs; ``others`` are the tasks after it."""
+    """A task with its programs; ``others`` are the tasks after it.
 
-    def __init__(self, body: Step, cycle: int, max_steps: int, others: PlcTask) -> None:
+    ``number`` counts from 1; ``count_at`` and ``first_at`` are the addresses of its CycleCount and
+    FirstCycle (ST-804), 0 without.
+    """
+
+    def __init__(
+        self,
+        body: Step,
+        cycle: int,
+        max_steps: int,
+        others: PlcTask,
+        number: int = 0,
+        count_at: int = 0,
+        first_at: int = 0,
+    ) -> None:
         check_range(cycle, 1, MAX_CYCLE_NS, "cycle")
         check_range(max_steps, 1, 1 << 62, "instructions")
         self.body = body
         self.cycle = cycle
         self.max_steps = max_steps
         self.others = others
+        self.number = number
+        self.count_at = count_at
+        self.first_at = first_at
         self.due = 0
         self.count = 0
+
+    def is_due(self, end: int) -> int:
+        return 1 if self.due < end else self.others.is_due(end)
 
     def run(self, context: PlcContext, begin: int, end: int) -> int:
         if self.due < end:
@@ -44,7 +68,11 @@ class CyclicTask(PlcTask):
                 self.due += self.cycle
             context.begin(begin)
             context.max_steps = self.max_steps
+            context.task = self.number
             self.count += 1
+            if self.count_at:
+                words.store(context.memory, self.count_at, kinds.U32, self.count)
+                words.store(context.memory, self.first_at, kinds.BOOL, self.count == 1)
             if self.body.run(context) == kinds.STOPS:
                 return kinds.STOPS
         return self.others.run(context, begin, end)
@@ -59,24 +87,67 @@ class PlcSide:
     def __init__(self) -> None:
         self.has_news = False
 
+    def event_bound(self) -> int:
+        """Highest number of events in a tick."""
+        return 0
+
+    def latch(self) -> None:
+        """Take over the variables that it has written, at the start of a tick."""
+
+    def guard(self) -> None:
+        """Put its commands into force, after what others have written."""
+
     def run(self, tick: int) -> None:
         """Run what is due in a tick."""
+
+
+class PlcPair(PlcSide):
+    """Two PLC projects, the second after the first in each tick."""
+
+    def __init__(self, first: PlcSide, second: PlcSide) -> None:
+        super().__init__()
+        self.first = first
+        self.second = second
+
+    def event_bound(self) -> int:
+        return self.first.event_bound() + self.second.event_bound()
+
+    def latch(self) -> None:
+        self.first.latch()
+        self.second.latch()
+
+    def guard(self) -> None:
+        self.first.guard()
+        self.second.guard()
+
+    def run(self, tick: int) -> None:
+        self.first.run(tick)
+        self.second.run(tick)
+        self.has_news = self.first.has_news or self.second.has_news
 
 
 class PlcTasks(PlcSide):
     """All tasks of a PLC, with its inputs from outside, and the variables that are signals.
 
-    Its time begins with ``first_tick``; ``memory`` is that of the machine, with the signals' cells.
+    Its time begins with ``first_tick``; ``memory`` is that of the machine, with the signals' cells;
+    ``cnc``: the interface to the CNC.
     """
 
     def __init__(
-        self, context: PlcContext, tasks: PlcTask, tick_ns: int, first_tick: int, memory: bytearray
+        self,
+        context: PlcContext,
+        tasks: PlcTask,
+        tick_ns: int,
+        first_tick: int,
+        memory: bytearray,
+        cnc: CncSide,
     ) -> None:
         check_range(tick_ns, 1, MAX_CYCLE_NS, "tick")
         check_range(first_tick, 0, 1 << 60, "first tick")
         super().__init__()
         self.context = context
         self.tasks = tasks
+        self.cnc = cnc
         self.tick_ns = tick_ns
         self.first_tick = first_tick
         self.cells = memoryview(memory).cast("d")
@@ -109,18 +180,39 @@ class PlcTasks(PlcSide):
         self.output_cell[self.output_count] = cell
         self.output_count += 1
 
+    def event_bound(self) -> int:
+        return self.cnc.event_bound()
+
+    def latch(self) -> None:
+        self.cnc.latch()
+
+    def guard(self) -> None:
+        self.cnc.guard()
+
     def run(self, tick: int) -> None:
         """Run the tasks that are due in a tick."""
         begin = (tick - self.first_tick) * self.tick_ns
+        self.cnc.follow(tick)
         if self.context.fault == 0:
-            for i in range(self.input_count):
-                words.store(
-                    self.context.memory, self.input_address[i], kinds.U8, self.input_byte[i]
-                )
-            self.input_count = 0
-            if self.tasks.run(self.context, begin, begin + self.tick_ns) == kinds.STOPS:
-                self.has_news = True
+            self.latch_inputs()
+            if self.tasks.is_due(begin + self.tick_ns):
+                self.run_tasks(tick, begin)
         self.show_outputs()
+
+    def latch_inputs(self) -> None:
+        """Put what came from outside into the memory."""
+        for i in range(self.input_count):
+            words.store(self.context.memory, self.input_address[i], kinds.U8, self.input_byte[i])
+        self.input_count = 0
+
+    def run_tasks(self, tick: int, begin: int) -> None:
+        """Run the tasks that are due between what the CNC shows and what it is commanded."""
+        self.cnc.show(tick)
+        if self.tasks.run(self.context, begin, begin + self.tick_ns) == kinds.STOPS:
+            self.has_news = True
+            self.cnc.leave()
+        elif self.cnc.take():
+            self.has_news = True
 
     def show_outputs(self) -> None:
         """Copy the variables that are signals into their cells."""

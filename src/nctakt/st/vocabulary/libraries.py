@@ -8,6 +8,7 @@ stand. What belongs to the interface between CNC and PLC is written from its tab
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 
@@ -36,6 +37,11 @@ ALIASES = {
 #: Members whose names are keywords here (ST-763).
 _MEMBERS = {"type": "fkt_ctrl_r"}
 _DECLARED = re.compile(r"(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
+#: What the runtime computes itself.
+_NATIVE = "{attribute 'native'} "
+#: The file of the bodies of blocks with pins of the interface's table.
+_BODIES = "CncBlocks"
+_BODY = re.compile(r"^BODY (\w+)\n(.*?)^END_BODY", re.DOTALL | re.MULTILINE)
 _HIGHEST_CHANNEL, _HIGHEST_AXIS = 31, 127
 #: Types that pins have and no source describes.
 _OPAQUE = re.compile(r"\b(?:MC|MCV|HLI|AXES|TRIGGER)_[A-Z_]+\b")
@@ -74,6 +80,13 @@ def words_of(name: str) -> frozenset[str]:
 def declared_names(name: str) -> tuple[str, ...]:
     """Return the names of the POUs and types of a library."""
     return tuple(_DECLARED.findall(text_of(name)))
+
+
+@cache
+def bodies() -> Mapping[str, str]:
+    """Return variables and statements of the blocks whose pins the table of the interface has."""
+    text = (_FOLDER / f"{_BODIES}.st").read_text("utf-8")
+    return {name: body.strip() for name, body in _BODY.findall(text)}
 
 
 def _interface() -> str:
@@ -118,9 +131,11 @@ def _blocks(prefix: str) -> str:
             if pins:
                 content = " ".join(f"{name} : {kind};" for name, kind in pins)
                 sections.append(f"{keyword} {content} END_VAR")
+        body = bodies().get(block.name)
+        sections.append("" if body is None else body)
         parts.append(
-            f"{{attribute 'native'}} FUNCTION_BLOCK {block.name} {' '.join(sections)} "
-            "END_FUNCTION_BLOCK"
+            f"{'' if body is not None else _NATIVE}FUNCTION_BLOCK {block.name} "
+            f"{' '.join(sections)} END_FUNCTION_BLOCK"
         )
     text = "\n".join(parts)
     blocks = set(table.blocks())

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+"""What PLC code reaches of the machine by calls: pointers of the interface, motions of axes.
+
+A command of an axis goes the same way as one of a PLC in Python (``kernel.plc.axis_requests``):
+the next tick latches it, and the number of its owner says what has become of it (ST-743).
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel import codes
+from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.plc.axis_requests import AxisRequests
+from nctakt.kernel.st import kinds, words
+
+
+class Outside:
+    """Base, and null object: no machine is connected."""
+
+    def open(self, memory: memoryview) -> None:
+        """Let the pointers of the interface point to it."""
+
+    def command(
+        self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
+    ) -> int:
+        """Command an axis for the next tick; return the owner, or the message that refuses it,
+        negative.
+        """
+        return 0
+
+    def power(self, axis: int, is_on: int) -> int:
+        """Release an axis for commands, or brake it; return whether it is released."""
+        return 0
+
+    def lock(self, axis: int, is_on: int) -> int:
+        """Refuse commands for an axis, or take them again; return whether it is locked."""
+        return 0
+
+    def look(self, what: int, axis: int, owner: int) -> int:
+        """Return what is known of an axis or a command."""
+        return 0
+
+    def measure(self, what: int, axis: int) -> float:
+        """Return a position or speed of an axis."""
+        return 0.0
+
+
+class Connection(Outside):
+    """The axes of a machine, and the pointers of the interface.
+
+    ``pointers``: rows of address of the variable and value. ``numbers``: logical number of each
+    axis; ``measures``: ``kinds.AXIS_MEASURES`` cells for each axis of the machine's ``cells``.
+    ``refused`` are the messages for a value that no axis takes, and for an axis without a release.
+    """
+
+    def __init__(
+        self,
+        requests: AxisRequests,
+        pointers: list[tuple[int, int]],
+        numbers: list[int],
+        measures: list[int],
+        memory: bytearray,
+        refused: tuple[int, int],
+    ) -> None:
+        self.requests = requests
+        self.single_axes = self.requests.single_axes
+        self.count = len(numbers)
+        check_range(
+            len(measures),
+            kinds.AXIS_MEASURES * self.count,
+            kinds.AXIS_MEASURES * self.count,
+            "cells",
+        )
+        self.cells = memoryview(memory).cast("d")
+        self.numbers = memoryview(bytearray(8 * self.count + 8)).cast("q")
+        self.is_powered = memoryview(bytearray(8 * self.count + 8)).cast("q")
+        self.is_locked = memoryview(bytearray(8 * self.count + 8)).cast("q")
+        self.measures = memoryview(bytearray(8 * len(measures) + 8)).cast("q")
+        for i, number in enumerate(numbers):
+            self.numbers[i] = number
+        for i, cell in enumerate(measures):
+            check_range(cell, 0, len(self.cells) - 1, "cell")
+            self.measures[i] = cell
+        self.pointer_count = len(pointers)
+        self.pointer_at = memoryview(bytearray(8 * len(pointers) + 8)).cast("q")
+        self.pointer_value = memoryview(bytearray(8 * len(pointers) + 8)).cast("q")
+        for i, (at, value) in enumerate(pointers):
+            check_range(at, kinds.NULL_BYTES, kinds.MAX_MEMORY, "address")
+            self.pointer_at[i] = at
+            self.pointer_value[i] = value
+        self.wrong_value, self.not_released = refused
+
+    def open(self, memory: memoryview) -> None:
+        for i in range(self.pointer_count):
+            words.store(memory, self.pointer_at[i], kinds.U64, self.pointer_value[i])
+
+    def command(
+        self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
+    ) -> int:
+        if axis < 0 or axis >= self.count:
+            return -self.wrong_value
+        is_motion = kind >= codes.ABSOLUTE and kind <= codes.VELOCITY
+        if is_motion and (not self.is_powered[axis] or self.is_locked[axis]):
+            return -self.not_released
+        is_right = self.single_axes.is_command(
+            axis, value, speed_v, mode, direction, codes.PLC_OWNER
+        )
+        if not is_right or (is_motion and speed_v <= 0.0):
+            return -self.wrong_value
+        return self.requests.put(kind, axis, value, speed_v, mode, direction)
+
+    def power(self, axis: int, is_on: int) -> int:
+        if axis < 0 or axis >= self.count:
+            return 0
+        if self.is_powered[axis] and not is_on:
+            self.requests.put(codes.HALT, axis, 0.0, 0.0, 0, codes.SHORTEST)
+        self.is_powered[axis] = 1 if is_on else 0
+        return is_on
+
+    def lock(self, axis: int, is_on: int) -> int:
+        if axis < 0 or axis >= self.count:
+            return 0
+        self.is_locked[axis] = is_on
+        return is_on
+
+    def look(self, what: int, axis: int, owner: int) -> int:
+        if what == kinds.AXIS_ANSWER:
+            return self.requests.answer_of(owner)
+        if what == kinds.AXIS_OPEN:
+            return 1 if self.single_axes.open_count(owner) > 0 else 0
+        if what == kinds.AXIS_INDEX:
+            for i in range(self.count):
+                if self.numbers[i] == axis:
+                    return i
+            return -1
+        if axis < 0 or axis >= self.count:
+            return 0
+        if what == kinds.AXIS_ACTIVE:
+            return 1 if self.single_axes.owner[axis] == owner else 0
+        if what == kinds.AXIS_ARRIVED:
+            return 1 if self.single_axes.arrived[axis] == owner else 0
+        if what == kinds.AXIS_AT_SPEED:
+            return self.single_axes.is_at_speed(axis)
+        if what == kinds.AXIS_FAULT:
+            fault = self.single_axes.fault[axis]
+            return fault if fault >= 0 else 0 - fault
+        if what == kinds.AXIS_STATE:
+            return self.single_axes.state(axis)
+        return self.is_powered[axis]
+
+    def measure(self, what: int, axis: int) -> float:
+        if axis < 0 or axis >= self.count or what < 0 or what >= kinds.AXIS_MEASURES:
+            return 0.0
+        return self.cells[self.measures[axis * kinds.AXIS_MEASURES + what]]

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""What the channel list says of M and H functions, as tables by their numbers for the tick."""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping
+
+from nctakt.lists.declared.technology_functions import MAX_FUNCTIONS, TechnologyFunction
+from nctakt.lists.machine.machine import ChannelConfiguration
+
+
+def axes_of(
+    functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
+) -> bytearray:
+    """Return the logical number of the axis or spindle of each function by its number, 0: none."""
+    numbers = {axis.name: axis.logical_number for axis in channel.axes}
+    numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
+    table = bytearray(8 * MAX_FUNCTIONS)
+    for function in functions.values():
+        logical = numbers.get(function.axis_name, 0)
+        struct.pack_into("=q", table, 8 * function.number, logical)
+    return table
+
+
+def types_of(functions: Mapping[int, TechnologyFunction]) -> bytearray:
+    """Return the bits of each function's synchronisation type and modifiers by its number."""
+    table = bytearray(8 * MAX_FUNCTIONS)
+    for function in functions.values():
+        struct.pack_into("=q", table, 8 * function.number, function.synchronisation_bits)
+    return table

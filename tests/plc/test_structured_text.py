@@ -1,0 +1,384 @@
+# SPDX-License-Identifier: MIT
+"""A PLC in Structured Text beside the CNC: interface, functions, axes, V.E, several PLCs.
+
+The values are worked out by hand from the rules: T = 1 ms; cycle n is that after tick n (ST-801),
+and what it writes counts from tick n + 1 on (RC-002).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from support.changed_lists import machine_with
+from support.plc_rig import EACH_TICK, Stimulus, loaded, values_in_main
+from support.plc_text import pou_file
+
+from nctakt.hli.variables_memory import describe
+from nctakt.lists.machine.machine import load_machine
+from nctakt.plc import Plc, on
+from nctakt.plc.error import PlcError
+from nctakt.plc.structured_text import load_structured
+from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.inputs import unpack
+from nctakt.run.plc_view import AnyPlc, PlcView
+from nctakt.run.realtime_plc import PlcGroup
+from nctakt.run.tape import Tape
+
+OPEN = "IF NOT fbHli.Initialized THEN fbHli(); RETURN; END_IF\n"
+
+
+def program(variables: str, body: str) -> str:
+    """A program that opens the interface in its first two cycles."""
+    return (
+        f"PROGRAM MAIN VAR fbHli : MCV_HliInterface; {variables} END_VAR {OPEN}{body} END_PROGRAM"
+    )
+
+
+def run_nc(
+    plc: AnyPlc, text: str, ticks: int, signals: Sequence[str], at: Sequence[Stimulus] = ()
+) -> Run:
+    """The run of an NC program with a PLC."""
+    nc = NcText("part.nc", text)
+    return Controller().run(nc, plc=plc, ticks=ticks, signals=list(signals), at=at, blocks=True)
+
+
+GATE = program(
+    """
+    bDoor AT %I* : BOOL; nUnit : INT := -1; nSeen : UDINT; nKind : UINT; i : INT;
+    nTicksOfOne : UDINT; pData : POINTER TO HLI_M_H_PROZESS;
+    """,
+    """
+gpCh[0]^.head.plc_present_w := TRUE;
+IF nUnit < 0 THEN
+    FOR i := 0 TO UINT_TO_INT(gpCh[0]^.used_units_std_sync_r) - 1 DO
+        IF gpCh[0]^.techno_unit_std_sync[i].please_rw THEN
+            gpCh[0]^.techno_unit_std_sync[i].please_rw := FALSE;
+            pData := ADR(gpCh[0]^.techno_unit_std_sync[i].attribut_r.data);
+            nSeen := pData^.nr;
+            nKind := gpCh[0]^.techno_unit_std_sync[i].fkt_ctrl_r;
+            nUnit := i;
+            EXIT;
+        END_IF
+    END_FOR
+END_IF
+IF nUnit >= 0 AND bDoor THEN
+    gpCh[0]^.techno_unit_std_sync[nUnit].done_w := TRUE;
+    nUnit := -1;
+END_IF
+""",
+)
+
+
+def test_a_function_waits_for_the_door(tmp_path: Path) -> None:
+    """ST-763: M7 (MVS_SVS) of tick 10 is done in cycle 30, and X begins in tick 31.
+
+    Its first increment at 4000 mm/s² is 4000 · 0.001² / 2 = 0.002 mm.
+    """
+    plc = loaded(tmp_path, GATE)
+    signals = ["MAIN.nUnit", "X.ACS.ACT_POS"]
+    text = "N10 G04 0.01\nN20 M7\nN30 G00 X10\nM30"
+    done = run_nc(plc, text, 40, signals, [("30 ms", "MAIN.bDoor", 1)])
+    assert values_in_main(plc, "nSeen", "nKind") == [7, 1]
+    unit, x = (list(done.trace[name]) for name in signals)
+    assert [int(unit[tick]) for tick in (9, 10, 29, 30)] == [-1, 0, 0, -1]
+    assert [x[30], round(x[31], 9)] == [0.0, 0.002]
+    (answer,) = [one for one in done.trace.events if one.kind == "acknowledged"]
+    assert answer.span is not None
+    assert answer.span.file.endswith("cell.st")
+    line = (tmp_path / "cell.st").read_text("utf-8").splitlines()[answer.span.line - 1]
+    assert "done_w := TRUE" in line
+
+
+def test_without_a_present_plc_functions_acknowledge_themselves(tmp_path: Path) -> None:
+    """ST-763: a PLC that is not announced gets no function; M7 does not hold X up."""
+    plc = loaded(tmp_path, GATE.replace("plc_present_w := TRUE", "plc_present_w := FALSE"))
+    done = run_nc(plc, "N20 M7\nN30 G00 X10\nM30", 20, ["MAIN.nUnit", "X.ACS.ACT_POS"])
+    assert set(done.trace["MAIN.nUnit"]) == {-1}
+    assert done.trace["X.ACS.ACT_POS"][5] > 0
+
+
+def test_a_stopped_plc_is_no_longer_present(tmp_path: Path) -> None:
+    """ST-560: after a fault the CNC goes on as without a PLC."""
+    stops = "nTicksOfOne := nTicksOfOne + 1; nSeen := 1 / (20 - nTicksOfOne);"
+    plc = loaded(tmp_path, GATE.replace("END_PROGRAM", f"{stops} END_PROGRAM"))
+    done = run_nc(plc, "N5 G04 0.01\nN20 M7\nN30 G00 X10\nM30", 40, ["X.ACS.ACT_POS"])
+    assert [one.message.id for one in done.errors] == [902265]
+    # cycle 21 is the twentieth behind the opening of the interface; M7 goes on in tick 23
+    x = done.trace["X.ACS.ACT_POS"]
+    assert x[21] == 0.0
+    assert x[39] > 0.0
+
+
+OVERRIDE = program(
+    "nWish, nShown : UINT; bDecides AT %I* : BOOL;",
+    """
+gpCh[0]^.head.plc_present_w := TRUE;
+gpCh[0]^.bahn_mc_control.override.enable_w := bDecides;
+gpCh[0]^.bahn_mc_control.override.command_w := 500;
+nWish := gpCh[0]^.bahn_mc_control.override.request_r;
+nShown := gpCh[0]^.bahn_mc_control.override.state_r;
+""",
+)
+
+
+def test_a_control_unit_decides_while_it_is_enabled(tmp_path: Path) -> None:
+    """ST-762: enabled in cycle 10, 50 % acts from tick 11 on; the HMI's 80 % is a wish until 30."""
+    plc = loaded(tmp_path, OVERRIDE)
+    signals = ["HLI.OVERRIDE", "MAIN.nWish", "MAIN.nShown"]
+    at = [
+        ("10 ms", "MAIN.bDecides", 1.0),
+        ("20 ms", "HLI.OVERRIDE", 80.0),
+        ("30 ms", "MAIN.bDecides", 0.0),
+    ]
+    trace = run_nc(plc, "N10 G04 1\nM30", 40, signals, at).trace
+    shown = {
+        tick: tuple(int(trace[name][tick]) for name in signals) for tick in (10, 11, 20, 30, 31)
+    }
+    assert shown == {
+        10: (100, 1000, 1000),
+        11: (50, 1000, 500),
+        20: (50, 800, 500),
+        30: (50, 800, 500),
+        31: (80, 800, 800),
+    }
+
+
+KEYS = program(
+    "n : UINT; nState : UDINT;",
+    """
+n := n + 1;
+gpCh[0]^.head.plc_present_w := TRUE;
+gpCh[0]^.bahn_mc_control.feedhold.enable_w := TRUE;
+gpCh[0]^.bahn_mc_control.feedhold.command_w := n >= 10 AND n < 20;
+nState := gpCh[0]^.channel_mc_control.mode_and_state.state_r.state;
+""",
+)
+
+
+def test_the_mode_is_shown_and_feed_hold_commands(tmp_path: Path) -> None:
+    """ST-762: n = 10 in cycle 11; held from tick 12 on, seen in cycle 12; 22 goes on: 4, 5, 4."""
+    plc = loaded(tmp_path, KEYS)
+    trace = run_nc(plc, "N10 G01 X10 F6000\nM30", 30, ["MAIN.nState", "HLI.FEED_HOLD"]).trace
+    assert [int(trace["MAIN.nState"][tick]) for tick in (5, 11, 12, 21, 22)] == [4, 4, 5, 5, 4]
+    assert [int(trace["HLI.FEED_HOLD"][tick]) for tick in (11, 12, 21, 22)] == [0, 1, 1, 0]
+
+
+def test_v_e_is_shared_by_structure(tmp_path: Path) -> None:
+    """ST-764: NC's value is read in the cycle of its tick; the PLC's counts a tick later."""
+    machine = load_machine(None)
+    places = {one.path: (channel, one) for channel in (0, 1) for one in describe(machine, channel)}
+    channel, count = places["COUNT"]
+    assert count.type == "UNS32"
+    base = "gpVECh[0]" if channel else "gpVEGlob"
+    body = f"p := {base}; p := p + {count.offset}; nRead := p^; p^ := p^ + 5;"
+    plc = loaded(tmp_path, program("p : POINTER TO UDINT; nRead : UDINT;", body))
+    signals = ["MAIN.nRead", "V.E.COUNT"]
+    trace = run_nc(plc, "N10 V.E.COUNT = 100\nN20 G04 1\nM30", 8, signals).trace
+    assert [int(trace["MAIN.nRead"][tick]) for tick in (2, 3, 4)] == [100, 105, 110]
+    assert [int(trace["V.E.COUNT"][tick]) for tick in (2, 3, 4)] == [100, 105, 110]
+
+
+AXIS = """PROGRAM MAIN
+VAR
+    A : AXIS_REF;
+    fbPower : MC_Power;
+    fbOut, fbBack : MC_MoveAbsolute;
+    nCycle, nOut, nBack : UDINT;
+    bBusy, bActive : BOOL;
+END_VAR
+fbPower(Axis := A, Enable := {on}, Enable_Positive := TRUE, Enable_Negative := TRUE);
+fbOut(Axis := A, Execute := nCycle >= 5, Position := {unit} * 20, Velocity := {speed} * 100);
+IF fbOut.Done AND nOut = 0 THEN nOut := nCycle; END_IF
+fbBack(Axis := A, Execute := nOut > 0, Position := 0, Velocity := {speed} * 100);
+IF fbBack.Done AND nBack = 0 THEN nBack := nCycle; END_IF
+nCycle := nCycle + 1;
+END_PROGRAM
+"""
+
+
+def test_an_axis_goes_out_and_back(tmp_path: Path) -> None:
+    """ST-743: 20° at 4000°/s² and 100°/s are 225 increments: 5 + 225 = 230, back 230 + 225 = 455.
+
+    After k increments of the acceleration 0.002 · k²; after 25 of them 1.25, then 0.1 each.
+    """
+    plc = loaded(tmp_path, AXIS.format(on="TRUE", unit=10_000, speed=1000))
+    a = list(run_nc(plc, "N10 G04 1\nM30", 460, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"])
+    assert [round(a[tick], 6) for tick in (5, 6, 105, 230, 231, 455)] == [
+        0.0, 0.002, 8.75, 20.0, 19.998, 0.0,
+    ]  # fmt: skip
+    assert values_in_main(plc, "nOut", "nBack", "fbOut.CommandAborted") == [230, 455, False]
+
+
+def test_an_axis_without_power_takes_no_command(tmp_path: Path) -> None:
+    """ST-744: a motion without MC_Power is an error; its number is beyond 16 bits here."""
+    plc = loaded(tmp_path, AXIS.format(on="FALSE", unit=10_000, speed=1000))
+    run_nc(plc, "N10 G04 1\nM30", 10, [])
+    assert values_in_main(plc, "fbOut.Error", "fbOut.ErrorID", "fbPower.Status") == [
+        True, 65535, False,
+    ]  # fmt: skip
+
+
+COUNTER = "PROGRAM {name} VAR n, nIndex : DINT; nCount : UDINT; bFirst : BOOL; END_VAR n := n + 1; "
+INFO = (
+    "nIndex := GETCURTASKINDEXEX(); "
+    "nCount := TwinCAT_SystemInfoVarList._TaskInfo[nIndex].CycleCount; "
+    "bFirst := TwinCAT_SystemInfoVarList._TaskInfo[nIndex].FirstCycle; END_PROGRAM "
+)
+TASKS = """
+CONFIGURATION Cell
+RESOURCE Controller ON PLC
+TASK Slow(INTERVAL := T#10MS, PRIORITY := 20);
+TASK Fast(INTERVAL := T#3MS, PRIORITY := 1);
+PROGRAM P1 WITH Slow : MAIN;
+PROGRAM P2 WITH Fast : QUICK;
+END_RESOURCE
+END_CONFIGURATION
+"""
+
+
+def test_tasks_run_by_cycle_and_priority(tmp_path: Path) -> None:
+    """ST-802 … 804: each 10 and each 3 ticks, the first ones after tick 0; counts begin with 1."""
+    text = COUNTER.format(name="MAIN") + INFO + COUNTER.format(name="QUICK") + INFO
+    plc = loaded(tmp_path, text, TASKS)
+    signals = ["MAIN.n", "QUICK.n", "MAIN.bFirst", "QUICK.nCount"]
+    trace = run_nc(plc, "N10 G04 1\nM30", 21, signals).trace
+    shown = {tick: tuple(int(trace[name][tick]) for name in signals) for tick in (0, 3, 9, 10, 20)}
+    assert shown == {
+        0: (1, 1, 1, 1), 3: (1, 2, 1, 2), 9: (1, 4, 1, 4), 10: (2, 4, 0, 4), 20: (3, 7, 0, 7),
+    }  # fmt: skip
+    assert plc.read("MAIN.nIndex") == 1
+    assert plc.read("QUICK.nIndex") == 2
+
+
+class _Acknowledges(Plc):
+    """A PLC in Python beside the one in the tick."""
+
+    seen = 0
+
+    @on("M7")
+    def cool(self, hli: PlcView, function: object) -> None:
+        self.seen += 1
+        hli.acknowledge(function)  # type: ignore[arg-type]
+
+
+def test_several_plcs_run_in_one_tick(tmp_path: Path) -> None:
+    """ST-803: two projects, and a PLC in Python that acknowledges what neither of them takes."""
+    folders = (tmp_path / "one", tmp_path / "two")
+    for folder in folders:
+        folder.mkdir()
+    first = loaded(folders[0], COUNTER.format(name="MAIN") + "END_PROGRAM")
+    other = EACH_TICK.replace("MAIN", "OTHER").replace("1MS", "2MS")
+    second = loaded(folders[1], COUNTER.format(name="OTHER") + "END_PROGRAM", other)
+    python = _Acknowledges()
+    plc = PlcGroup([first, python, second])
+    trace = run_nc(plc, "N10 M7\nN20 G04 1\nM30", 10, ["MAIN.n", "OTHER.n"]).trace
+    assert [int(trace["MAIN.n"][9]), int(trace["OTHER.n"][9])] == [10, 5]
+    assert python.seen == 1
+
+
+def test_a_tape_gives_the_inputs_of_the_plc_again(tmp_path: Path) -> None:
+    """ST-820: the same inputs at the same ticks, and the PLC itself, make the same run."""
+    plc = loaded(tmp_path, GATE)
+    noted: list[object] = []
+    text = "N10 G04 0.01\nN20 M7\nN30 G00 X10\nM30"
+    signals = ["MAIN.nUnit", "X.ACS.ACT_POS"]
+    first = Controller().run(
+        NcText("part.nc", text), plc=plc, ticks=40, signals=signals, record=noted.extend,
+        at=[("30 ms", "MAIN.bDoor", 1)],
+    )  # fmt: skip
+    inputs = tuple(unpack(noted))
+    assert [(one.tick, one.values) for one in inputs] == [(30, ("MAIN.bDoor", 1))]
+    tape = Tape({}, {}, False, inputs, {}, 40, "", {})
+    again = Controller().run(
+        NcText("part.nc", text), plc=loaded(tmp_path, GATE), ticks=40, signals=signals, replay=tape
+    )
+    for name in signals:
+        assert list(first.trace[name]) == list(again.trace[name])
+
+
+NC_AXIS = """PROGRAM MAIN
+VAR
+    axLoader : AXIS_REF;
+    fbPower : MC_Power;
+    fbMove : MC_MoveRelative;
+    fbPosition : MC_ReadActualPosition;
+    fbStop : MC_Stop;
+    n, nDone : UDINT;
+END_VAR"""
+NC_BODY = """fbPower(Axis := axLoader, Enable := TRUE);
+fbMove(Axis := axLoader, Execute := n >= 5, Distance := 20.0, Velocity := 100.0);
+fbStop(Axis := axLoader, Execute := n >= 105);
+fbPosition(Axis := axLoader, Enable := TRUE);
+IF fbStop.Done AND nDone = 0 THEN nDone := n; END_IF
+n := n + 1;"""
+NC_PROJECT = """<Project xmlns="http://schemas.microsoft.com/developer/msbuild/2003">
+<ItemGroup><Compile Include="MAIN.TcPOU"/><Compile Include="T.TcTTO"/></ItemGroup>
+<ItemGroup><PlaceholderReference Include="Tc2_Standard"/><PlaceholderReference Include="Tc2_MC2"/>
+</ItemGroup></Project>"""
+NC_TASK = """<TcPlcObject><Task Name="T"><CycleTime>1000</CycleTime><Priority>20</Priority>
+<PouCall><Name>MAIN</Name></PouCall></Task></TcPlcObject>"""
+
+
+def nc_axis(folder: Path) -> Path:
+    """A project whose axes are those of Tc2_MC2, in mm and mm/s."""
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", NC_AXIS, NC_BODY), "utf-8")
+    (folder / "T.TcTTO").write_text(NC_TASK, "utf-8")
+    (folder / "Cell.plcproj").write_text(NC_PROJECT, "utf-8")
+    return folder / "Cell.plcproj"
+
+
+def test_a_stop_aborts_a_motion_of_the_other_library(tmp_path: Path) -> None:
+    """ST-741 … 744: braking from 100 mm/s at 4000 mm/s² takes 25 increments after cycle 105.
+
+    The motion stands at 8.75 in cycle 105; braking adds 100² / (2 · 4000) = 1.25: 10 in cycle 130.
+    """
+    plc = load_structured(nc_axis(tmp_path), {"MAIN.axLoader": "A"})
+    a = list(run_nc(plc, "N10 G04 1\nM30", 140, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"])
+    assert [round(a[tick], 6) for tick in (105, 130, 139)] == [8.75, 10.0, 10.0]
+    names = ("nDone", "fbMove.CommandAborted", "fbStop.Busy", "fbPosition.Position")
+    found = values_in_main(plc, *names)
+    assert found[1:3] == [True, True]
+    assert found[3] == 10.0
+    assert found[0] in (130, 131)
+
+
+def test_an_axis_of_no_name_is_refused(tmp_path: Path) -> None:
+    """ST-742: neither the variable nor the table names an axis of the machine."""
+    plc = load_structured(nc_axis(tmp_path))
+    with pytest.raises(PlcError, match="axLoader"):
+        run_nc(plc, "M30", 1, [])
+
+
+SPINDLE = program(
+    "nRev : DINT; n : UDINT; pS : POINTER TO HLI_S_PROZESS;",
+    """
+gpAx[4]^.head.plc_present_w := TRUE;
+IF gpAx[4]^.techno_unit_std_sync[0].please_rw THEN
+    gpAx[4]^.techno_unit_std_sync[0].please_rw := FALSE;
+    pS := ADR(gpAx[4]^.techno_unit_std_sync[0].attribut_r.data);
+    nRev := pS^.rev;
+    n := n + 1;
+    gpAx[4]^.techno_unit_std_sync[0].done_w := TRUE;
+END_IF
+""",
+)
+
+
+def test_a_spindle_that_the_plc_turns_asks_at_its_axis(tmp_path: Path) -> None:
+    """ST-763: 1000 rev/min are 6,000,000 · 0.001°/s, negative for M4; M5 is 0."""
+    folder = machine_with(tmp_path / "machine")
+    lists = folder / "sda_mds1.lis"
+    text = lists.read_text("utf-8")
+    line = "spindel[0].plc_control                  "
+    lists.write_text(text.replace(f"{line}0", f"{line}1"), "utf-8")
+    plc = loaded(tmp_path, SPINDLE)
+    nc = NcText("p.nc", "N5 G04 0.01\nN10 M4 S1000\nN20 G04 0.01\nN30 M5\nN40 G04 0.01\nM30")
+    done = Controller(folder).run(nc, plc=plc, ticks=40, signals=["MAIN.nRev", "MAIN.n"])
+    assert done.errors == ()
+    rev = list(dict.fromkeys(int(one) for one in done.trace["MAIN.nRev"]))
+    assert rev == [0, -6_000_000]
+    assert plc.read("MAIN.nRev") == 0
+    assert plc.read("MAIN.n") == 2

@@ -19,5 +19,5 @@ def greediest(
     """Return who has most places, if more than a newcomer would have with those it asks for."""
     if not counts:
         return None
-    most = max(counts, key=lambda client: counts[client])
-    return most if counts[most] > counts.get(newcomer, 0) + requested else None
+    holder = max(counts, key=lambda client: counts[client])
+    return holder if counts[holder] > counts.get(newcomer, 0) + requested else None

@@ -187,7 +187,7 @@ def units_of(rig: Rig, first: int, acknowledged: int) -> SectionUnits:
     """Units of a section in an image of 64 KiB."""
     image = memoryview(bytearray(1 << 16))
     table = bytearray(8)
-    section, tables = rig.channel.hli.program, [table] * 4
+    section, tables = rig.channel.hli.program, [table] * 2
     return SectionUnits(section, image, image, first, acknowledged, 1000, 1, *tables, 0, Units())
 
 

@@ -345,6 +345,15 @@ def test_a_stop_aborts_a_motion_of_the_other_library(tmp_path: Path) -> None:
     assert found[0] in (130, 131)
 
 
+def test_the_project_file_names_axes(tmp_path: Path) -> None:
+    """ST-742: the table [plc] axes says which axis a variable means."""
+    file = nc_axis(tmp_path)
+    table = '[plc]\nfile = "Cell.plcproj"\naxes = {"MAIN.axLoader" = "A"}\n'
+    (tmp_path / "nctakt.toml").write_text(table, "utf-8")
+    done = run_nc(load_structured(file), "N10 G04 1\nM30", 20, ["A.ACS.ACT_POS"])
+    assert done.trace["A.ACS.ACT_POS"][19] > 0.0
+
+
 def test_an_axis_of_no_name_is_refused(tmp_path: Path) -> None:
     """ST-742: neither the variable nor the table names an axis of the machine."""
     plc = load_structured(nc_axis(tmp_path))

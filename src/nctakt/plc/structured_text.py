@@ -78,24 +78,30 @@ _MESSAGES = {
 def load_structured(path: str | Path, axes: Mapping[str, str] | None = None) -> StructuredPlc:
     """Return the PLC of a project or a file; raises ``PlcError`` with all its mistakes.
 
-    ``axes``: names of axes by paths of variables of the type AXIS_REF.
+    ``axes``: names of axes by paths of variables of the type AXIS_REF, before those of the project
+    file.
     """
-    programs, findings = _inspected(path)
+    programs, findings, named = _inspected(path)
     if len(programs) > 1:
         names = ", ".join(one.name for one in programs)
         raise PlcError(diagnostic(SEVERAL_PLC_PROJECTS, file=str(path), names=names))
-    return _plc_of(programs[0], path, findings, axes)
+    return _plc_of(programs[0], path, findings, {**named, **(axes or {})})
 
 
 def load_projects(path: str | Path) -> AnyPlc:
     """Return the PLC of a file; of a system with several projects all of them together."""
-    programs, findings = _inspected(path)
-    plcs = [_plc_of(one, path, () if i else findings) for i, one in enumerate(programs)]
+    programs, findings, axes = _inspected(path)
+    plcs = [_plc_of(one, path, () if i else findings, axes) for i, one in enumerate(programs)]
     return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
 
 
-def _inspected(path: str | Path) -> tuple[list[Program], Sequence[Diagnostic]]:
-    """Return the projects of a file and the warnings; raises ``PlcError`` with all mistakes."""
+def _inspected(
+    path: str | Path,
+) -> tuple[list[Program], Sequence[Diagnostic], Mapping[str, str]]:
+    """Return the projects of a file, the warnings, and the axes that the project file names.
+
+    Raises ``PlcError`` with all mistakes.
+    """
     collector = Collector()
     project = find_project(Path(path), FileAccess())
     folders = () if project is None else project.libraries
@@ -105,14 +111,15 @@ def _inspected(path: str | Path) -> tuple[list[Program], Sequence[Diagnostic]]:
         raise PlcError(*errors)
     if not programs:
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
-    return programs, collector.diagnostics
+    axes: Mapping[str, str] = {} if project is None else project.axes
+    return programs, collector.diagnostics, axes
 
 
 def _plc_of(
     program: Program,
     path: str | Path,
     findings: Sequence[Diagnostic],
-    axes: Mapping[str, str] | None = None,
+    axes: Mapping[str, str],
 ) -> StructuredPlc:
     if not any(task.programs for task in program.tasks):
         raise PlcError(diagnostic(NO_TASK, file=str(path)))

@@ -15,6 +15,7 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
     [plc]                             # instead of plc = "…"
     file = "Cell.plcproj"
     libraries = ["libraries"]         # folders with sources of libraries, or stubs for them
+    axes = {"MAIN.axLoader" = "A"}    # the axis that a variable of the type AXIS_REF means
 """
 
 from __future__ import annotations
@@ -48,13 +49,14 @@ from nctakt.run.options import accepted_by, refused
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
-_PLC_KEYS = ("file", "libraries")
+_PLC_KEYS = ("file", "libraries", "axes")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
 _TEXT = Text("a text", "ein Text")
 _TEXTS = Text("a list of texts", "eine Liste von Texten")
 _LANGUAGE = Text("a language", "eine Sprache")
+_AXES = Text("a table of names of axes", "eine Tabelle mit Namen von Achsen")
 _ON_TABLE = Text("a table", "eine Tabelle")
 _VALUE = Text("a number or a text", "eine Zahl oder ein Text")
 _TIME = Text("a time above 0", "eine Zeit über 0")
@@ -69,7 +71,8 @@ class Project:
 
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
     are those of variables before the first tick; ``places``: where each stands, and ``plc``.
-    ``libraries``: folders with sources of the PLC's libraries.
+    ``libraries``: folders with sources of the PLC's libraries; ``axes``: what its variables of the
+    type AXIS_REF mean, by their paths.
     """
 
     file: Path
@@ -82,6 +85,7 @@ class Project:
     values: Mapping[str, float | str] = field(default_factory=dict)
     places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
     libraries: tuple[Path, ...] = ()
+    axes: Mapping[str, str] = field(default_factory=dict)
 
     def placed(self, found: Diagnostic) -> Diagnostic:
         """Return a diagnostic about one of its values at the place of that value.
@@ -203,6 +207,7 @@ class _Reader:
             if key not in _KEYS:
                 self._refuse(key)
         plc, libraries = self._plc(entries.get("plc"))
+        axes = self._axes(entries.get("plc"))
         return Project(
             self._file,
             self._path("machine", entries.get("machine"), 'machine = "lists"'),
@@ -215,7 +220,17 @@ class _Reader:
             {"plc": self._location("plc")}
             | {name: self._location_of_value(name) for name in values},
             libraries,
+            axes,
         )
+
+    def _axes(self, value: Any) -> Mapping[str, str]:
+        """Return the axes of the PLC's variables by their paths."""
+        table = value.get("axes", {}) if isinstance(value, dict) else {}
+        if isinstance(table, dict) and all(isinstance(one, str) for one in table.values()):
+            return MappingProxyType(table)
+        example = 'axes = {"MAIN.axLoader" = "A"}'
+        self._wrong("axes", table, _AXES, example, self._location_in_plc("axes"))
+        return {}
 
     def _refuse(self, key: str) -> None:
         """Report an entry that is none, or a run option that belongs elsewhere."""

@@ -66,6 +66,7 @@ def test_modules_that_have_moved_are_removed(setup: ModuleType, tmp_path: Path) 
     assert sorted(found) == sorted(kept)
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @needs_compiled_modules
 @pytest.mark.skipif(sys.platform == "win32", reason="the compiler is not named by CC there")
@@ -78,6 +79,7 @@ def test_without_a_compiler_plain_python_is_installed(tmp_path: Path) -> None:
     assert [*tmp_path.rglob("*.so")] == []
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @needs_compiled_modules
 def test_a_wheel_needs_no_compiler(tmp_path: Path) -> None:

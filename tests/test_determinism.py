@@ -64,6 +64,7 @@ def test_traces_depend_neither_on_the_hash_seed_nor_on_the_compiler() -> None:
     assert set(trace_digests.run_folders.FOLDERS) < set(found)
 
 
+@pytest.mark.nightly
 def test_a_run_can_be_repeated(tmp_path: Path) -> None:
     """The same program in two controllers of one process writes the same bytes."""
     for seed in SEEDS:
@@ -121,6 +122,7 @@ def pieces(seed: int, total: int, file: Path) -> list[str]:
         )
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", SEEDS)
 def test_a_run_cut_into_pieces_is_the_same_run(seed: int, tmp_path: Path) -> None:
     """Whether 4,000 ticks run at once or in pieces of 1 to 333 changes no byte of the trace."""
@@ -143,6 +145,7 @@ def test_single_steps_end_in_the_same_state(seed: int) -> None:
     assert one.diagnostics == many.diagnostics
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", range(0, 30, 3))
 def test_the_size_of_the_record_changes_nothing(
     seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch

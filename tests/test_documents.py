@@ -370,6 +370,7 @@ def test_the_load_file_of_the_documents_is_read() -> None:
 # --- traces ------------------------------------------------------------------------------------
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_the_traces_in_the_documents_are_real(tmp_path: Path) -> None:
     """The lines of both formats stand in the files that the example's run writes."""

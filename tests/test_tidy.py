@@ -335,6 +335,7 @@ def test_types_fit_the_module(path: Path) -> None:
 STARTING = re.compile(r"\b(?:Popen|create_subprocess_\w+|check_(?:call|output)|exec[lv]p?e?|spawn[lv]p?e?|posix_spawnp?|system|popen|startfile|subprocess\.run)\b")  # fmt: skip # noqa: E501
 
 
+@pytest.mark.nightly
 def test_python_is_started_without_the_working_directory() -> None:
     """Only ``base.python_process`` names the interpreter; each start of a program goes by it."""
     for path in SOURCES:

@@ -511,6 +511,7 @@ def test_a_reader_that_closes_early_is_no_error() -> None:
     assert (process.wait(), errors) == (1, b"")
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_thousands_of_unknown_entries_are_a_few_lines(check: Check) -> None:
     """The first 20 have a line each, one more counts the others; with --verbose each has one."""

@@ -119,6 +119,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
         one.close()
 
 
+@pytest.mark.nightly
 def test_a_run_ends_between_two_ticks_with_its_records(start: Start, tmp_path: Path) -> None:
     """Exit code 1; trace and tape are whole.
 
@@ -137,6 +138,7 @@ def test_a_run_ends_between_two_ticks_with_its_records(start: Start, tmp_path: P
     assert (tmp_path / "run.tape").exists()
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("in_group", [False, True], ids=["alone", "with its workers"])
 def test_a_study_keeps_its_rows(start: Start, tmp_path: Path, in_group: bool) -> None:
     """A note tells how many; no run counts as crashed, and all workers have ended."""
@@ -166,6 +168,7 @@ def framed(request: dict[str, object]) -> bytes:
     return b"Content-Length: %d\r\n\r\n%b" % (len(body), body)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("words", "number"),
     [(("dap",), signal.SIGTERM), (("dap", "--port", "0"), signal.SIGINT)],
@@ -223,6 +226,7 @@ def test_a_language_server_ends_though_its_editor_waits(
     assert server.end(number) == 0
 
 
+@pytest.mark.nightly
 def test_the_page_keeps_its_tape(start: Start, tmp_path: Path) -> None:
     """What was lived through is written, as after Ctrl-C."""
     pytest.importorskip("nicegui")

@@ -136,6 +136,7 @@ def test_topic_lists_its_words(topic: Topic, capsys: Captured) -> None:
     assert len(lines) == len(list(topic.articles()))
 
 
+@pytest.mark.nightly
 def test_lines_are_short(capsys: Captured) -> None:
     """No line is wider than a terminal of 100 columns unless a word is."""
     numbers = [article.name for article in MESSAGES.articles()]

@@ -181,6 +181,7 @@ def test_what_is_wrong_with_the_file(told: Told, text: str, first_line: str, exc
         assert "Traceback" not in err
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(
     ("text", "first_line"),
     [

@@ -51,6 +51,7 @@ def shell(folder: Path, command: str) -> subprocess.CompletedProcess[bytes]:
     return subprocess.run(["sh", "-c", line], cwd=folder, capture_output=True, check=False)
 
 
+@pytest.mark.nightly
 @pytest.mark.skipif(not FULL.exists(), reason="a device of Linux")
 @pytest.mark.parametrize("command", COMMANDS)
 def test_a_full_standard_output_is_told(folder: Path, command: str) -> None:
@@ -62,6 +63,7 @@ def test_a_full_standard_output_is_told(folder: Path, command: str) -> None:
     assert shows_nothing or (b"900507" in done.stderr and done.returncode == 2)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("command", ["--version", "run part.nc", "check part.nc", COMMANDS[-2]])
 @pytest.mark.parametrize("streams", [">&-", "2>&-", "<&- >&- 2>&-"])
 def test_closed_streams_change_nothing_else(folder: Path, command: str, streams: str) -> None:
@@ -71,6 +73,7 @@ def test_closed_streams_change_nothing_else(folder: Path, command: str, streams:
     assert done.returncode == 0
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("streams", ["2>&-", "2>/dev/full", ">/dev/full 2>/dev/full"])
 def test_errors_that_nobody_can_be_told_keep_their_exit_code(folder: Path, streams: str) -> None:
     """1 for a program with mistakes, 2 for words that cannot be used, or a full output."""

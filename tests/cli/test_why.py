@@ -144,6 +144,7 @@ def test_a_plc_that_fails_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert "error 900523" in capsys.readouterr().err
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_both_forms_of_the_realtime_part_give_the_same_report() -> None:
     """Compiled and plain."""

@@ -57,6 +57,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.mark.nightly
 def test_the_client_of_vscode_debugs_a_program(folder: Path) -> None:
     (folder / "adapter.py").write_text(ADAPTER, "utf-8")
     (folder / "part.nc").write_text(PROGRAM, "utf-8")

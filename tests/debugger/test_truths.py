@@ -167,6 +167,7 @@ def test_what_has_no_value_says_why(standing: DebugClient, text: str, reason: st
     assert reason in refused.value.error["format"]
 
 
+@pytest.mark.nightly
 def test_a_run_that_waits_for_the_operator_stands(client: DebugClient) -> None:
     """901925, instead of running to the limit in single block."""
     client.console("set HLI.SINGLE_BLOCK = 1")

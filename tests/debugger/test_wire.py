@@ -118,6 +118,7 @@ def test_a_page_in_a_browser_is_not_understood() -> None:
 # --- whatever a client sends ----------------------------------------------------------------------
 
 
+@pytest.mark.nightly
 def test_a_request_at_a_wrong_time_or_with_wrong_arguments_is_refused(
     client: DebugClient, folder: Path
 ) -> None:
@@ -301,6 +302,7 @@ def test_a_request_whose_number_is_none_is_answered(client: DebugClient) -> None
     assert client.ask("initialize")["supportsStepBack"]
 
 
+@pytest.mark.nightly
 def test_a_restart_reads_the_program_again(client: DebugClient, tmp_path: Path) -> None:
     """Breakpoints stay; those whose line is gone are told."""
     program = tmp_path / "part.nc"

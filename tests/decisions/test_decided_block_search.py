@@ -95,6 +95,7 @@ def test_a_wrong_start_is_told() -> None:
         Controller().run("x.nc", from_line=0)
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_a_session_begins_there_and_goes_back(tmp_path: Path) -> None:
     """The session of a tape, one of its own, and the tape that it saves."""

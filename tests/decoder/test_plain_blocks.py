@@ -238,6 +238,7 @@ def test_only_lines_beside_a_corner_take_the_long_way(monkeypatch: pytest.Monkey
     assert sum(taken) == len(lines) - 1 + len(lines) - 2
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.skipif(not is_compiled(), reason="the same in both modes")
 def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
@@ -250,6 +251,7 @@ def test_many_random_programs_are_in_order_and_full_of_plain_blocks(
     assert 0.5 * sum(found) < sum(taken) < 0.95 * sum(found)
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.parametrize("row", MODAL, ids=lambda row: row.name)
 def test_plain_blocks_follow_the_table_of_functions(
@@ -357,6 +359,7 @@ def test_both_ways_give_the_same_contours(seed: int, monkeypatch: pytest.MonkeyP
     assert rows(content, water) == short
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.skipif(not is_compiled(), reason="the same in both modes")
 def test_contours_are_full_of_plain_blocks(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -57,6 +57,7 @@ def test_bsplines_are_those_of_scipy(points: list[tuple[float, ...]]) -> None:
             assert cubics.point(piece, part) == pytest.approx(want, abs=1e-9)
 
 
+@pytest.mark.nightly
 @given(POINTS)
 def test_pieces_lie_on_the_cubic_that_they_divide(points: list[tuple[float, ...]]) -> None:
     """They follow each other, and their lengths add up."""

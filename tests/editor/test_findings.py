@@ -98,6 +98,7 @@ def test_texts_are_german_where_the_editor_asks_for_it(in_editor: Run) -> None:
     in_editor(script, {"language": "de"})
 
 
+@pytest.mark.nightly
 def test_positions_count_as_the_editor_does(in_editor: Run) -> None:
     """A letter beyond the first 65,536 counts twice in UTF-16, once in UTF-32."""
     text = "(😀) P1++\nM30\n"
@@ -161,6 +162,7 @@ def test_a_list_is_checked_and_changes_its_programs(in_editor: Run, tmp_path: Pa
     in_editor(script)
 
 
+@pytest.mark.nightly
 def test_random_edits_leave_the_findings_of_a_fresh_check(in_editor: Run) -> None:
     """After any edits, most of which cancel the check before, the findings are a fresh check's."""
     pieces = ["X", "1,5", "\n", "$IF P1 == 3\n", "$ENDIF\n", "#RT CYCLE END\n", "]", ";", "(", "++"]

@@ -564,6 +564,7 @@ def test_a_plc_in_c_does_what_the_scripted_one_does(tmp_path: Path) -> None:
     assert trace == scripted(tmp_path)
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @needs_shared_folder
 def test_a_plc_in_python_does_what_the_scripted_one_does(tmp_path: Path) -> None:

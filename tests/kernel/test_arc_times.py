@@ -97,6 +97,7 @@ def shapes(radius: float) -> dict[str, Way]:
     }
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("share", [1.0, 0.2])
 @pytest.mark.parametrize(("radius", "feed"), RADII)
 def test_arcs_take_hardly_longer_than_the_optimum(

@@ -110,6 +110,7 @@ def test_the_path_brakes_from_the_tick_of_a_fault(tmp_path: Path) -> None:
 LARGE = ("rt_cycles.max_duration 65534", "configuration.rt_cycles.memory 400000000")
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.skipif(not is_compiled(), reason="short cycles do the same")
 def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
@@ -122,6 +123,7 @@ def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
     assert controller._machine.channels[0].context.steps == 300_000
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.skipif(not is_compiled(), reason="short cycles do the same")
 def test_a_hundred_thousand_statements_exceed_the_usual_share(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import random
 
+import pytest
 from support.motion_checks import SIGNALS, violations
 from support.motion_machines import machine
 from support.motion_programs import MotionProgram, WeightedProgram
@@ -77,6 +78,7 @@ def wrong_with(seed: int, kind: type[MotionProgram] = MotionProgram) -> list[str
     return violations(program, run, chosen)
 
 
+@pytest.mark.nightly
 @seeds_in_parts(200, 8, 20)
 def test_programs_of_all_motions_keep_limits_way_and_ends(seeds: range) -> None:
     """MO-1: in each tick, with all that an operator may do in any tick."""

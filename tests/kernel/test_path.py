@@ -38,6 +38,7 @@ def duration(length: float, speed: float = RAPID) -> float:
     return peak / ACCELERATION + length / peak
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @often
 @given(st.floats(0.001, 200.0), st.sampled_from(["G00", "G01 F6000", "G01 F600", "G01 F30000"]))

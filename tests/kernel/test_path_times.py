@@ -62,6 +62,7 @@ def s_curve(length: float, speed: float) -> float:
     return (length + way(low)) / low
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(("radius", "feed"), [(5, 50), (5, 100), (20, 200), (100, 200), (100, 450)])
 def test_circles_take_hardly_longer_than_the_optimum(radius: float, feed: float) -> None:
     """Within 3 %, where the feed and not the acceleration sets the speed."""

@@ -80,6 +80,7 @@ def sources() -> list[NcText | Path]:
     return found
 
 
+@pytest.mark.nightly
 def test_a_part_put_back_runs_as_a_new_one() -> None:
     """One part serves all programs, in any order, each as a new one would."""
     part = part_of(DEMO)

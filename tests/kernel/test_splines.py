@@ -83,6 +83,7 @@ def bspline(points: list[tuple[float, float]]) -> np.ndarray:
     return BSpline(knots, np.array(points), 3)(np.linspace(0.0, spans, 60_001))
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("slope", ["#SLOPE [TYPE=STEP]", JERK_LIMITED])
 @pytest.mark.parametrize("kind", ["AKIMA", "BSPLINE"])
 def test_the_path_is_on_the_curve(kind: str, slope: str) -> None:

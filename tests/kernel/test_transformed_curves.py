@@ -60,6 +60,7 @@ def polygon(corners: int, slope: str, *, is_turning: bool = False) -> FiveAxisPr
     return FiveAxisProgram("\n".join([*lines, "M30", ""]), 1, ways, slope == "TRAPEZ")
 
 
+@pytest.mark.nightly
 @seeds_in_parts(compiled=20, plain=0, part=10)
 def test_curves_keep_deviation_limits_and_time(seeds: range) -> None:
     """Of random programs with lines and turns of all sizes."""

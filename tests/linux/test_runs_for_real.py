@@ -312,6 +312,7 @@ def test_semaphore_that_nobody_waits_on(tmp_path: Path, capsys: Capture) -> None
     assert f"900636: {name}" not in err
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(("words", "mode"), [((), 0o600), (("--all-users",), 0o666)])
 def test_who_may_wait_on_semaphores(tmp_path: Path, words: tuple[str, ...], mode: int) -> None:
     """Semaphores belong to one user unless all are let in; the mask of files does not count."""

@@ -103,6 +103,7 @@ def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
     assert main(["replay", str(tape), "--quiet"]) == 0
 
 
+@pytest.mark.nightly
 def test_slide_and_travel(browser: Any, tmp_path: Path) -> None:
     """A slider makes a reaction fire while the run plays; it is in the scope; a click travels."""
     path = written(tmp_path, PROGRAM.replace("M7", "G04 X600"))
@@ -134,6 +135,7 @@ def test_slide_and_travel(browser: Any, tmp_path: Path) -> None:
         page.close()
 
 
+@pytest.mark.nightly
 def test_stops_and_automatic_acknowledgement(browser: Any, tmp_path: Path) -> None:
     """A click on a line number stops there; functions are acknowledged after a delay in ticks."""
     path = written(tmp_path)
@@ -160,6 +162,7 @@ def test_stops_and_automatic_acknowledgement(browser: Any, tmp_path: Path) -> No
         page.close()
 
 
+@pytest.mark.nightly
 def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
     """The second one watches until it takes the pen; when it is closed, the first one commands."""
     path = written(tmp_path)
@@ -183,6 +186,7 @@ def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
         first.close()
 
 
+@pytest.mark.nightly
 def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path) -> None:
     """One with changes of its own keeps them, and does not write over what was saved."""
     path = written(tmp_path)
@@ -210,6 +214,7 @@ def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path
             page.close()
 
 
+@pytest.mark.nightly
 def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
     """Ticks, blocks, the panel, the lists and the help by keys alone."""
     path = written(tmp_path)
@@ -235,6 +240,7 @@ def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
         page.close()
 
 
+@pytest.mark.nightly
 def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
     """It is told, the run goes on with the old text, and the new one can be loaded."""
     path = written(tmp_path)
@@ -250,6 +256,7 @@ def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
         page.close()
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize(("width", "height"), [(1280, 800), (820, 1180)])
 def test_nothing_is_cut_off(browser: Any, tmp_path: Path, width: int, height: int) -> None:
     """On a laptop and on a tablet: no scroll bar of the page, every part has room."""

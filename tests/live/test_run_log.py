@@ -72,6 +72,7 @@ def act(session: Session, chance: random.Random) -> None:
             session.go_to(chance.randrange(session.branches[branch] + 1), branch)
 
 
+@pytest.mark.nightly
 @seeds_in_parts(3, 1, 3)
 def test_the_list_is_the_past_of_what_is_shown(seeds: range) -> None:
     """Each event once, of this branch, none after the tick that is shown."""

@@ -232,6 +232,7 @@ def test_what_stands_for_a_websocket(address: str) -> None:
         assert len(refused.value.read()) < 100
 
 
+@pytest.mark.nightly
 def test_a_long_text_comes_in(address: str) -> None:
     """Two megabytes that a person pastes: the connection stays."""
     with again(address) as browser:

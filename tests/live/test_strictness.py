@@ -106,6 +106,7 @@ def test_strangers_garbage_and_files(tmp_path: Path) -> None:
     assert "901317" in told
 
 
+@pytest.mark.nightly
 def test_a_crowd_is_told(tmp_path: Path) -> None:
     """The twenty-first browser gets a sentence; who only fetches the page takes no place."""
     errors = tmp_path / "errors.txt"
@@ -145,6 +146,7 @@ def test_a_website_gets_nothing(tmp_path: Path) -> None:
         assert (status, '<a href="/">' in text) == (403, True)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("mark", [pytest.param(None, marks=BROWSER)])
 def test_a_hundred_connections_do_not_stop_the_tick(tmp_path: Path, mark: None) -> None:
     """The page goes on, also for a browser that comes after the one that closed in mid-run.
@@ -169,6 +171,7 @@ def test_a_hundred_connections_do_not_stop_the_tick(tmp_path: Path, mark: None) 
         later.wait_for_function("!nctaktRun.run.isPlaying")
 
 
+@pytest.mark.nightly
 def test_a_flood_of_events_is_bounded() -> None:
     """More than a million events a second: lists stay short, what is left out is told."""
 

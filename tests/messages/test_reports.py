@@ -10,6 +10,8 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
+
 import nctakt
 from nctakt.base.diagnostics import Message
 from nctakt.messages.catalogue import catalogue, is_own
@@ -84,6 +86,7 @@ def name_of(call: ast.Call) -> str:
     return getattr(call.func, "attr", getattr(call.func, "id", ""))
 
 
+@pytest.mark.nightly
 def test_a_call_gives_the_parameters_of_its_message() -> None:
     """Else a mistake of a user would end in a traceback."""
     wrong = []

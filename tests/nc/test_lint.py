@@ -222,6 +222,7 @@ def test_each_finding_reads_in_both_languages() -> None:
                 assert found.remedy(language)
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("seed", range(10))
 def test_any_program_is_looked_at_without_a_fault(seed: int) -> None:
     """Programs of lines in any order, right and wrong ones, give findings only."""

@@ -269,6 +269,7 @@ def test_ends_that_fit_nothing_are_found_fast() -> None:
     assert found.count(20375) == depth
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_a_realtime_cycle_may_have_very_many_statements() -> None:
     """The list of statements is no nesting: 100,000 of them in one cycle."""

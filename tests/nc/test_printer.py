@@ -332,6 +332,7 @@ def test_an_expression_is_read_as_it_is_printed(expression: Expression) -> None:
     assert shape(assignment.value) == shape(expression)
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(programs)
 @settings(max_examples=60, deadline=None)
@@ -398,6 +399,7 @@ def _fields_of(found: object, met: dict[str, dict[str, set[str]]]) -> None:
         _fields_of(value, met)
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_each_kind_of_node_and_each_field_is_among_the_trees() -> None:
     """Each node that the parser makes occurs, and each of its fields with several values."""

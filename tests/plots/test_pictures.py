@@ -103,6 +103,7 @@ def test_bars_close_together_are_joined() -> None:
     assert few[0].name.endswith(" ×")
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("suffix", ["png", "svg", "html"])
 def test_the_same_run_gives_the_same_bytes(tmp_path: Path, suffix: str) -> None:
     """Each format; no time, no number of the process in it."""
@@ -113,6 +114,7 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path, suffix: str) -> None:
     assert len(data) > 10_000
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("suffix", ["png", "svg", "html"])
 @pytest.mark.parametrize(
     "title", ["a$b$.nc", "$", "<b>&.nc", "部品.nc", "\udcff\n.nc", "{x}", "</script>.nc"]

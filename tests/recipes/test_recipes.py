@@ -60,6 +60,7 @@ def changed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("recipe", RECIPES, ids=lambda one: one.heading)
 def test_the_tests_of_a_recipe_pass(recipe: Recipe, changed: Path) -> None:
     """The example of a recipe passes the tests that the recipe names."""

@@ -42,6 +42,7 @@ def test_articles_are_complete(topic: Topic) -> None:
 EACH_TOPIC = 150
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("topic", TOPICS, ids=lambda topic: topic.word)
 def test_each_article_is_found_by_its_name(topic: Topic) -> None:
     """What a topic lists can be asked for, and so can each name that is suggested.

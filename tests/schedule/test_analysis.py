@@ -159,6 +159,7 @@ def test_bound_where_the_realtime_thread_reaches_into_the_time_of_windows() -> N
     assert simulate(model, 4).tasks[1].response_max == 2050 * US
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(models(ties=False, synchronous=True, load=4))
 @settings(max_examples=400, deadline=None)
@@ -172,6 +173,7 @@ def test_analysis_is_the_simulation_where_it_says_so(model: Model) -> None:
         assert numbers.overflows == 0
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(models(load=4))
 @settings(max_examples=400, deadline=None)

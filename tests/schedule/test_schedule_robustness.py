@@ -38,6 +38,7 @@ LOADS = (
 )
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(
     st.sampled_from([EXAMPLE_1, EXAMPLE_2, "End\n", ""]),

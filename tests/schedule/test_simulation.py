@@ -32,6 +32,7 @@ pytestmark = pytest.mark.slow
 US = 1000
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(models())
 @settings(max_examples=300, deadline=None)

@@ -145,6 +145,7 @@ def search(configuration: RtconfConfiguration, load: str, slacks: Slacks, cpus: 
     return suggest(configuration, model_of, slacks, VARIABLES, range(1, cpus + 1))
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(
     st.integers(100, 900),

@@ -201,6 +201,7 @@ def test_rows_of_a_picture() -> None:
     assert "Trace bits" not in [row.name for row in rows_of(make(silent, None)[0], "en")]
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @given(st.integers(0, 5000), st.sampled_from(["en", "de"]))
 @settings(max_examples=80, deadline=None)

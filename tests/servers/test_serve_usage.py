@@ -51,6 +51,7 @@ def test_a_port_that_is_taken_is_refused(capsys: pytest.CaptureFixture[str]) -> 
     assert "901351" in capsys.readouterr().err
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_the_page_shares_the_session_with_ads_until_sigterm(tmp_path: Path) -> None:
     """Both have an address in the ready file; SIGTERM ends all, and the tape is complete."""

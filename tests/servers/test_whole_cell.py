@@ -116,6 +116,7 @@ def replayed(tape: Path, trace: Path) -> bytes:
     return trace.read_bytes()
 
 
+@pytest.mark.nightly
 def test_plc_hmi_and_operator_share_a_controller_and_its_tape(tmp_path: Path) -> None:
     """All three act, the tape says who did what, and repeating it gives the same bytes."""
     program, ready, tape = (tmp_path / name for name in ("part.nc", "ready.json", "cell.tape"))

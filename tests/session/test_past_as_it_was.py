@@ -117,6 +117,7 @@ TRAVEL: dict[str, Callable[[Story], object]] = {
 }
 
 
+@pytest.mark.nightly
 @needs_copies
 def test_a_past_that_is_not_as_it_was_is_not_shown(story: Story) -> None:
     """It is an internal error, which says so; the session stays where it is right."""

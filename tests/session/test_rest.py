@@ -64,6 +64,7 @@ def test_the_next_block_in_single_block_waits_for_start(opened: Any) -> None:
     assert session.next_block().blocks[1].line == 2
 
 
+@pytest.mark.nightly
 def test_a_run_ends_at_m00_and_in_feed_hold_and_at_an_override_of_0(opened: Any) -> None:
     """In the same tick wherever it is cut: multiples of 1000 where no event tells of the stop."""
     session = opened(single=False)

@@ -390,6 +390,7 @@ def test_a_controller_that_cannot_start_is_told(monkeypatch: pytest.MonkeyPatch)
         opened()
 
 
+@pytest.mark.nightly
 def test_a_session_goes_back_without_copies_too(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where there is no fork, the past is run again from the start."""
     monkeypatch.setattr(ProcessPool, "can_copy", False)

@@ -96,6 +96,7 @@ def wander(story: Story, chance: random.Random) -> None:
             story.go_to(chance.randint(0, branch.latest), branch.number)
 
 
+@pytest.mark.nightly
 @each_seed(4, 2)
 @pytest.mark.parametrize("has_plc", [False, True])
 def test_a_session_is_a_straight_run_of_its_tape(seed: int, has_plc: bool, tmp_path: Path) -> None:
@@ -136,6 +137,7 @@ SIZES = (500_000, 2_000_000, 10_000_000) if MANY else (500_000, 2_000_000)
 TICKS, JUMPS = (10_000_000, 40) if MANY else (5_000, 6)
 
 
+@pytest.mark.nightly
 @pytest.mark.skipif(not can_fork(), reason="elsewhere the past is run again from the start")
 @each_seed(1, 1)
 @pytest.mark.parametrize("size", SIZES)

@@ -51,6 +51,7 @@ def study(folder: Path, *, count: int = 120, plc: bool = False) -> Study:
     )
 
 
+@pytest.mark.nightly
 def test_a_run_that_ends_its_process_is_told(tmp_path: Path) -> None:
     """The run gets a row that says so, all others theirs."""
     done = study(tmp_path, count=20, plc=True).run(processes=2)
@@ -58,6 +59,7 @@ def test_a_run_that_ends_its_process_is_told(tmp_path: Path) -> None:
     assert done.counts["held"] == 19
 
 
+@pytest.mark.nightly
 def test_a_killed_worker_is_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """After kill -9 the rows are those of one process, in the same order."""
     started: list[WorkerProcess] = []
@@ -80,6 +82,7 @@ def test_a_killed_worker_is_replaced(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert len(started) == 2
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("is_copied", [False, True])
 def test_copies_and_new_processes_make_the_same_rows(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_copied: bool
@@ -105,6 +108,7 @@ def test_a_worker_that_cannot_start_is_told(
         assert [one.id for one in raised.value.diagnostics] == [901486]
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("is_copied", [False, True])
 def test_a_plc_reads_and_prints_what_it_likes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_copied: bool
@@ -161,6 +165,7 @@ def test_rows_of_another_plan_are_refused(tmp_path: Path) -> None:
     assert raised.value.diagnostics[0].id == 901309
 
 
+@pytest.mark.nightly
 @pytest.mark.parametrize("name", ["rows.parquet", "rows.jsonl", "rows.csv"])
 def test_rows_are_read_back(tmp_path: Path, name: str) -> None:
     """Numbers to the last bit, texts, and what has no value."""
@@ -242,6 +247,7 @@ def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.M
     assert raised.value.diagnostics[0].id == 901316
 
 
+@pytest.mark.nightly
 @pytest.mark.skipif(os.name == "nt", reason="needs kill -9")
 @pytest.mark.filterwarnings("ignore")
 def test_a_killed_scheduler_keeps_what_is_finished(

@@ -200,6 +200,7 @@ def test_times_by_chance_are_whole_ticks(program: str) -> None:
     assert plan.dimensions[1].between(1.0) == 90_000
 
 
+@pytest.mark.nightly
 def test_an_unchanged_run_that_is_broken_already(program: str, capsys: Captured) -> None:
     """901942 stands before the results; what is about the injection is not judged without it."""
     words = ["study", program, "--each-tick", "V.E.TRIGGER=1 for 2 ms"]

@@ -114,6 +114,7 @@ def test_uploads_need_a_cluster(tmp_path: Path, capsys: pytest.CaptureFixture[st
     assert "--scheduler" in capsys.readouterr().err
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.skipif(os.name == "nt", reason="the scheduler is ended by a signal")
 @pytest.mark.filterwarnings("ignore")

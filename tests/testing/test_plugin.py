@@ -118,6 +118,7 @@ def passes(sessions: Sessions, text: str, **files: str) -> None:
 # --- the example project ------------------------------------------------------------------------
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_the_example_project_passes() -> None:
     """Everything in ``examples/testing``: three programs and five tests."""
@@ -126,6 +127,7 @@ def test_the_example_project_passes() -> None:
     assert "8 passed" in done.stdout
 
 
+@pytest.mark.nightly
 def test_beside_other_plugins(sessions: Sessions) -> None:
     """pytest-lsp, which looks into each item for fixtures, and pytest-asyncio are active."""
     pytest.importorskip("pytest_lsp", reason="a plugin that looks into each item")
@@ -401,6 +403,7 @@ def test_text(run_nc):
 """
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 @pytest.mark.parametrize("workers", [0, 2])
 def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:

@@ -46,6 +46,7 @@ def run_pytest(folder: Path, **environment: str) -> str:
     return done.stdout + done.stderr
 
 
+@pytest.mark.nightly
 def test_a_test_runs_on_the_machine_of_its_project(tmp_path: Path) -> None:
     """NC files and fixtures take it, a line says which; NCTAKT_MACHINE counts before it."""
     (tmp_path / "nctakt.toml").write_text('machine = "demo5"\n', "utf-8")

@@ -94,6 +94,7 @@ def value(space, node, attribute):
     return None if found.Value is None else found.Value.Value
 
 
+@pytest.mark.nightly
 def test_each_published_node_of_the_model_is_there_and_no_other(space, published):
     """Numbers, kinds and names."""
     wanted = {as_id(node): published[node] for node in model_nodes(published)}

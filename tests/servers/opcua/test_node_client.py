@@ -55,6 +55,7 @@ def check(found):
     assert (found["alarm"], found["past"]) == ("120002", 50)
 
 
+@pytest.mark.nightly
 def test_a_client_on_this_computer(modules, tmp_path):
     """Anybody, without encryption."""
     served = Served(tmp_path)
@@ -65,6 +66,7 @@ def test_a_client_on_this_computer(modules, tmp_path):
         served.close()
 
 
+@pytest.mark.nightly
 def test_a_client_from_elsewhere(modules, tmp_path):
     """Only encrypted, and only with the password that the first start has made."""
     served = Served(tmp_path, address="0.0.0.0")
@@ -122,6 +124,7 @@ def password_of(folder):
     return (folder / PASSWORD).read_text("utf-8").strip()
 
 
+@pytest.mark.nightly
 def test_the_second_start_keeps_certificate_and_users(tmp_path):
     """Clients that trust the server need not do it again."""
     kept = []

@@ -73,6 +73,7 @@ def restart(served, program="part.nc"):
     served.session.step(20)
 
 
+@pytest.mark.nightly
 def test_all_mandatory_components_are_there_with_a_value_or_not_supported(served):
     """Each object of the instance has what its type wants; nothing is silently 0."""
     restart(served)

@@ -127,6 +127,7 @@ async def send(served, content):
     return answer
 
 
+@pytest.mark.nightly
 def test_broken_messages_harm_nobody(served):
     """Truncated, flipped, random bytes; lengths up to 2^32."""
     conversation = hello(served) + open_channel()

@@ -214,6 +214,7 @@ class Visitor:
         return ""
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_only_who_is_encrypted_trusted_and_named_comes_in(
     key: rsa.RSAPrivateKey, tmp_path: Path
@@ -253,6 +254,7 @@ def test_only_who_is_encrypted_trusted_and_named_comes_in(
         served.close()
 
 
+@pytest.mark.nightly
 @pytest.mark.slow
 def test_sessions_that_no_user_enters_make_room(tmp_path: Path) -> None:
     """Who begins sessions without a password takes nobody's place for long."""

@@ -11,7 +11,6 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel.st.tasks import PlcPair, PlcSide
 from nctakt.run.named_values import NamedValues
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
-from nctakt.st.files.project import PLC_SUFFIXES
 
 if TYPE_CHECKING:
     from nctakt.run.assembly import AssembledMachine
@@ -19,7 +18,11 @@ if TYPE_CHECKING:
 
 def is_structured(path: str | Path | None) -> bool:
     """Return whether a PLC's file is Structured Text, which runs again where a tape is replayed."""
-    return path is not None and Path(path).suffix.lower() in PLC_SUFFIXES
+    if path is None:
+        return False
+    from nctakt.st.files.project import PLC_SUFFIXES  # noqa: PLC0415 - a plain run reads no XML
+
+    return Path(path).suffix.lower() in PLC_SUFFIXES
 
 
 class RealtimePlc(WatchedPlc):

@@ -207,7 +207,7 @@ class VariableAccess:
 
 def is_path(name: str) -> bool:
     """Return whether a name is one of the interface: all pointers have a caret."""
-    return "^" in name
+    return isinstance(name, str) and "^" in name
 
 
 def _characters(name: str, location: Location, text: str) -> bytes:

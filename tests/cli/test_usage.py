@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from nctakt.base.version import __version__
 from nctakt.cli import main
 
 
@@ -60,3 +63,40 @@ def test_without_words_the_help_is_shown(capsys: pytest.CaptureFixture[str]) -> 
     """It is no mistake that has a remedy."""
     assert main([]) == 2
     assert "Usage" in capsys.readouterr().err
+
+
+def test_without_a_subcommand_the_path_names_the_files_of_the_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Five commands with a program and the lists that lie there; exit code 2."""
+    (tmp_path / "lists").mkdir()
+    (tmp_path / "lists" / "hochlauf.lis").write_text("", "utf-8")
+    (tmp_path / "saw.nc").write_text("M30\n", "utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert main([]) == 2
+    shown = capsys.readouterr().err
+    for command in ("check lists", "run saw.nc", "live saw.nc --open", "why saw.nc", "init --ci"):
+        assert f"  nctakt {command}" in shown
+
+
+def test_help_is_in_german(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """By ``--lang de``, before or after ``--help``, and by a German locale."""
+    assert main(["check", "--help", "--lang", "de"]) == 0
+    german = capsys.readouterr().out
+    assert "Rückgabewerte: 0 kein Fehler" in german
+    assert "Sprache der Texte" in german
+    monkeypatch.setenv("LANG", "de_DE.UTF-8")
+    monkeypatch.delenv("LC_ALL", raising=False)
+    monkeypatch.delenv("LC_MESSAGES", raising=False)
+    assert main(["check", "--help"]) == 0
+    assert capsys.readouterr().out == german
+
+
+def test_the_version_with_what_a_report_needs(capsys: pytest.CaptureFixture[str]) -> None:
+    """Version, Python, platform, what is compiled, libraries and extras."""
+    assert main(["--version", "--verbose"]) == 0
+    shown = capsys.readouterr().out
+    for part in (f"nctakt {__version__}", "Python 3.", "realtime part: ", "click ", "extra live: "):
+        assert part in shown

@@ -182,8 +182,8 @@ SUBCOMMAND = Recipe(
         ),
         Edit(
             "src/nctakt/cli/__init__.py",
-            '    "example": "nctakt.cli.example",\n',
-            '    "schedule": "nctakt.cli.schedule",\n',
+            '        "example": "nctakt.cli.example",\n',
+            '        "schedule": "nctakt.cli.schedule",\n',
         ),
         Edit(
             "tests/cli/test_example_command.py",

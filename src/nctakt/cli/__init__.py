@@ -14,12 +14,15 @@ import importlib
 import os
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 
 import click
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.interrupts import handling
 from nctakt.base.version import __version__
+from nctakt.cli.help import ShownGroup, help_language, option, shown_language
 from nctakt.cli.terminal import complain, complain_notes, print_diagnostics, silence
 
 EXIT_RAN = 0
@@ -34,32 +37,58 @@ _HIGHEST_STREAM = 2
 #: Python's default of 700 would cost a fifth of the time from the start to the first tick.
 _OBJECTS_BETWEEN_SEARCHES = 50_000
 
-#: Subcommands and the modules that hold them as ``command``.
-_COMMANDS = {
-    "run": "nctakt.cli.run",
-    "replay": "nctakt.cli.replay",
-    "live": "nctakt.cli.live",
-    "serve": "nctakt.cli.serve",
-    "dap": "nctakt.cli.dap",
-    "check": "nctakt.cli.check",
-    "explain": "nctakt.cli.explain",
-    "lsp": "nctakt.cli.lsp",
-    "disassemble": "nctakt.cli.disassemble",
-    "new": "nctakt.cli.new",
-    "init": "nctakt.cli.init",
-    "why": "nctakt.cli.why",
-    "coverage": "nctakt.cli.coverage",
-    "study": "nctakt.cli.study",
-    "schedule": "nctakt.cli.schedule",
+#: Subcommands in groups, in the order of the help, and the modules that hold them as ``command``.
+_GROUPS: Mapping[Text, Mapping[str, str]] = {
+    Text("Start", "Beginnen"): {
+        "init": "nctakt.cli.init",
+        "new": "nctakt.cli.new",
+        "check": "nctakt.cli.check",
+        "run": "nctakt.cli.run",
+    },
+    Text("Look", "Ansehen"): {
+        "live": "nctakt.cli.live",
+        "why": "nctakt.cli.why",
+        "coverage": "nctakt.cli.coverage",
+        "disassemble": "nctakt.cli.disassemble",
+        "explain": "nctakt.cli.explain",
+    },
+    Text("Test many times", "Vielfach testen"): {
+        "study": "nctakt.cli.study",
+        "replay": "nctakt.cli.replay",
+        "schedule": "nctakt.cli.schedule",
+    },
+    Text("Connect", "Verbinden"): {
+        "serve": "nctakt.cli.serve",
+        "dap": "nctakt.cli.dap",
+        "lsp": "nctakt.cli.lsp",
+    },
 }
-
+_COMMANDS = {name: module for names in _GROUPS.values() for name, module in names.items()}
 
 #: Earlier names of subcommands, which work for a version.
 EARLIER_NAMES = {"list": "disassemble"}
 
 
-class _LazyGroup(click.Group):
-    """Loads the module of a subcommand when it is needed."""
+class _LazyGroup(ShownGroup):
+    """Loads the module of a subcommand when it is needed; help has the commands in groups."""
+
+    def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        language = shown_language(ctx)
+        for title, names in _GROUPS.items():
+            rows = []
+            for name in names:
+                command = self.get_command(ctx, name)
+                assert command is not None
+                rows.append((name, command.get_short_help_str()))
+            with formatter.section(title.get(language)):
+                formatter.write_dl(rows)
+
+    def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        from nctakt.cli.overview import path_lines  # noqa: PLC0415 - only for help
+
+        formatter.write_paragraph()
+        for line in path_lines(shown_language(ctx), Path()):
+            formatter.write(f"{line}\n")
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         return list(_COMMANDS)
@@ -84,10 +113,51 @@ def _tell_new_name(context: click.Context, name: str) -> None:
     print_diagnostics([found], "de" if context.obj == "de" else "en")
 
 
-@click.group(cls=_LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
-@click.version_option(__version__, prog_name="nctakt")
-def group() -> None:
-    """A virtual CNC controller that runs NC programs with realtime cycles tick by tick."""
+_TEXT = Text(
+    "A virtual CNC controller that runs NC programs with realtime cycles tick by tick.",
+    "Eine virtuelle CNC-Steuerung, die NC-Programme mit Echtzeit-Zyklen Takt für Takt ausführt.",
+)
+
+
+@click.group(
+    "nctakt",
+    cls=_LazyGroup,
+    help=_TEXT.en,
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+@option(
+    "--version",
+    is_flag=True,
+    group="general",
+    text=Text("Show the version.", "Die Version zeigen."),
+)
+@option(
+    "--verbose",
+    is_flag=True,
+    group="general",
+    text=Text(
+        "With --version: what a report of a fault needs.",
+        "Mit --version: was ein Fehlerbericht braucht.",
+    ),
+)
+@click.pass_context
+def group(context: click.Context, version: bool, verbose: bool) -> int:
+    """Show the version or, without a subcommand, the help."""
+    if version and verbose:
+        from nctakt.cli.overview import version_lines  # noqa: PLC0415 - only for this
+
+        click.echo("\n".join(version_lines()))
+        context.exit(EXIT_RAN)
+    if version:
+        click.echo(f"nctakt, version {__version__}")
+        context.exit(EXIT_RAN)
+    if context.invoked_subcommand is None:
+        click.echo(context.get_help(), err=True)
+    return EXIT_USAGE
+
+
+group.text = _TEXT
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -110,15 +180,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     try:
-        from nctakt.cli.help import help_language  # noqa: PLC0415 - help is never needed alone
-
         words = sys.argv[1:] if arguments is None else arguments
         code = group.main(
             arguments, prog_name="nctakt", standalone_mode=False, obj=help_language(words)
         )
-    except click.exceptions.NoArgsIsHelpError as error:
-        error.show()
-        return EXIT_USAGE
     except click.ClickException as error:
         from nctakt.cli.usage import report_usage  # noqa: PLC0415 - only a mistake needs it
 

@@ -33,6 +33,7 @@ from nctakt.reference.topics import (
     TOPICS,
     answer_question,
     explain,
+    is_question,
     nearest_word,
     search,
     topic,
@@ -105,7 +106,7 @@ def _explain(words: Sequence[str], machine: str | None, form: str, language: Lan
         _show([*topic_lines(TOPICS, language)])
         return EXIT_RAN
     answers = [_answer(word, machine, language) for word in dict.fromkeys(_phrases(words))]
-    if len(words) > 1 and any(not answer.articles for answer in answers):
+    if is_question(words) and any(not answer.articles for answer in answers):
         found = answer_question(" ".join(words), language)
         if found:
             answers = [_Answer(" ".join(words), tuple(found[:_MAX_ANSWERS]))]

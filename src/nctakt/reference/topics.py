@@ -8,6 +8,7 @@ word.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.misspelling import nearest
@@ -104,6 +105,11 @@ def search(words: str, language: Language) -> list[Article]:
         elif phrase in facts:
             found[1 if whole.search(facts) else 3].append(article)
     return [article for articles in found for article in articles]
+
+
+def is_question(words: Sequence[str]) -> bool:
+    """Return whether words are a question, with one that says nothing about its subject."""
+    return len(words) > 1 and any(word.casefold() in _SMALL_WORDS for word in words)
 
 
 def answer_question(words: str, language: Language) -> list[Article]:

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""What ``nctakt`` says without a subcommand: the path of five commands, and the whole version.
+
+In: the working directory. Out: the path with the lists and programs that lie there, so that a
+person can copy it. Only the names of files in the folder and right below it are looked at.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import platform
+import re
+import sys
+from collections.abc import Iterator
+from importlib import metadata
+from pathlib import Path
+
+from nctakt.base.diagnostics import Language, Text
+from nctakt.base.mode import is_compiled
+from nctakt.base.version import __version__
+from nctakt.checking.inputs import PROGRAM_SUFFIXES
+from nctakt.lists.machine.files import startup_lists
+
+_PATH = Text("The path from your folder to an answer", "Der Weg vom eigenen Ordner zur Antwort")
+_STEPS = (
+    ("nctakt check {folder}", Text("find mistakes", "Fehler finden")),
+    ("nctakt run {program}", Text("run it", "ausführen")),
+    ("nctakt live {program} --open", Text("see it in the browser", "im Browser ansehen")),
+    ("nctakt why {program}", Text("why reactions came", "warum Reaktionen kamen")),
+    (
+        "nctakt init --ci github",
+        Text("project, first test, CI", "Projekt, erster Test, CI"),
+    ),
+)
+
+#: A requirement of an extra, as the metadata of the package has it.
+_REQUIREMENT = re.compile(r"([\w.-]+)[^;]*(?:;.*extra == ['\"](\w+)['\"])?")
+#: Extras for those who work on nctakt itself.
+_INTERNAL = ("docs", "test")
+
+
+def path_lines(language: Language, folder: Path) -> Iterator[str]:
+    """Yield the path of five commands with the files of a folder."""
+    program = next(_programs(folder), "part.nc")
+    machine = next((path.parent for path in _startup_lists(folder)), folder)
+    shown = machine.relative_to(folder).as_posix()
+    steps = [
+        (command.format(folder=shown, program=program), text.get(language))
+        for command, text in _STEPS
+    ]
+    width = max(len(command) for command, _ in steps)
+    yield f"{_PATH.get(language)}:"
+    for command, text in steps:
+        yield f"  {command.ljust(width)}  {text}"
+
+
+def _folders(folder: Path) -> Iterator[Path]:
+    """Yield a folder and those right below it, without hidden ones."""
+    yield folder
+    with contextlib.suppress(OSError):  # a folder that nobody may look into
+        for path in sorted(folder.iterdir()):
+            if not path.name.startswith(".") and path.is_dir() and not path.is_symlink():
+                yield path
+
+
+def _programs(folder: Path) -> Iterator[str]:
+    for inner in _folders(folder):
+        for path in sorted(inner.glob("*.*")):
+            if path.suffix.casefold() in PROGRAM_SUFFIXES and path.is_file():
+                yield path.relative_to(folder).as_posix()
+
+
+def _startup_lists(folder: Path) -> Iterator[Path]:
+    for inner in _folders(folder):
+        yield from startup_lists(inner)
+
+
+def version_lines() -> Iterator[str]:
+    """Yield what a report of a fault needs: version, platform, what is compiled and installed."""
+    yield f"nctakt {__version__}"
+    yield f"Python {platform.python_version()} ({sys.implementation.name}), {platform.platform()}"
+    yield f"realtime part: {'compiled' if is_compiled() else 'plain Python'}"
+    extras: dict[str, list[str]] = {}
+    for requirement in metadata.requires("nctakt") or ():
+        found = _REQUIREMENT.match(requirement)
+        if found is not None and found[2] not in _INTERNAL:
+            extras.setdefault(found[2] or "", []).append(f"{found[1]} {_version(found[1])}")
+    for extra in sorted(extras):
+        yield f"{f'extra {extra}' if extra else 'libraries'}: {', '.join(extras[extra])}"
+
+
+def _version(name: str) -> str:
+    """Return the version of a library, ``–`` if it is not installed."""
+    try:
+        return metadata.version(name)
+    except metadata.PackageNotFoundError:
+        return "–"

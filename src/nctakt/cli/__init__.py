@@ -48,6 +48,7 @@ _GROUPS: Mapping[Text, Mapping[str, str]] = {
     Text("Look", "Ansehen"): {
         "live": "nctakt.cli.live",
         "why": "nctakt.cli.why",
+        "time": "nctakt.cli.time",
         "coverage": "nctakt.cli.coverage",
         "disassemble": "nctakt.cli.disassemble",
         "explain": "nctakt.cli.explain",

@@ -94,10 +94,10 @@ def start_controller(options: Options, access: FileAccess) -> Controller:
     machine: Machine | str | None = options.machine
     if options.root is not None:
         machine = load_machine(options.machine, root=options.root, access=access)
-    return Controller(machine, _schedule(options, access), access)
+    return Controller(machine, schedule_of(options, access), access)
 
 
-def _schedule(options: Options, access: FileAccess) -> RunSchedule | None:
+def schedule_of(options: Options, access: FileAccess) -> RunSchedule | None:
     """Return the schedule of the options, ``None`` without one; raises ``Failure``."""
     if options.rtconf is None:
         for option, word in (("--load", options.load), ("--os", options.system)):

@@ -155,3 +155,5 @@ cdef enum:
     EXIT_ZONE = 2
     CURVE = 3
     BEHIND_STAGES = 4
+    END_OF_QUEUE = -1
+    STANDS_BETWEEN = -2

@@ -249,3 +249,6 @@ FAR_CHECK = 7
     CURVE,
     BEHIND_STAGES,
 ) = range(-1, 5)
+
+#: Instead of the number of the segment that comes next (``tick/command_queue.py``).
+END_OF_QUEUE, STANDS_BETWEEN = -1, -2

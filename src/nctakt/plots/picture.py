@@ -7,10 +7,12 @@ and no state of matplotlib is changed.
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import io
 import re
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -75,6 +77,31 @@ def write_picture(scene: Scene, path: Path, language: Language) -> None:
         path.write_bytes(_Sheet(scene, language).render(suffix[1:]))
 
 
+@contextlib.contextmanager
+def new_sheet(height_in: float) -> Iterator[Any]:
+    """Yield an empty figure of matplotlib, with settings that hold until it is written."""
+    import matplotlib  # noqa: PLC0415 - only a picture needs it
+    from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
+    from matplotlib.figure import Figure  # noqa: PLC0415
+
+    # names of files, axes and cells are not formulas, and may have signs that the font lacks
+    settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
+    settings["text.parse_math"] = False
+    with matplotlib.rc_context(settings), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message="Glyph .* missing")
+        sheet = Figure(figsize=(_WIDTH_IN, height_in), dpi=_DPI, layout="constrained")
+        FigureCanvasAgg(sheet)
+        yield sheet
+
+
+def picture_of(sheet: Any, format_: str) -> bytes:
+    """Return the file of a figure, ``png`` or ``svg``: the same figure gives the same bytes."""
+    buffer = io.BytesIO()
+    metadata = {"Software": None} if format_ == "png" else {"Date": None, "Creator": None}
+    sheet.savefig(buffer, format=format_, metadata=metadata)
+    return buffer.getvalue() if format_ == "png" else _with_steady_names(buffer.getvalue())
+
+
 class _Sheet:
     """One sheet of matplotlib: path, lanes and panels below each other."""
 
@@ -88,21 +115,11 @@ class _Sheet:
 
     def render(self, format_: str) -> bytes:
         """Return the picture's file as bytes."""
-        import matplotlib  # noqa: PLC0415 - only a picture needs it
-        from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
-        from matplotlib.figure import Figure  # noqa: PLC0415
-
         scene = self._scene
         heights = [_PATH_HEIGHT_IN] if scene.path is not None else []
         heights.append(0.2 + _LANE_HEIGHT_IN * max(len(self._lanes), 2))
         heights += [_PANEL_HEIGHT_IN] * len(scene.panels)
-        # names of files, axes and cells are not formulas, and may have signs that the font lacks
-        settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
-        settings["text.parse_math"] = False
-        with matplotlib.rc_context(settings), warnings.catch_warnings():
-            warnings.filterwarnings("ignore", message="Glyph .* missing")
-            sheet = Figure(figsize=(_WIDTH_IN, sum(heights) + 1.1), dpi=_DPI, layout="constrained")
-            FigureCanvasAgg(sheet)
+        with new_sheet(sum(heights) + 1.1) as sheet:
             sheet.suptitle(scene.title, fontsize=12, fontweight="bold", color=INK)
             grid = sheet.add_gridspec(len(heights), 2, height_ratios=heights)
             row = 0
@@ -125,10 +142,7 @@ class _Sheet:
             sheet.get_axes()[-1].set_xlabel(self._text(_TIME), fontsize=8)
             if not scene.panels:
                 shared.tick_params(labelbottom=True)
-            buffer = io.BytesIO()
-            metadata = {"Software": None} if format_ == "png" else {"Date": None, "Creator": None}
-            sheet.savefig(buffer, format=format_, metadata=metadata)
-        return buffer.getvalue() if format_ == "png" else _with_steady_names(buffer.getvalue())
+            return picture_of(sheet, format_)
 
     def _range(self) -> tuple[float, float]:
         margin = 0.01 * (self._scene.end_s - self._scene.begin_s) or 0.001
@@ -162,7 +176,7 @@ class _Sheet:
             )
         title = panel.title if len(panel.title) <= 24 else f"{panel.title[:23]}…"
         axes.set_ylabel(f"{title}\n{panel.unit}".strip(), fontsize=8, color=INK)
-        _plain_look(axes)
+        plain_look(axes)
         if len(panel.lines) > 1 or panel.lines[0].name != panel.title:
             axes.legend(
                 loc="upper left",
@@ -218,7 +232,7 @@ class _Sheet:
         self._draw_arrows(axes)
         axes.set_yticks(range(len(self._lanes)), [_label(lane) for lane in self._lanes])
         axes.set_ylim(max(len(self._lanes), 2) - 0.4, -0.6)
-        _plain_look(axes)
+        plain_look(axes)
         axes.grid(False, axis="y")
         axes.tick_params(labelbottom=False)
         notes = list(scene.notes)
@@ -278,7 +292,7 @@ def _label(lane: Lane) -> str:
     return f"({lane.number})  {label}" if lane.number else label
 
 
-def _plain_look(axes: Any) -> None:
+def plain_look(axes: Any) -> None:
     axes.tick_params(labelsize=7, color=GRID, labelcolor=INK)
     axes.yaxis.get_offset_text().set_fontsize(7)
     axes.grid(linewidth=0.4, color=GRID)

@@ -14,7 +14,7 @@ from typing import TextIO
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.lists.format.times import time_stamp
-from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
+from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run, RunState
 from nctakt.results.starving import schedule_lines
 from nctakt.trace.events import value_text
 
@@ -122,7 +122,7 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
     if run.ticks == 0:
         return f"{names}: {_NOT_RUN.get(language)}"
     time_s = time_stamp(run.virtual_time_us)
-    how = _STATES[run.state].get(language)
+    how = state_text(run.state, language)
     singular, plural = Text("tick", "Takt"), Text("ticks", "Takte")
     ticks = (singular if run.ticks == 1 else plural).get(language)
     text = f"{names}: {how}, {run.ticks} {ticks} = {time_s}"
@@ -135,6 +135,11 @@ def headline(run: Run, language: Language, wall_s: float | None) -> str:
         f"in {took}, {factor}-mal so schnell wie die Maschine",
     )
     return f"{text}, {faster.get(language)}"
+
+
+def state_text(state: RunState, language: Language) -> str:
+    """Return how a run has ended."""
+    return _STATES[state].get(language)
 
 
 def _factor(value: float) -> str:

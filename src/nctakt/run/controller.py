@@ -10,12 +10,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Unpack
+from types import TracebackType
+from typing import TYPE_CHECKING, Self, Unpack
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.lists.format import arguments
+from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
@@ -97,6 +99,22 @@ class Controller:
         count, axes = len(self._loop.channels), len(self.machine.axes)
         size = f"{count} channel{'s'[: count != 1]}, {axes} axes"
         return f"<Controller of {self.machine.name}: {size}, {self.state} at tick {self.tick}>"
+
+    def close(self) -> None:
+        """Close the interface image, if there is one; the controller itself holds nothing open."""
+        if self._image is not None and not self._image.is_closed:
+            self._image.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
 
     # --- state and variables --------------------------------------------------------------------
 
@@ -230,13 +248,14 @@ class Controller:
         )
 
     @alone
-    def step(self, ticks: int = 1) -> Step:
-        """Run this number of ticks, whatever the state; return what they have done.
+    def step(self, ticks: TimeLike = 1) -> Step:
+        """Run this number of ticks, or as many as a time such as ``"20 ms"`` needs.
 
-        Raises ``Failure`` for what is no number of ticks.
+        Whatever the state; returns what they have done. A plain number is one of ticks. Raises
+        ``Failure`` for what is no whole number of ticks and no time.
         """
         if type(ticks) is not int or ticks < 0:
-            ticks = arguments.whole_number("ticks", ticks)
+            ticks = self._tick_count(ticks)
         loop, recording, kernel = self._loop, self._loop.recording, self._machine.kernel
         first_tick = kernel.tick
         end = first_tick + ticks
@@ -261,6 +280,16 @@ class Controller:
             tuple(recording.messages[first_message:]),
             tuple(self.diagnostics[first_diagnostic:]),
         )
+
+    def _tick_count(self, ticks: TimeLike) -> int:
+        """Return the number of ticks of a time, or a whole number as it is.
+
+        A text without a unit could mean seconds or ticks, and is refused.
+        """
+        has_unit = isinstance(ticks, str) and ticks[-1:].isalpha()
+        if has_unit or isinstance(ticks, Time) or hasattr(ticks, "total_seconds"):
+            return read_time(ticks).ticks(self.cycle_time_us)
+        return arguments.whole_number("ticks", ticks)
 
     def backward(self, channel: int = 1) -> None:
         """Move backward on the path from the next tick on (MO-7); ``forward`` ends it.
@@ -325,8 +354,6 @@ class Controller:
         if channels is not None:
             arguments.mapping("channels", channels)
         by_channel = {1: programs, **(channels or {})}
-        for number in by_channel:
-            self._index(number)
         run = self.begin(by_channel, **options)
         try:
             run.advance()
@@ -360,6 +387,7 @@ class Controller:
         result. Raises ``Failure`` as ``run``.
         """
         for channel, own in programs.items():
+            self._index(channel)
             arguments.collection(f"channels[{channel}]", own)
         options = completed(given)
         replay = options["replay"]

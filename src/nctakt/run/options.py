@@ -92,7 +92,8 @@ FRONT_ENDS: Mapping[str, Text] = {
     **{
         name: Text(f"nctakt {name}", f"nctakt {name}")
         for name in (
-            "run", "why", "disassemble", "coverage", "live", "serve", "study", "check", "replay",
+            "run", "why", "time", "disassemble", "coverage", "live", "serve", "study", "check",
+            "replay",
         )
     },
     "python": Text("Controller.run", "Controller.run"),
@@ -105,7 +106,7 @@ FRONT_ENDS: Mapping[str, Text] = {
     "tape": Text("a tape", "ein Band"),
 }  # fmt: skip
 
-_RUNS = "run why disassemble coverage"
+_RUNS = "run why time disassemble coverage"
 _SESSIONS = "live serve"
 _DATA = "python session test plan launch"
 

@@ -113,6 +113,16 @@ class ProgramRun:
         self.state: RunState | None = None
 
     @property
+    def machine(self) -> AssembledMachine:
+        """The machine that it runs on."""
+        return self._machine
+
+    @property
+    def channel_runs(self) -> Sequence[ChannelRun]:
+        """The programs of each channel."""
+        return self._loop.channels
+
+    @property
     def end(self) -> int:
         """The tick at which its limit ends it."""
         return self._end

@@ -333,6 +333,14 @@ def _held_by_cycle(
     return Reason(_filled(awaited, name=name, where=where), freed_by)
 
 
+def cycle_that_writes(
+    machine: AssembledMachine, index: int, variable: str
+) -> tuple[str, int] | None:
+    """Return cycle and line of the last write to a variable in the last tick, if there was any."""
+    write = _last_write(machine, index, variable)
+    return None if write is None else (write.cycle, write.line)
+
+
 def _last_write(machine: AssembledMachine, index: int, variable: str) -> _Write | None:
     """Return the last write to a variable in the last tick: the last one counts (RC-305)."""
     found = None

@@ -488,6 +488,14 @@ class Path(PathAxes):
         row = (self.used - 1 - back) % self.ring_size * self.width
         return [self.history_rows[row + i] for i in range(self.width)]
 
+    def current_segment(self) -> list[float]:
+        """Return the row of the current segment, or of the latest one between two segments."""
+        return [self.history_rows[self.row + i] for i in range(self.width)]
+
+    def planned(self) -> tuple[float, float, int]:
+        """Return the speed limit of this tick, the override factor in it, and the stage."""
+        return (self.limit_v, self.factor, self.stage)
+
     def covered_length(self) -> float:
         """Length covered of the current segment, in mm."""
         return self.covered_d

@@ -337,6 +337,23 @@ class SegmentLimits:
             return arithmetic.square_root(rotary2)
         return arithmetic.square_root(linear2)
 
+    def of_axis(self, index: int) -> tuple[float, ...]:
+        """Return the limits of one axis: speeds, accelerations, those of slopes, jerks.
+
+        In each pair that of rapid motions comes first. Raises ``ValueError`` for no such axis.
+        """
+        check_index(index, self.count, "axis")
+        return (
+            self.rapid_v[index],
+            self.max_v[index],
+            self.rapid_a[index],
+            self.feed_a[index],
+            self.rapid_slope_a[index],
+            self.feed_slope_a[index],
+            self.rapid_j[index],
+            self.feed_j[index],
+        )
+
     def bound(self, segments: memoryview[float], row: int) -> None:
         """Settle speeds and acceleration of a line, or of axes outside of an arc's plane."""
         is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION

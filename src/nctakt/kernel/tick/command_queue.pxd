@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of command_queue.py.
 cimport cython
+from nctakt.kernel cimport codes
 from nctakt.kernel cimport rows
 from nctakt.kernel.base cimport bounds
 from nctakt.kernel.path cimport geometry

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 from nctakt.kernel.base import bounds
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.lookahead import LookAhead
@@ -352,6 +352,35 @@ class CommandQueue:
     def queued(self) -> int:
         """Number of commands that wait."""
         return self.tail - self.head
+
+    def segment_after(self, number: int) -> int:
+        """Return the number of the segment into which the path continues behind command ``number``.
+
+        Below 0 it is the current one. ``codes.END_OF_QUEUE`` if the queue ends before,
+        ``codes.STANDS_BETWEEN`` if something else comes first that the path stands for.
+        """
+        position = number + 1
+        if number < 0:
+            position = max(self.head, self.started + 1)
+        while position < self.tail:
+            row = position % self.capacity * self.width
+            kind = int(self.rows[row + rows.KIND])
+            if kind == rows.SEGMENT:
+                is_joined = self.rows[row + rows.PREDECESSOR] > 0.0
+                return position if is_joined else codes.STANDS_BETWEEN
+            if not self.is_transparent(kind):
+                return codes.STANDS_BETWEEN
+            position += 1
+        return codes.END_OF_QUEUE
+
+    def entry_speed_of(self, number: int) -> float:
+        """Return the highest speed at the start of a queued segment, from that at its end.
+
+        Raises ``ValueError`` if it is not queued.
+        """
+        bounds.check_range(number, self.head, self.tail - 1, "segment")
+        row = number % self.capacity * self.width
+        return self.look_ahead.feed_entry_speed(self.rows, row, self.rows[row + rows.END_SPEED])
 
     def is_transparent(self, kind: int) -> int:
         """Return whether the path passes a command of this kind without a stop."""

@@ -23,6 +23,7 @@ Programs and what comes of them
     ``Stimulus``           a variable that gets a value at a time of a run
     ``Study``              many runs of one program: varied, measured, checked
     ``Run``                the result of a run
+    ``check``              findings in programs, lists and folders, without a run
     ``Diagnostic``         a finding: number, place, text, remedy
     ``Failure``            raised for what cannot be used; carries diagnostics
 
@@ -62,6 +63,7 @@ TYPE_CHECKING = False  # type checkers know better, and importing typing takes l
 if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic
     from nctakt.base.failure import Failure
+    from nctakt.checking.python_check import check
     from nctakt.lists.machine.machine import Machine, load_machine
     from nctakt.plc.policies import after, only, run_up
     from nctakt.plc.public_types import Function, HliView, SpindleJob
@@ -90,6 +92,7 @@ __all__ = [
     "Study",
     "after",
     "at",
+    "check",
     "load_machine",
     "on",
     "only",
@@ -116,6 +119,7 @@ _MODULES = {
     "Study": "nctakt.studies.study",
     "after": "nctakt.plc.policies",
     "at": "nctakt.plc.script",
+    "check": "nctakt.checking.python_check",
     "load_machine": "nctakt.lists.machine.machine",
     "on": "nctakt.plc.script",
     "only": "nctakt.plc.policies",

@@ -17,6 +17,8 @@ from nctakt.messages.files import NOT_A_REGULAR_FILE
 from nctakt.studies.bench import Row
 from nctakt.studies.report import sensitivities
 from nctakt.studies.results import StreamedRows, read_rows, write_rows
+from nctakt.studies.study import Study
+from nctakt.studies.verdicts import limits_of, wilson
 
 pytest_plugins = ["pytester"]
 
@@ -63,6 +65,25 @@ def test_the_page_stands_alone(plan: Path) -> None:
     again = plan.with_name("again.html")
     assert main(["study", "report", str(plan), str(rows), "--report", str(again)]) == 0
     assert again.read_text("utf-8").count("<svg") == text.count("<svg")
+
+
+def test_shares_have_wilsons_interval() -> None:
+    """Newcombe (1998), table I: 81 of 263 is 0.2553 … 0.3662, 0 of 20 is 0 … 0.1611."""
+    assert wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=5e-5)
+    assert wilson(0, 20) == pytest.approx((0.0, 0.1611), abs=5e-5)
+    assert wilson(20, 20)[1] == 1.0
+
+
+def test_limits_are_lines(plan: Path) -> None:
+    """``duration < 1.2 s`` is a line at 1.2 of the measure with this text, of no other one."""
+    study = Study(plan)
+    assert limits_of(study.plan, "time") == [1.2]
+    assert limits_of(study.plan, "late") == []
+    page = study.run().report()
+    assert "<title>1.2</title></line>" in page
+    assert "Passed and failed over two inputs" in page
+    assert "least time" in page
+    assert "time in s" in page
 
 
 def test_what_matters_is_on_top() -> None:

@@ -125,16 +125,57 @@ def test_a_violation_shrinks_to_the_smallest_change(program: Path) -> None:
     assert plan.shrink(900).rows[0]["stop"] == FIRST_LATE
 
 
-def test_a_search_finds_the_worst_case(program: Path) -> None:
-    """The largest rest position is that of the latest stop: 100 mm/s times 560 ms."""
+def test_expectations_bound_a_search(program: Path) -> None:
+    """The latest stop that rests before 55.05 mm is that at 550 ms (100 mm/s); without this limit
+    it would be the last one of the grid, which is shown with what it breaks."""
     plan = study(program, **{"from": "500 ms", "to": "560 ms", "step": "1 tick"})
-    worst = search(plan.bench, Goal("maximize", "rest", 61)).rows[0]  # each point of the grid
-    assert worst["stop"] == 0.56
-    assert worst["rest"] == pytest.approx(56.0)
+    answer = search(plan.bench, Goal("maximize", "rest", 61))  # each point of the grid
+    best, beyond = answer.rows
+    assert (best["stop"], best["verdict"], answer.finding) == (0.55, "held", None)
+    assert beyond["stop"] == 0.56
+    assert beyond["rest"] == pytest.approx(56.0)
+    assert beyond["verdict"] == "broken"
+
+
+def test_a_search_without_a_run_that_passes_says_so(program: Path) -> None:
+    """All stops from 560 ms on are too late: 901940, and the best of them."""
+    plan = study(program, **{"from": "560 ms", "to": "570 ms", "step": "1 tick"})
+    answer = search(plan.bench, Goal("minimize", "rest", 20))
+    assert [row["stop"] for row in answer.rows] == [0.56]
+    assert answer.finding is not None
+    assert answer.finding.id == 901940
+
+
+def test_several_objectives_have_a_pareto_set(program: Path) -> None:
+    """Between 540 and 560 ms a later stop rests further; those up to 550 ms pass, and none of
+    them is better in both: a late stop that rests early."""
+    plan = Study(
+        program=str(program),
+        until="1 s",
+        vary=[{"time_of": "V.E.TRIGGER = 1", "name": "stop", "from": "545 ms", "to": "560 ms",
+               "step": "1 tick"}],
+        measure={"rest": "max X", "reserve": "55.05 - rest"},
+        expect=["rest < 55.05"],
+        find={"pareto": ["maximize rest", "maximize reserve"], "budget": 20},
+    )  # fmt: skip
+    (answer,) = plan.find()
+    assert [row["stop"] for row in answer.rows] == [n / 1000 for n in range(550, 544, -1)]
+    plan = study(program, **{"from": "545 ms", "to": "560 ms", "step": "1 tick"})
+    both = (("maximize", "rest"), ("maximize", "rest"))
+    (row,) = search(plan.bench, Goal("pareto", "", 20, both)).rows
+    assert row["stop"] == 0.55
+
+
+def test_a_boundary_is_two_ticks_that_follow_each_other(program: Path) -> None:
+    """Whatever the step, and though 0.3 ms is no tick: 550 and 551 ms."""
+    plan = study(program, **{"from": "0.3 ms", "to": "900 ms", "step": "7 ms"})
+    answer = search(plan.bench, Goal("boundary", "stop", 0))
+    assert [row["stop"] for row in answer.rows] == [0.55, FIRST_LATE]
 
 
 def test_a_search_finds_the_first_late_tick(program: Path) -> None:
-    """The stop that rests nearest to 55.1 mm, among 901: by optuna, then by halving steps."""
+    """The stop that rests nearest to 55.1 mm, among 901: by optuna, then by halving steps. The
+    nearest one that passes comes first."""
     pytest.importorskip("optuna")
     plan = Study(
         program=str(program),
@@ -148,7 +189,7 @@ def test_a_search_finds_the_first_late_tick(program: Path) -> None:
         find={"minimize": "miss", "budget": 90},
     )  # fmt: skip
     (answer,) = plan.find()
-    assert answer.rows[0]["stop"] == FIRST_LATE
+    assert [row["stop"] for row in answer.rows] == [0.55, FIRST_LATE]
     assert answer.runs <= 90
 
 

@@ -15,6 +15,7 @@ from nctakt.studies.each_tick import strip
 from nctakt.studies.measures import as_text
 from nctakt.studies.search import Answer
 from nctakt.studies.study import Study, StudyResult
+from nctakt.studies.verdicts import share_text
 
 #: Broken runs that are shown.
 MAX_SHOWN = 10
@@ -50,6 +51,8 @@ def summary(
     verdicts = result.counts
     counts = ", ".join(f"{count} {names[name]}" for name, count in verdicts.items() if count)
     yield f"{file}: {len(result)} {runs}: {counts}"
+    if len(result) and study.plan.method in ("random", "latin", "sobol"):
+        yield f"  {names[HELD]}: {share_text(verdicts[HELD], len(result))}"
     for name, span in spans_of(result).items():
         line = f"  {name}"
         if span.low is not None and span.high is not None:
@@ -135,4 +138,5 @@ def _values(study: Study, row: Row, language: Language) -> str:
     plan = study.plan
     names = [*(one.name for one in plan.dimensions), *(one.name for one in plan.measures)]
     values = ", ".join(f"{name} = {as_text(row[name])}" for name in names)
-    return f"{values}: {_VERDICTS[language][str(row['verdict'])]}"
+    text = f"{values}: {_VERDICTS[language][str(row['verdict'])]}"
+    return f"{text}: {row['broken']}" if row["broken"] else text

@@ -174,14 +174,12 @@ UNKNOWN_THREAD = error(
     "Anführungszeichen.",
     nearest=("the nearest one", "der nächste"),
 )
-ANSWER_BROKEN = warning(
+ANSWER_BROKEN = error(
     901940,
-    en="the expectations do not hold in the run that was found: {broken}",
-    de="im gefundenen Lauf sind die Erwartungen verletzt: {broken}",
-    remedy_en="Expectations do not bound this search: run the plan without find, take the best row "
-    "that held.",
-    remedy_de="Erwartungen begrenzen diese Suche nicht: ohne find ausführen, die beste erfüllte "
-    "Zeile nehmen.",
+    en="no run of the search meets the expectations; in the best one: {broken}",
+    de="kein Lauf der Suche erfüllt die Erwartungen; im besten: {broken}",
+    remedy_en="Widen what is varied, raise budget, or relax an expectation.",
+    remedy_de="Die variierten Bereiche erweitern, budget erhöhen oder eine Erwartung lockern.",
     broken=("what does not hold", "was verletzt ist"),
 )
 DIMENSION_WITHOUT_EFFECT = warning(

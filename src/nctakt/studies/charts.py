@@ -56,9 +56,12 @@ def axis_of(values: Sequence[float], name: str) -> Axis:
     return Axis(low, high, name)
 
 
-def histogram(values: Sequence[float], name: str, unit: str) -> str:
-    """Return how often a measure has which value; ``unit``: the name of what is counted."""
-    across = axis_of(values, name)
+def histogram(values: Sequence[float], name: str, unit: str, limits: Sequence[float] = ()) -> str:
+    """Return how often a measure has which value; ``unit``: the name of what is counted.
+
+    ``limits``: values of expectations, as lines; the axis reaches to them.
+    """
+    across = axis_of([*values, *limits], name)
     counts = [0] * BARS
     for value in values:
         counts[min(int(across.share(value) * BARS), BARS - 1)] += 1
@@ -73,7 +76,44 @@ def histogram(values: Sequence[float], name: str, unit: str) -> str:
             f'height="{_y_at(0) - top:.1f}" fill="{HELD_COLOUR}">'
             f"<title>{_number(low)} …: {count}</title></rect>"
         )
+    for limit in limits:
+        x = _x_at(across.share(limit))
+        bars.append(
+            f'<line x1="{x:.1f}" y1="{_TOP}" x2="{x:.1f}" y2="{_y_at(0)}" '
+            f'stroke="{BROKEN_COLOUR}" stroke-dasharray="5 3">'
+            f"<title>{_number(limit)}</title></line>"
+        )
     return _chart(across, up, "".join(bars))
+
+
+def verdict_map(
+    x: Sequence[float], y: Sequence[float], held: Sequence[bool], names: tuple[str, str]
+) -> str:
+    """Return where over two inputs runs passed and failed, from one colour to the other."""
+    across, up = axis_of(x, names[0]), axis_of(y, names[1])
+    columns, rows = (min(CELLS, len(dict.fromkeys(own))) for own in (x, y))
+    counts: dict[tuple[int, int], list[int]] = {}
+    for left, bottom, is_held in zip(x, y, held, strict=True):
+        column = min(int(across.share(left) * columns), columns - 1)
+        row = min(int(up.share(bottom) * rows), rows - 1)
+        cell = counts.setdefault((column, row), [0, 0])
+        cell[0] += is_held
+        cell[1] += 1
+    cells = []
+    for (column, row), (passed, total) in counts.items():
+        left, right = _x_at(column / columns), _x_at((column + 1) / columns)
+        top, bottom = _y_at((row + 1) / rows), _y_at(row / rows)
+        box = (
+            f'x="{left:.1f}" y="{top:.1f}" width="{right - left + 0.3:.1f}" '
+            f'height="{bottom - top + 0.3:.1f}"'
+        )
+        failed = (total - passed) / total
+        cells.append(
+            f'<rect {box} fill="{HELD_COLOUR}"/>'
+            f'<rect {box} fill="{BROKEN_COLOUR}" fill-opacity="{failed:.3f}">'
+            f"<title>{passed} / {total}</title></rect>"
+        )
+    return _chart(across, up, "".join(cells))
 
 
 def scatter(

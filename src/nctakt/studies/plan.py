@@ -41,19 +41,27 @@ RESERVED = (
 Entry = tuple[str, str | int]
 Place = tuple[Span | None, str]
 
-GoalWord = Literal["minimize", "maximize", "boundary"]
+GoalWord = Literal["minimize", "maximize", "boundary", "pareto"]
 
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """What is searched for: ``word`` is minimize, maximize or boundary, ``measure`` of what.
+    """What is searched for: ``word`` says how, ``measure`` of what.
 
-    ``budget``: how many runs the search may take.
+    ``budget``: how many runs the search may take. ``several``: the objectives of a Pareto set.
     """
 
     word: GoalWord
     measure: str
     budget: int
+    several: tuple[tuple[str, str], ...] = ()
+
+    @property
+    def objectives(self) -> tuple[tuple[str, str], ...]:
+        """``minimize`` or ``maximize`` of each measure; none of a boundary."""
+        if self.word == "boundary":
+            return ()
+        return self.several or ((self.word, self.measure),)
 
 
 @dataclass(frozen=True, slots=True)

@@ -75,12 +75,13 @@ _TOP = (
     "after", "set", "at", "vary", "measure", "expect", "find",
     *(option.name for option in _FURTHER),
 )  # fmt: skip
-_GOALS: tuple[GoalWord, ...] = ("minimize", "maximize", "boundary")
+_GOALS: tuple[GoalWord, ...] = ("minimize", "maximize", "boundary", "pareto")
 _STIMULUS = Text('["20 ms", "V.E.DOOR = 1"]', '["20 ms", "V.E.DOOR = 1"]')
 _DESIGN = Text(
     f"at most {MAX_DESIGN} with this method (random takes any)",
     f"bei diesem Verfahren höchstens {MAX_DESIGN} (random nimmt jede Zahl)",
 )
+_TWO_OBJECTIVES = Text("two different measures or more", "zwei verschiedene Messgrößen oder mehr")
 _WITH_PROGRAM = Text("left out without a program", "ohne Programm weggelassen")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 
@@ -372,6 +373,9 @@ class _Reader(PlanReader):
             if not words:
                 self.missing(" / ".join(_GOALS), f"find {number + 1}", number, "find")
             for word in words:
+                if word == "pareto":
+                    goals += self._pareto(entry[word], list(known), budget, number)
+                    continue
                 name, names = entry[word], dimensions if word == "boundary" else list(known)
                 if not isinstance(name, str) or name not in names:
                     self.wrong(word, name, one_of(names), "find", number)
@@ -380,6 +384,22 @@ class _Reader(PlanReader):
                 else:
                     goals.append(Goal(word, name, budget))
         return tuple(goals)
+
+    def _pareto(self, entry: Any, names: Sequence[str], budget: int, number: int) -> list[Goal]:
+        """Return the goal with several objectives, such as ``["minimize a", "maximize b"]``."""
+        texts = entry if isinstance(entry, list) else [entry]
+        several = []
+        for text in texts:
+            word, _, name = text.partition(" ") if isinstance(text, str) else ("", "", "")
+            if word not in ("minimize", "maximize") or name.strip() not in names:
+                forms = [f"{verb} {one}" for one in names for verb in ("minimize", "maximize")]
+                self.wrong("pareto", text, one_of(forms), "find", number)
+                return []
+            several.append((word, name.strip()))
+        if len(several) < 2 or len({name for _, name in several}) < len(several):
+            self.wrong("pareto", entry, _TWO_OBJECTIVES, "find", number)
+            return []
+        return [Goal("pareto", ", ".join(map(str, texts)), budget, tuple(several))]
 
     def _check_kinds(self, plan: Plan) -> None:
         """Note dimensions of a schedule without one, and those of a program without one."""

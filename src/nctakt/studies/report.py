@@ -24,6 +24,7 @@ from nctakt.studies.each_tick import Nominal
 from nctakt.studies.effects import without_effect
 from nctakt.studies.measures import as_text
 from nctakt.studies.plan import Plan
+from nctakt.studies.verdicts import limits_of, share_text
 
 #: Broken runs in the table of the report, pictures of one kind.
 MAX_ROWS, MAX_PICTURES = 200, 24
@@ -59,6 +60,10 @@ _TEXTS = {
         "depends": "how much {} depends on each input", "table": "Runs that did not hold",
         "more": "… and {} more", "sample": "Pictures of {} of the runs, evenly spread.",
         "run": "run", "reason": "broken", "command": "shown by",
+        "verdict_map": "passed (blue) and failed (red) over {} and {}",
+        "verdict_maps": "Passed and failed over two inputs",
+        "extremes": "Least and greatest values", "least": "least {}", "greatest": "greatest {}",
+        "which": "which", "verdict": "verdict",
         "PAWN, median": "PAWN, median", "rank correlation": "rank correlation",
     },
     "de": {
@@ -72,6 +77,10 @@ _TEXTS = {
         "depends": "wie stark {} von jedem Eingang abhängt", "table": "Nicht erfüllte Läufe",
         "more": "… und {} weitere", "sample": "Bilder aus {} der Läufe, gleichmäßig verteilt.",
         "run": "Lauf", "reason": "verletzt", "command": "zu sehen mit",
+        "verdict_map": "erfüllt (blau) und verletzt (rot) über {} und {}",
+        "verdict_maps": "Erfüllt und verletzt über zwei Eingängen",
+        "extremes": "Kleinste und größte Werte", "least": "kleinstes {}",
+        "greatest": "größtes {}", "which": "welches", "verdict": "Urteil",
         "PAWN, median": "PAWN, Median", "rank correlation": "Rangkorrelation",
     },
 }  # fmt: skip
@@ -136,6 +145,7 @@ class _Report:
             ("each_tick", self._strips()),
             ("measures", self._histograms()),
             ("scatters", self._scatters()),
+            ("verdict_maps", self._verdict_maps()),
             ("pairs", self._heat_maps()),
             ("sensitivities", self._tornadoes()),
         ):
@@ -143,7 +153,7 @@ class _Report:
             if shown:
                 heading = self._text(key)
                 parts.append(f'<h2>{heading}</h2><div class="charts">{"".join(shown)}</div>')
-        parts.append(self._table(command))
+        parts += [self._extremes(command), self._table(command)]
         head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{_STYLE}</style>'
         return (
             f'<!doctype html><html lang="{self._language}"><head>{head}</head>'
@@ -153,6 +163,8 @@ class _Report:
     def _verdicts(self) -> str:
         expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)
         held = self._text("held", self._held)
+        if self._count:
+            held += f", {share_text(self._held, self._count)}"
         broken = self._text("broken", self._count - self._held)
         dead = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in self._dead]
         warnings = "".join(f"<p>{escape(one.text(self._language))}</p>" for one in dead)
@@ -184,7 +196,9 @@ class _Report:
                 missing = len(self._rows) - len(own)
                 caption = f"{name}: {len(own)} {self._text('runs')}"
                 caption += f", {self._text('without', missing)}" if missing else ""
-                picture = charts.histogram(_column(own, name), name, self._text("runs"))
+                limits = limits_of(self._plan, name)
+                values = _column(own, name)
+                picture = charts.histogram(values, self._label(name), self._text("runs"), limits)
                 yield _figure(picture, caption)
 
     def _scatters(self) -> Iterator[str]:
@@ -194,7 +208,24 @@ class _Report:
             if own:
                 x, y = (_column(own, name) for name in names)
                 caption = self._text("over", measure, names[0])
-                yield _figure(charts.scatter(x, y, _held(own), names), caption)
+                labels = (self._label(dimension.name), self._label(measure))
+                yield _figure(charts.scatter(x, y, _held(own), labels), caption)
+
+    def _label(self, name: str) -> str:
+        """Return the name of a column with its unit: times are in seconds."""
+        times = {one.name for one in self._plan.dimensions if one.is_time}
+        times |= {one.name for one in self._plan.measures if one.text.strip() == "duration"}
+        is_time = name in times or name == REACTION
+        return self._text("in_s", name) if is_time else name
+
+    def _verdict_maps(self) -> Iterator[str]:
+        for first, second in itertools.combinations(self._plan.dimensions, 2):
+            own = self._numbers(first.name, second.name)
+            if own and self._plan.expectations:
+                x, y = (_column(own, one.name) for one in (first, second))
+                names = (self._label(first.name), self._label(second.name))
+                caption = self._text("verdict_map", first.name, second.name)
+                yield _figure(charts.verdict_map(x, y, _held(own), names), caption)
 
     def _heat_maps(self) -> Iterator[str]:
         pairs = list(itertools.combinations(self._plan.dimensions, 2))
@@ -204,7 +235,8 @@ class _Report:
             if own:
                 x, y, values = (_column(own, name) for name in names)
                 caption = self._text("mean", measure, first.name, second.name)
-                yield _figure(charts.heat_map(x, y, values, names), caption)
+                labels = (self._label(names[0]), self._label(names[1]), self._label(measure))
+                yield _figure(charts.heat_map(x, y, values, labels), caption)
 
     def _tornadoes(self) -> Iterator[str]:
         for measure in self._names:
@@ -219,25 +251,53 @@ class _Report:
             picture = charts.bars(pairs, self._text(method))
             yield _figure(picture, self._text("depends", measure))
 
+    def _extremes(self, command: Callable[[int], str] | None) -> str:
+        """Return the table of the runs with the least and the greatest value of each measure."""
+        rows = []
+        for name in self._names:
+            own = self._numbers(name)
+            if own:
+                values = _column(own, name)
+                for key, value in (("least", min(values)), ("greatest", max(values))):
+                    rows.append((self._text(key, name), own[values.index(value)]))
+        if not rows:
+            return ""
+        return self._rows_of("extremes", rows, "verdict", command, "")
+
     def _table(self, command: Callable[[int], str] | None) -> str:
         """Return the table of the runs that did not hold."""
         if not self._broken:
             return ""
+        left = self._count - self._held - len(self._broken)
+        rest = f"<p>{self._text('more', left)}</p>" if left else ""
+        return self._rows_of("table", [("", row) for row in self._broken], "broken", command, rest)
+
+    def _rows_of(
+        self,
+        heading: str,
+        rows: Sequence[tuple[str, Row]],
+        last: str,
+        command: Callable[[int], str] | None,
+        rest: str,
+    ) -> str:
+        """Return a table of runs; ``last``: its last column, each row with a word before it."""
         names = [*(one.name for one in self._plan.dimensions), *self._names]
-        heads = [self._text("run"), *names, self._text("reason")]
+        has_words = any(word for word, _ in rows)
+        heads = [self._text("which")] if has_words else []
+        heads += [self._text("run"), *names]
+        heads.append(self._text("reason" if last == "broken" else last))
         heads += [] if command is None else [self._text("command")]
         lines = []
-        for row in self._broken:
-            cells = [as_text(row.get(name)) for name in ("run", *names, "broken")]
+        for word, row in rows:
+            cells = [word] if has_words else []
+            cells += [as_text(row.get(name)) for name in ("run", *names, last)]
             texts = [f"<td>{escape(cell)}</td>" for cell in cells]
             if command is not None:
                 texts.append(f"<td><code>{escape(command(int(row['run'] or 0)))}</code></td>")
             lines.append(f"<tr>{''.join(texts)}</tr>")
         head = "".join(f"<th>{escape(name)}</th>" for name in heads)
-        left = self._count - self._held - len(self._broken)
-        rest = f"<p>{self._text('more', left)}</p>" if left else ""
         table = f"<table><tr>{head}</tr>{''.join(lines)}</table>"
-        return f"<h2>{self._text('table')}</h2>{table}{rest}"
+        return f"<h2>{self._text(heading)}</h2>{table}{rest}"
 
 
 def _is_number(value: object) -> bool:

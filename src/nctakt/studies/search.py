@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The search of a study: a switch-over to the tick, the worst case, the smallest violation.
+"""The search of a study: a switch-over, the best run that passes, the smallest violation.
 
 In: a bench and a plan. Out: the runs that answer the question, as rows. A search makes runs one
 after another, since each decides about the next; the same plan makes the same runs.
@@ -7,36 +7,34 @@ after another, since each decides about the next; the same plan makes the same r
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
-from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import (
     ANSWER_BROKEN,
-    EXTRA_MISSING,
     NO_BOUNDARY,
     NOTHING_MEASURED,
 )
 from nctakt.studies.bench import HELD, Bench, Row
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.effects import without_effect
+from nctakt.studies.optimize import MAX_HALVINGS, objective_values, optimize
 from nctakt.studies.plan import Goal
 
-#: Halvings of a dimension without a step: a millionth of a millionth of its span.
-MAX_HALVINGS = 40
-
-#: The share of a search's budget that looks everywhere; the rest goes on from the best point.
-WIDE_SHARE = 0.6
+#: A point, its row, and the values of its objectives, smaller is better.
+_Measured = tuple[tuple[Value, ...], Row, tuple[float, ...]]
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """The answer to a goal: the run before and the run behind a switch-over, or the worst one.
+    """The answer to a goal.
+
+    ``rows``: the run before and the run behind a switch-over; or the best run that meets the
+    expectations, then the best one that does not if it is better; or the Pareto set.
 
     ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is none, or
     none that counts; ``without_effect``: dimensions that changed nothing in all these runs.
@@ -50,7 +48,7 @@ class Answer:
     without_effect: tuple[str, ...] = ()
 
 
-class _Runs:
+class Runs:
     """Makes the runs of a search, each once."""
 
     def __init__(self, bench: Bench) -> None:
@@ -65,6 +63,11 @@ class _Runs:
         return self._rows[key]
 
     @property
+    def tried(self) -> list[tuple[tuple[Value, ...], Row]]:
+        """The points that were tried, each with its row, in the order of the search."""
+        return list(self._rows.items())
+
+    @property
     def count(self) -> int:
         """How many runs were made."""
         return len(self._rows)
@@ -76,19 +79,61 @@ class _Runs:
 
 def search(bench: Bench, goal: Goal) -> Answer:
     """Return the answer to a goal; raises ``Failure`` (901311) without the package it needs."""
-    runs = _Runs(bench)
-    find = _boundary if goal.word == "boundary" else _worst
-    return replace(find(bench, goal, runs), without_effect=runs.without_effect())
+    runs = Runs(bench)
+    if goal.word == "boundary":
+        answer = _boundary(bench, goal, runs)
+    else:
+        optimize(bench.plan, goal, runs.row, lambda: runs.count)
+        answer = _best(goal, runs)
+    return replace(answer, without_effect=runs.without_effect())
 
 
-def _boundary(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
+def _best(goal: Goal, runs: Runs) -> Answer:
+    """Return what the runs of a search have found."""
+    measured = [
+        (point, row, values)
+        for point, row in runs.tried
+        if (values := objective_values(goal, row)) is not None
+    ]
+    if not measured:
+        names = ", ".join(name for _, name in goal.objectives)
+        nothing = diagnostic(NOTHING_MEASURED, measure=names, count=runs.count)
+        point, row = runs.tried[0]
+        return Answer(goal, (row,), (point,), runs.count, nothing)
+    held = [one for one in measured if one[1]["verdict"] == HELD]
+    others = [one for one in measured if one[1]["verdict"] != HELD]
+    shown = pareto_set(held)
+    if len(goal.objectives) == 1:
+        shown = shown[:1]
+        shown += [one for one in pareto_set(others)[:1] if not shown or one[2] < shown[0][2]]
+    elif not held:
+        shown = pareto_set(others)
+    found = None if held else diagnostic(ANSWER_BROKEN, broken=shown[0][1]["broken"])
+    rows, points = tuple(one[1] for one in shown), tuple(one[0] for one in shown)
+    return Answer(goal, rows, points, runs.count, found)
+
+
+def pareto_set(runs: Sequence[_Measured]) -> list[_Measured]:
+    """Return the runs that no other one is at least as good as in all and better in one objective.
+
+    Of runs with the same values the first one; sorted by the first objective.
+    """
+    kept: list[_Measured] = []
+    for one in sorted(runs, key=lambda run: run[2]):
+        if not any(all(a <= b for a, b in zip(other[2], one[2], strict=True)) for other in kept):
+            kept.append(one)
+    return kept
+
+
+def _boundary(bench: Bench, goal: Goal, runs: Runs) -> Answer:
     """Halve the span of a dimension, the others at their first value, until two neighbours differ.
 
-    On a grid they are neighbours of it, to the tick if its step is a tick.
+    On a grid they are neighbours of it; times are always tried in whole ticks, so that its two
+    neighbours are ticks that follow each other.
     """
     dimensions = bench.plan.dimensions
     number = next(i for i, one in enumerate(dimensions) if goal.measure in ("", one.name))
-    dimension = dimensions[number]
+    dimension = in_ticks(dimensions[number])
     point = [one.between(0.0) for one in dimensions]
 
     def point_at(share: int) -> tuple[Value, ...]:
@@ -115,97 +160,23 @@ def _boundary(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
     return Answer(goal, (at_low, at_high), (point_at(low), point_at(high)), runs.count)
 
 
+def in_ticks(dimension: Dimension) -> Dimension:
+    """Return a dimension of times with a step of a tick from the first tick between its bounds.
+
+    A list of times stays as it is, and so do bounds without a tick between them.
+    """
+    tick_us = dimension.tick_us
+    first, last = math.ceil(dimension.low / tick_us), math.floor(dimension.high / tick_us)
+    if not dimension.is_time or dimension.values or last <= first:
+        return dimension
+    return replace(dimension, low=first * tick_us, high=last * tick_us, step=tick_us)
+
+
 def _value(dimension: Dimension, share: int, last: int) -> Value:
     """Return the value of a number on the grid, or at a share of the way."""
     if dimension.count:
         return dimension.value(share)
     return dimension.between(share / last)
-
-
-def _worst(bench: Bench, goal: Goal, runs: _Runs) -> Answer:
-    """Look for the smallest or largest value of a measure.
-
-    Where the budget is enough for the whole grid, each point is tried. Else optuna's tree of Parzen
-    estimators looks for the region, and steps of halving length from the best point for the rest.
-    """
-    dimensions = bench.plan.dimensions
-    sign = 1.0 if goal.word == "minimize" else -1.0
-
-    def measured(numbers: Sequence[float]) -> float:
-        point = [dimension_value(one, n) for one, n in zip(dimensions, numbers, strict=True)]
-        value = runs.row(point)[goal.measure]
-        return sign * value if isinstance(value, float | int) else math.inf
-
-    if 0 < math.prod(one.count for one in dimensions) <= goal.budget:
-        best: Sequence[float] = min(
-            itertools.product(*(range(one.count) for one in dimensions)), key=measured
-        )
-    else:
-        best = _by_optuna(bench, goal, measured)
-        best = _by_steps(dimensions, best, measured, lambda: runs.count < goal.budget)
-    point = tuple(dimension_value(one, n) for one, n in zip(dimensions, best, strict=True))
-    row = runs.row(point)
-    found = None
-    if not isinstance(row[goal.measure], float | int):
-        found = diagnostic(NOTHING_MEASURED, measure=goal.measure, count=runs.count)
-    elif row["verdict"] != HELD:
-        found = diagnostic(ANSWER_BROKEN, broken=row["broken"])
-    return Answer(goal, (row,), (point,), runs.count, found)
-
-
-def _by_optuna(
-    bench: Bench, goal: Goal, measured: Callable[[Sequence[float]], float]
-) -> Sequence[float]:
-    """Return the best point of a share of the budget; raises ``Failure`` (901311)."""
-    try:
-        import optuna  # noqa: PLC0415 - an extra that few plans need
-    except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="optuna", extra="studies")) from error
-    optuna.logging.set_verbosity(optuna.logging.ERROR)
-    dimensions = bench.plan.dimensions
-    names = [str(number) for number in range(len(dimensions))]
-
-    def objective(trial: optuna.Trial) -> float:
-        return measured(
-            [
-                trial.suggest_int(name, 0, one.count - 1)
-                if one.count
-                else trial.suggest_float(name, 0.0, 1.0)
-                for name, one in zip(names, dimensions, strict=True)
-            ]
-        )
-
-    study = optuna.create_study(sampler=optuna.samplers.TPESampler(seed=bench.plan.seed))
-    study.optimize(objective, n_trials=max(1, round(goal.budget * WIDE_SHARE)))
-    return [study.best_params[name] for name in names]
-
-
-def _by_steps(
-    dimensions: Sequence[Dimension],
-    best: Sequence[float],
-    measured: Callable[[Sequence[float]], float],
-    has_budget: Callable[[], bool],
-) -> Sequence[float]:
-    """Return the best point that steps from a point find, each half as long as the one before."""
-    lowest = measured(best)
-    for halving in range(1, MAX_HALVINGS):
-        steps = [max(1.0, one.count // 2**halving) if one.count else 0.5**halving
-                 for one in dimensions]  # fmt: skip
-        is_better = True
-        while is_better and has_budget():
-            is_better = False
-            for index, step in itertools.product(range(len(best)), (1.0, -1.0)):
-                number = best[index] + step * steps[index]
-                last = dimensions[index].count - 1 if dimensions[index].count else 1.0
-                other = [*best[:index], min(max(number, 0.0), last), *best[index + 1 :]]
-                if has_budget() and measured(other) < lowest:
-                    best, lowest, is_better = other, measured(other), True
-    return best
-
-
-def dimension_value(dimension: Dimension, number: float) -> Value:
-    """Return the value of a number on the grid, or at a share of the way."""
-    return dimension.value(int(number)) if dimension.count else dimension.between(number)
 
 
 def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> Answer:
@@ -214,7 +185,7 @@ def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> An
     Each dimension goes back to its nominal value if the run stays broken then; a number that has to
     differ goes back as far as halving its change finds broken runs.
     """
-    runs = _Runs(bench)
+    runs = Runs(bench)
     current = list(point)
     smallest = runs.row(current)
     for index, dimension in enumerate(bench.plan.dimensions):

@@ -501,9 +501,25 @@ def test_half_a_turn_goes_forward() -> None:
     assert rig.places[-1] == 180.0
 
 
-def test_feed_hold_leaves_independent_motions_alone() -> None:
-    """MO-6: feed hold is the path's."""
+def test_the_feed_hold_of_the_channel_stops_independent_motions() -> None:
+    """P-AXIS-00540, 0 where it is not given: 1.25 mm to brake from 3.75 mm, then to the target."""
     rig = AxesRig()
+    rig.absolute(10.0, 100.0)
+    rig.run(50)
+    rig.machine.access.write("HLI.FEED_HOLD", 1.0)
+    rig.run(50)
+    assert rig.places[-1] == pytest.approx(5.0)
+    rig.machine.access.write("HLI.FEED_HOLD", 0.0)
+    rig.run(1)
+    rig.run_to_stand()
+    assert rig.places[-1] == 10.0
+    assert_no_step(rig.places, top=100.0)
+
+
+def test_an_axis_may_ignore_the_feed_hold_of_the_channel() -> None:
+    """P-AXIS-00540 = 1: only the feed hold of the axis itself stops it."""
+    rig = AxesRig()
+    rig.machine.axes.set_override(Z, 0, 100.0, ignores_hold=True)
     rig.machine.access.write("HLI.FEED_HOLD", 1.0)
     rig.absolute(10.0, 100.0)
     assert rig.run_to_stand() == 125

@@ -103,7 +103,7 @@ def test_the_remedy_names_what_is_probably_meant(line: str, suggestion: str) -> 
         ("P1 = V.SPDL_PROG.SPED.S", "V.SPDL_PROG.SPEED.S?"),
         ("P1 = V.RTG.TIMER[200]", "below 128. The list sizes V.E and V.CH"),
         ("Z[ABORTING G90 POS=30]", "Write Z[INDP …] in a realtime cycle."),
-        ("Z[INDP_ASYN POS=30]", "In realtime cycles X[INDP …] moves an axis by itself."),
+        ("Z[INDP_ASYN G90 G00 POS=3 SLOPE_TYPE=STEP]", "the slope of P-CHAN-00071"),
         ("#MSG INFO ['x']", "positions and times do not depend on it"),
         ("#FILE DELETE [A]", "positions and times do not depend on it"),
         ("#INIT MACRO TAB", "positions and times do not depend on it"),

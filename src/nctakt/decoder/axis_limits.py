@@ -148,7 +148,12 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
         for axis in channel.axes
     }
     for index, axis in enumerate(configuration.axes):
-        axes.set_override(index, axis.override_mode, axis.max_override_pct)
+        axes.set_override(
+            index,
+            axis.override_mode,
+            axis.max_override_pct,
+            ignores_hold=axis.ignores_channel_hold,
+        )
         if axis.is_modulo:
             axes.set_modulo(index, axis.dynamics.modulo_low, axis.modulo_range)
         if axis.obstacle != 0.0:

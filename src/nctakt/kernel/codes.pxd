@@ -77,6 +77,7 @@ cdef enum:
     IS_HELD = 3
     FIRST_T = 1000000000
     PLC_OWNER = 1000000
+    PROGRAM_OWNER = 999999
     ABSOLUTE = 1
     RELATIVE = 2
     VELOCITY = 3

@@ -115,6 +115,8 @@ FIRST_T = 1_000_000_000
 
 #: The owner of the PLC's first request; the others follow.
 PLC_OWNER = 1_000_000
+#: Owner of the motions of programs.
+PROGRAM_OWNER = PLC_OWNER - 1
 
 #: Requests of the PLC for an axis.
 ABSOLUTE, RELATIVE, VELOCITY, HALT, CLEAR_FAULT = range(1, 6)

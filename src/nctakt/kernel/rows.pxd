@@ -58,6 +58,7 @@ cdef enum:
     COUPLE = 51
     FEED_FORWARD = 52
     TOOL_LIFE = 53
+    MOVE_ALONE = 54
     DWELL_TICKS = 3
     CYCLE_SLOT = 3
     CYCLE_STARTS = 4
@@ -159,6 +160,10 @@ cdef enum:
     HOMED_AXIS = 3
     HOMING_DISTANCE = 4
     HOMING_SPEED = 5
+    ALONE_AXIS = 3
+    ALONE_VALUE = 4
+    ALONE_SPEED = 5
+    ALONE_IS_RELATIVE = 6
     LIMITED_AXIS = 3
     LIMIT_LOW = 4
     LIMIT_HIGH = 5

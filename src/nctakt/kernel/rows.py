@@ -73,7 +73,8 @@ from __future__ import annotations
     COUPLE,  # an axis follows another one from here on, or no longer
     FEED_FORWARD,  # another share of the command speed bypasses a position control
     TOOL_LIFE,  # of the tool on the path: ``codes.LIFE_SENT`` …
-) = range(1, 54)
+    MOVE_ALONE,  # an axis moves beside the path (INDP_SYN, INDP_ASYN)
+) = range(1, 55)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -238,6 +239,8 @@ LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
     HOMING_DISTANCE,  # mm, degrees; REFER: the position
     HOMING_SPEED,
 ) = _arguments(3)
+# MOVE_ALONE: number in the machine; mm, degrees; mm/s, degrees/s; 1: VALUE is a distance
+ALONE_AXIS, ALONE_VALUE, ALONE_SPEED, ALONE_IS_RELATIVE = _arguments(4)
 LIMITED_AXIS, LIMIT_LOW, LIMIT_HIGH = _arguments(3)  # number in the machine; mm, degrees
 # COUPLE: numbers in the machine, no master: -1; mm or degrees of actual positions, 0: any
 COUPLED_AXIS, COUPLED_TO, COUPLED_BY, COUPLED_WITHIN = _arguments(4)

@@ -143,9 +143,10 @@ class OutputCount:
 
 @dataclass(frozen=True, slots=True)
 class MotionCount:
-    """The independent motions of an axis; ``is_realtime``: by a realtime cycle, else by the PLC.
+    """The independent motions of an axis; ``is_realtime``: by a realtime cycle.
 
-    ``count``: how many have begun. ``done``: how many have come to their target.
+    ``is_of_program``: by the program; with neither by the PLC. ``count``: how many have begun.
+    ``done``: how many have come to their target.
     """
 
     axis: str
@@ -153,6 +154,7 @@ class MotionCount:
     count: int
     done: int
     first_tick: int
+    is_of_program: bool = False
 
 
 @dataclass(frozen=True, slots=True)

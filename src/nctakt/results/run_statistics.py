@@ -104,7 +104,7 @@ class RunStatistics:
         self._cycles: dict[tuple[str, str, Span | None], _Cycle] = {}
         self._living: dict[str, _Cycle] = {}
         self._outputs: dict[tuple[str, int, bool], _Output] = {}
-        self._motions: dict[tuple[str, bool], _Motions] = {}
+        self._motions: dict[tuple[str, bool, bool], _Motions] = {}
         self._jobs: dict[tuple[str, str, bool], _Output] = {}
         self.schedule = ScheduleStatistics()
 
@@ -165,15 +165,16 @@ class RunStatistics:
     def _moved(self, event: Event) -> None:
         """Count a motion that begins, or one that has come to its target."""
         axis, what, *_ = event.text.split()
-        motions = self._motions.setdefault((axis, bool(event.cycle)), _Motions(event.tick))
+        owner = (axis, bool(event.cycle), event.span is not None and not event.cycle)
+        motions = self._motions.setdefault(owner, _Motions(event.tick))
         motions.count += what == "begun"
         motions.done += what == "done"
 
     def motions(self) -> tuple[MotionCount, ...]:
         """Return the independent motions of axes in the order of their first one."""
         return tuple(
-            MotionCount(axis, is_realtime, own.count, own.done, own.first_tick)
-            for (axis, is_realtime), own in self._motions.items()
+            MotionCount(axis, is_realtime, own.count, own.done, own.first_tick, is_of_program)
+            for (axis, is_realtime, is_of_program), own in self._motions.items()
         )
 
     def spindle_jobs(self) -> tuple[SpindleJobCount, ...]:

@@ -14,7 +14,14 @@ from typing import TextIO
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span, Text
 from nctakt.lists.format.times import time_stamp
-from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run, RunState
+from nctakt.results.run import (
+    CycleResult,
+    MotionCount,
+    OutputCount,
+    ReactionResult,
+    Run,
+    RunState,
+)
 from nctakt.results.starving import schedule_lines
 from nctakt.trace.events import value_text
 
@@ -217,11 +224,18 @@ def _output(run: Run, output: OutputCount, language: Language) -> tuple[str, ...
     return output.name, origin.get(language), str(output.count), first
 
 
+def _origin(motion: MotionCount) -> Text:
+    """Return who has commanded a motion."""
+    if motion.is_realtime:
+        return _FROM_CYCLE
+    return _FROM_PROGRAM if motion.is_of_program else _FROM_PLC
+
+
 def _motions(run: Run, language: Language) -> Table:
     rows = tuple(
         (
             motion.axis,
-            (_FROM_CYCLE if motion.is_realtime else _FROM_PLC).get(language),
+            _origin(motion).get(language),
             str(motion.count),
             str(motion.done),
             _tick(run, motion.first_tick, language),

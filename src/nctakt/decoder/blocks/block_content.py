@@ -8,6 +8,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.path_motion import PathWords
 from nctakt.decoder.blocks.technology_output import BlockFunction
 from nctakt.decoder.blocks.weights import Weights
+from nctakt.decoder.state.axis_commands import MoveAlone
 from nctakt.decoder.state.commands import FixedStop, ProgramStop
 from nctakt.nc import tree
 
@@ -21,6 +22,9 @@ class BlockContent:
 
     ``selects_tool``: it selects the data of a tool; ``kept``: axes that keep their programmed
     positions meanwhile, so that they move, with these.
+
+    ``independent``: axes that begin to move beside the path, each with its command; ``awaited``:
+    those for which the block waits.
 
     ``axis_values``: functions whose axis words are no targets, with these words.
     ``measures``: G100 or G310, ``continues``: G106, ``interrupts``: G310. ``angle_deg``: R of G68.
@@ -37,6 +41,8 @@ class BlockContent:
     selects_tool: bool = False
     kept: dict[int, float] = field(default_factory=dict)
     stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
+    independent: tuple[tuple[tree.BracketCommand, MoveAlone], ...] = ()
+    awaited: tuple[str, ...] = ()
     program_stops: tuple[ProgramStop, ...] = ()
     ends_program: bool = False
     weights: Weights = field(default_factory=dict)

@@ -29,6 +29,7 @@ from nctakt.decoder.blocks.fixed_stops import (
 from nctakt.decoder.blocks.frame_commands import FrameCommands
 from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.in_force_marks import InForceMarks
+from nctakt.decoder.blocks.independent_axes import IndependentAxes
 from nctakt.decoder.blocks.measuring import Measuring
 from nctakt.decoder.blocks.moved_axes import MovedAxes
 from nctakt.decoder.blocks.orientation import Orientation
@@ -98,6 +99,7 @@ from nctakt.nc.vocabulary.functions import (
     WEIGHTS,
     group_of,
 )
+from nctakt.nc.vocabulary.independent_axes import form_of
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
 
 #: G functions for one block only.
@@ -133,6 +135,7 @@ class BlockDecoder:
         self._measuring = Measuring(values)
         self._axis_functions = AxisFunctions(values, self._measuring, uncertain_axes)
         self.moved = MovedAxes(values, uncertain_axes)
+        self._independent = IndependentAxes(values, self.moved, uncertain_axes)
         self.tools = ToolWords(values, self.moved)
         self.orientation = Orientation(values, self.moved)
         self.has_motion = False
@@ -196,28 +199,36 @@ class BlockDecoder:
                 corner = None
         if content.functions:
             yield from self.technology.before_motion(content.functions)
+        if content.independent:
+            yield from self._independent.begin(content, self.moved.programmed(content))
+        yield from self._moves(content, block.span, number)
+        if corner is not None:
+            yield corner
+        if content.dwell_s is not None:
+            yield from self.dwell(content.dwell_s, block.span, number)
+        if content.awaited:
+            yield from self.moved.request(content.awaited, block.span, number)
+        if content.functions:
+            yield from self.technology.after_motion(content.functions)
+        yield from content.program_stops
+        return content.ends_program
+
+    def _moves(self, content: BlockContent, span: Span, number: int) -> Generator[Command, Answer]:
+        """Yield the motion of a block, with what measures or stops in it."""
         measured = (
             self.technology.take_measuring(content.functions) if self._state.measures else None
         )
         if measured is not None and content.measures:
             self._values.fail(EXCLUSIVE_WORDS, content.measures, word="G100", other="G108")
         if measured is not None:
-            motion = self.motion(content, block.span, number)
-            yield from seek_edge(self._values, motion, measured, block.span, number)
+            motion = self.motion(content, span, number)
+            yield from seek_edge(self._values, motion, measured, span, number)
         elif content.measures is not None:
-            yield from self._measure(content, content.measures, block.span, number)
+            yield from self._measure(content, content.measures, span, number)
         elif content.stops:
-            yield from self._move_to_fixed_stop(content, block.span, number)
+            yield from self._move_to_fixed_stop(content, span, number)
         elif self._lines.first is None:
-            yield from self.motion(content, block.span, number)
-        if corner is not None:
-            yield corner
-        if content.dwell_s is not None:
-            yield from self.dwell(content.dwell_s, block.span, number)
-        if content.functions:
-            yield from self.technology.after_motion(content.functions)
-        yield from content.program_stops
-        return content.ends_program
+            yield from self.motion(content, span, number)
 
     def _first_line(self, first: FirstLine) -> Generator[Command, Answer]:
         """Yield the first of two lines, with the motion and feed of its block."""
@@ -267,7 +278,10 @@ class BlockDecoder:
     def _axis_command(
         self, word: tree.BracketCommand, number: int, content: BlockContent
     ) -> Generator[Command, Answer]:
-        """Execute the fixed stop or the override of an axis, ``X[…]``."""
+        """Execute the fixed stop, the override or the motion of an axis, ``X[…]``."""
+        if form_of(word):
+            yield from self._independent.read(word, number, content)
+            return
         axis = self._environment.axis_numbers[word.name]
         if is_fixed_stop(word):
             stop = yield from fixed_stop(self._values, word, axis, number)
@@ -444,7 +458,10 @@ class BlockDecoder:
             return
         self.has_motion = True
         if not self._uncertain_axes.is_empty:
-            yield from self.moved.request(self.moved.programmed(content), span, number)
+            names = self.moved.programmed(content)
+            if self._uncertain_axes.of_program(names) and self.moved.is_along_axes():
+                names = self._independent.without_resting(names, self.targets.of(content, span))
+            yield from self.moved.request(names, span, number)
         start = self._state.positions
         target = self.targets.of(content, span)
         segment = self.path.segment(start, target, content.path, span, number)

@@ -41,6 +41,13 @@ class MovedAxes:
             names += [name for name in main if name not in names]
         return self._environment.offsets.transformation.with_moved(names)
 
+    def is_along_axes(self) -> bool:
+        """Return whether each word of a block moves its own axis only, along a line."""
+        offsets = self._environment.offsets
+        is_line = self._state.motion not in ARCS and self._state.motion != ARC_IN_SPACE
+        is_bent = self._state.frame.is_active or offsets.systems.is_active
+        return is_line and not is_bent and not offsets.transformation.is_active
+
     def _with_turned(self, names: list[str]) -> list[str]:
         """Return these axes with those that a rotation of the contour moves as well."""
         numbers, frame = self._environment.axis_numbers, self._state.frame

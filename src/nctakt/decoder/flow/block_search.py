@@ -16,7 +16,7 @@ from dataclasses import replace
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.path_motion import PathMotion, PathWords
-from nctakt.decoder.state.axis_commands import FeedForward, SetSoftwareLimits
+from nctakt.decoder.state.axis_commands import FeedForward, MoveAlone, SetSoftwareLimits
 from nctakt.decoder.state.commands import (
     Answer,
     AwaitAcknowledge,
@@ -212,7 +212,9 @@ class BlockSearch:
         self._values.warn(START_OF_SEARCH, statement.span, block=start.shown)
         steps = {index: gears.active for index, gears in environment.spindle_gears.items()}
         source = environment.source_id(statement.span)
-        uncertain = self._uncertain_axes.uncertain(environment.axis_numbers)
+        names = environment.axis_numbers
+        self._uncertain_axes.confirm(self._uncertain_axes.of_program(names))
+        uncertain = self._uncertain_axes.uncertain(names)
         yield StartReached(source, number, statement.span, tuple(state.positions), uncertain, steps)
 
     def filter(
@@ -266,6 +268,8 @@ class BlockSearch:
             self._shifted[command.spindle] = command.step
         elif isinstance(command, Segment):
             self._at = command.target
+        elif isinstance(command, MoveAlone):
+            self._at = None
         self._awaits_shift = isinstance(command, AwaitAcknowledge)
         if takes_time(command):
             self._pass_time(command)

@@ -33,6 +33,16 @@ class FeedForward(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class MoveAlone(Command):
+    """An axis begins to move beside the path: to a position, or by a distance, mm or degrees."""
+
+    axis: int
+    value: float
+    speed: float
+    is_relative: bool
+
+
+@dataclass(frozen=True, slots=True)
 class SetSoftwareLimits(Command):
     """The software limits of the independent motions of an axis, in mm or degrees."""
 

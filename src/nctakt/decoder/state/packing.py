@@ -9,7 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from operator import attrgetter
 
-from nctakt.decoder.state.axis_commands import FeedForward, Home, Refer, SetSoftwareLimits
+from nctakt.decoder.state.axis_commands import (
+    FeedForward,
+    Home,
+    MoveAlone,
+    Refer,
+    SetSoftwareLimits,
+)
 from nctakt.decoder.state.commands import (
     AwaitAcknowledge,
     AwaitSignal,
@@ -87,6 +93,7 @@ _KINDS: dict[type[Command], int] = {
     Touch: rows.TOUCH,
     TouchEnd: rows.TOUCH_END,
     Home: rows.HOME,
+    MoveAlone: rows.MOVE_ALONE,
     Refer: rows.REFER,
     SetSoftwareLimits: rows.SOFTWARE_LIMITS,
     Couple: rows.COUPLE,

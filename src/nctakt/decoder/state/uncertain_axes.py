@@ -5,7 +5,8 @@ The decoder prepares blocks ahead with computed positions; an axis named in a si
 a cycle may be elsewhere by then. It is *uncertain* from the moment when the cycle may move it until
 its position is requested: with SCOPE=BLOCK from the end of the cycle's block on; with PROG and
 GLOBAL from the start of the cycle on, and, while that lives, again after each block or wait in
-which the path does not move the axis.
+which the path does not move the axis. So is an axis that the program itself moves beside the path
+(SA-4), from its command on.
 """
 
 from __future__ import annotations
@@ -46,6 +47,7 @@ class UncertainAxes:
         self._armed: dict[str, None] = {}
         self.awaits_block = False
         self._uncertain: dict[str, None] = dict.fromkeys(moving)
+        self._independent: dict[str, None] = {}
         for cycle in living:
             if cycle.is_started:
                 self.start_cycle(cycle.identity)
@@ -84,6 +86,7 @@ class UncertainAxes:
         cycle = self._by_identity.pop(identity, None)
         self._running.pop(identity, None)
         moving = tuple(moving)
+        self._independent = {axis: None for axis in self._independent if axis in moving}
         for axis in (*self._uncertain, *(cycle.axes if cycle is not None else ())):
             if axis in moving:
                 self._uncertain[axis] = None
@@ -114,15 +117,28 @@ class UncertainAxes:
         """Whether no axis is uncertain or will become so, and no BLOCK cycle is armed."""
         if self.awaits_block:
             return False
-        return not (self._uncertain or self._running or self._without_id)
+        return not (self._uncertain or self._independent or self._running or self._without_id)
 
     def uncertain(self, axes: Iterable[str]) -> tuple[str, ...]:
         """Return those of these axes whose positions must be requested before the path moves
         them.
         """
-        return tuple(axis for axis in axes if axis in self._uncertain) if self._uncertain else ()
+        if not self._uncertain and not self._independent:
+            return ()
+        return tuple(axis for axis in axes if axis in self._uncertain or axis in self._independent)
+
+    def move_alone(self, axis: str) -> None:
+        """Note that the program moves an axis beside the path."""
+        self._independent[axis] = None
+
+    def of_program(self, axes: Iterable[str]) -> tuple[str, ...]:
+        """Return those of these axes that nobody but the program moves beside the path."""
+        return tuple(
+            axis for axis in axes if axis in self._independent and axis not in self._uncertain
+        )
 
     def confirm(self, axes: Iterable[str]) -> None:
         """Note that the positions of these axes are known."""
         for axis in axes:
             self._uncertain.pop(axis, None)
+            self._independent.pop(axis, None)

@@ -33,6 +33,7 @@ cdef class Axes:
     cdef double[::1] independent_pct
     cdef long long[::1] locked
     cdef readonly long long locked_count
+    cdef long long[::1] ignores_hold
     cdef bint has_stops
     cdef double[::1] stop_low
     cdef double[::1] stop_high
@@ -71,7 +72,9 @@ cdef class Axes:
         self, Py_ssize_t i, double command, double actual, double target
     ) noexcept nogil
     @cython.locals(cell=Py_ssize_t, pct=double, cycle_pct=double)
-    cdef void publish_override(self, Py_ssize_t i, double operator_pct) noexcept nogil
+    cdef void publish_override(
+        self, Py_ssize_t i, double operator_pct, int is_held
+    ) noexcept nogil
     @cython.locals(actual=double)
     cdef double actual_position(self, Py_ssize_t i) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil

@@ -58,6 +58,7 @@ class Axes:
         self.on_path = memoryview(bytearray(8 * (count + 1))).cast("q")
         self.independent = memoryview(bytearray(8 * (count + 1))).cast("q")
         self.override_mode = memoryview(bytearray(8 * count)).cast("q")
+        self.ignores_hold = memoryview(bytearray(8 * count)).cast("q")
         self.override_pct = memoryview(bytearray(8 * count)).cast("d")
         self.max_override_pct = memoryview(bytearray(8 * count)).cast("d")
         self.independent_pct = memoryview(bytearray(8 * count)).cast("d")
@@ -273,8 +274,12 @@ class Axes:
         self.cells[cell + cells.SYSTEM_CMD_POS] = target
         self.cells[cell + cells.SYSTEM_DIST_TO_GO] = distance_to_go
 
-    def publish_override(self, i: int, operator_pct: float) -> None:
-        """Publish the override of an axis in independent motion, in percent (P-AXIS-00491)."""
+    def publish_override(self, i: int, operator_pct: float, is_held: int) -> None:
+        """Publish the override of an axis in independent motion, in percent (P-AXIS-00491).
+
+        ``is_held``: the channel is on feed hold, which stops the motion unless P-AXIS-00540 says
+        that only the axis' own feed hold does.
+        """
         cell = self.cell_of(i)
         pct = operator_pct
         if self.override_mode[i] == codes.LOWER_OVERRIDE:
@@ -285,7 +290,7 @@ class Axes:
         pct = min(pct * cycle_pct / 100.0, self.max_override_pct[i])
         if self.locked[i]:
             pct = 0.0
-        self.independent_pct[i] = pct
+        self.independent_pct[i] = 0.0 if is_held and not self.ignores_hold[i] else pct
         if pct != self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL]:
             self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL] = arithmetic.round_half_even(pct)
 
@@ -390,9 +395,15 @@ class Axes:
         check_index(index, self.count, "axis")
         return self.locked[index] != 0
 
-    def set_override(self, index: int, mode: int, max_pct: float) -> None:
-        """Set override mode and highest override in percent (P-AXIS-00491, P-AXIS-00109)."""
+    def set_override(
+        self, index: int, mode: int, max_pct: float, *, ignores_hold: bool = False
+    ) -> None:
+        """Set override mode and highest override in percent (P-AXIS-00491, P-AXIS-00109).
+
+        ``ignores_hold``: the channel's feed hold does not stop the axis (P-AXIS-00540).
+        """
         check_index(index, self.count, "axis")
+        self.ignores_hold[index] = ignores_hold
         self.override_mode[index] = mode
         self.max_override_pct[index] = max_pct
 

@@ -38,6 +38,8 @@ cdef class SingleAxes(AxisMotions):
     ) noexcept nogil
     @cython.locals(axis=Py_ssize_t, distance=double, speed_v=double)
     cdef int execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
+    @cython.locals(value=double, speed_v=double, direction=int)
+    cdef int move_alone(self, Py_ssize_t axis, double[::1] queue, Py_ssize_t row) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void hold(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)

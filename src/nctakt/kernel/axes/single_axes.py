@@ -2,7 +2,8 @@
 """Independent motion: axes that cycles or the PLC move beside the path (MO-11, MO-13).
 
 Commands and questions; what the axes then do in each tick is in ``axis_motions.py``. An owner is a
-number: 0 none, channel * 1024 + slot + 1 a realtime cycle, from ``codes.PLC_OWNER`` on the PLC.
+number: 0 none, channel * 1024 + slot + 1 a realtime cycle, ``codes.PROGRAM_OWNER`` programs, from
+``codes.PLC_OWNER`` on the PLC.
 Each command answers 0, or the number of the message that refuses it; then nothing changes.
 """
 
@@ -67,8 +68,11 @@ class SingleAxes(AxisMotions):
         return message
 
     def refusal(self, axis: int, mode: int, owner: int) -> int:
-        """Return the message that refuses a command for the axis now; 0 if none does."""
-        if not self.enabled[axis]:
+        """Return the message that refuses a command for the axis now; 0 if none does.
+
+        P-AXIS-00457 is asked for realtime cycles and the PLC only: programs own their axes.
+        """
+        if not self.enabled[axis] and owner != codes.PROGRAM_OWNER:
             return 50966
         if self.has_exchanged and self.is_foreign(axis, owner):
             return 50899
@@ -84,7 +88,7 @@ class SingleAxes(AxisMotions):
 
     def is_foreign(self, axis: int, owner: int) -> int:
         """Return whether a cycle commands an axis that its channel does not have (any more)."""
-        if owner == 0 or owner >= codes.PLC_OWNER:
+        if owner == 0 or owner >= codes.PROGRAM_OWNER:
             return 0
         before = (self.in_channel[axis] - 1) * codes.CYCLE_OWNERS
         return 0 if before < owner <= before + codes.CYCLE_OWNERS else 1
@@ -114,8 +118,12 @@ class SingleAxes(AxisMotions):
             self.begin(axis)
 
     def execute(self, queue: memoryview[float], row: int, kind: int) -> int:
-        """Execute HOME, REFER or SOFTWARE_LIMITS; return 0, or the message that refuses it."""
+        """Execute HOME, REFER, SOFTWARE_LIMITS or MOVE_ALONE; return 0, or the message that
+        refuses it.
+        """
         axis = int(queue[row + rows.HOMED_AXIS])
+        if kind == rows.MOVE_ALONE:
+            return self.move_alone(axis, queue, row)
         if kind == rows.SOFTWARE_LIMITS:
             self.low[axis] = queue[row + rows.LIMIT_LOW]
             self.high[axis] = queue[row + rows.LIMIT_HIGH]
@@ -133,6 +141,16 @@ class SingleAxes(AxisMotions):
         speed_v = queue[row + rows.HOMING_SPEED]
         self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.ABORTING, 0)
         return 0
+
+    def move_alone(self, axis: int, queue: memoryview[float], row: int) -> int:
+        """Begin the motion of a program beside the path: it replaces what the axis does (SA-5)."""
+        value = queue[row + rows.ALONE_VALUE]
+        speed_v = queue[row + rows.ALONE_SPEED]
+        self.order(int(queue[row + rows.SOURCE]), 0)
+        if queue[row + rows.ALONE_IS_RELATIVE] != 0.0:
+            return self.move_by(axis, value, speed_v, codes.ABORTING, codes.PROGRAM_OWNER)
+        direction = codes.SHORTEST
+        return self.move_to(axis, value, speed_v, codes.ABORTING, direction, codes.PROGRAM_OWNER)
 
     # --- what owners do with all their motions --------------------------------------------------
 

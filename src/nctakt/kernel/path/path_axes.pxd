@@ -66,6 +66,6 @@ cdef class PathAxes:
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
     cdef void show_standstill(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void publish_overrides(self, double operator_pct) noexcept nogil
+    cdef void publish_overrides(self, double operator_pct, int is_held) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void put_axes(self, Py_ssize_t column) noexcept nogil

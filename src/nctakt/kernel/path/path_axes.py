@@ -182,11 +182,11 @@ class PathAxes:
         for k in range(self.moved_count):
             self.axes.on_path[self.members[self.moved[k]]] = 0
 
-    def publish_overrides(self, operator_pct: float) -> None:
-        """Publish TOTAL of the members' independent motions (RC-305)."""
+    def publish_overrides(self, operator_pct: float, is_held: int) -> None:
+        """Publish TOTAL of the members' independent motions (RC-305); ``is_held``: feed hold."""
         for i in range(self.count):
             if not self.is_place_free(i):
-                self.axes.publish_override(self.members[i], operator_pct)
+                self.axes.publish_override(self.members[i], operator_pct, is_held)
 
     def show_standstill(self) -> None:
         """Show the axes of an ended segment at a standstill, unless they move on their own."""

@@ -250,7 +250,7 @@ class Channel:
         if self.measuring.watch(self.context.tick):
             is_stopping = True
         self.publish_block()
-        self.path.publish_overrides(self.panel.override_pct)
+        self.path.publish_overrides(self.panel.override_pct, self.panel.feed_hold)
         is_single = self.panel.single_block and not is_cutting
         if is_single and not was_retracing:
             is_single = self.executor.single_block.stands_ahead() > 0

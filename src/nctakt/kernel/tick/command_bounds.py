@@ -53,6 +53,7 @@ _MIN_LENGTH = {
     rows.HOME: rows.HOMING_SPEED + 1,
     rows.REFER: rows.HOMING_DISTANCE + 1,
     rows.SOFTWARE_LIMITS: rows.LIMIT_HIGH + 1,
+    rows.MOVE_ALONE: rows.ALONE_IS_RELATIVE + 1,
     rows.SINGLE_STEP: rows.STEP_RESOLUTION + 1,
     rows.COUPLE: rows.COUPLED_WITHIN + 1,
     rows.FEED_FORWARD: rows.FED_SHARE + 1,
@@ -65,6 +66,15 @@ _MIN_LENGTH = {
     rows.AWAIT_SIGNAL: rows.AWAITED_OVERTAKES + 1,
     rows.REMOVE_SIGNAL: rows.REMOVED_IS_RANGE + 1,
 }
+
+#: The kinds whose first argument is the number of an axis in the machine.
+_OF_AN_AXIS = (
+    rows.HOME,
+    rows.REFER,
+    rows.SOFTWARE_LIMITS,
+    rows.FEED_FORWARD,
+    rows.MOVE_ALONE,
+)
 
 
 def check_command(executor: CommandExecutor, command: list[Any]) -> None:
@@ -99,7 +109,7 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
     elif kind == rows.SET_OFFSET:
         check_index(command[rows.OFFSET_AXIS], axes, "axis")
         check_index(command[rows.OFFSET_KIND], codes.OFFSET_KINDS, "kind of offset")
-    elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS, rows.FEED_FORWARD):
+    elif kind in _OF_AN_AXIS:
         check_index(command[rows.HOMED_AXIS], axes, "axis")
     elif kind == rows.COUPLE:
         slave, master = command[rows.COUPLED_AXIS], command[rows.COUPLED_TO]

@@ -195,7 +195,7 @@ class CommandExecutor:
             self.path.forget()
         elif kind in (rows.MEASURE, rows.TOUCH, rows.TOUCH_END):
             self.execute_part(row, kind)
-        elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS):
+        elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS, rows.MOVE_ALONE):
             self.execute_part(row, kind)
         elif kind == rows.FIXED_STOP:
             self.fixed_stops.execute(self.queue.rows, row)
@@ -402,9 +402,11 @@ class CommandExecutor:
             message = self.measuring.touch_probe.finish()
         else:
             message = self.context.single_axes.execute(self.queue.rows, row, kind)
-            if kind == rows.REFER:
+            if kind in (rows.REFER, rows.MOVE_ALONE):
                 self.path.forget()
         if message:
+            self.context.fault_a = self.queue.rows[row + rows.HOMED_AXIS]
+            self.context.fault_b = self.queue.rows[row + rows.HOMING_DISTANCE]
             self.report(source, message, self.queue.rows[row + rows.HOMED_AXIS])
 
     def execute_measure_end(self, tick: int, row: int) -> int:

@@ -167,7 +167,7 @@ class AxisConfiguration:
     """One axis; ``dynamics`` are those of the gear step that is active after start-up.
 
     ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
-    ``override_mode``: P-AXIS-00491.
+    ``override_mode``: P-AXIS-00491. ``ignores_channel_hold``: P-AXIS-00540.
     ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
     actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
     mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
@@ -205,6 +205,7 @@ class AxisConfiguration:
     gears: tuple[AxisDynamics, ...] = ()
     checks_tool_speed: bool = False
     gantry: AxisGantry = AxisGantry()
+    ignores_channel_hold: bool = False
 
     @property
     def is_linear(self) -> bool:
@@ -282,6 +283,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
         gears,
         values.flag("kenngr.check_spindle_speed_in_tool_range"),
         axis_gantry(values),
+        values.integer("kenngr.indp_feedhold_mode") == 1,
     )
 
 

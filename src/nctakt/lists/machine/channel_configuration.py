@@ -187,7 +187,8 @@ class ChannelParameters:
     ``m_functions`` and ``h_functions``: number -> function, only those that are defined.
     ``path_limits``: those of ``#VECTOR LIMIT ON`` without a value, by keyword: mm/min, and mm/s²
     with ``path_limits_per_s``, else mm/min². ``context_*``: P-CHAN-00409 … 00411. ``c_axis_name``:
-    P-CHAN-00010, of the axis of #CAX. ``single_block``: P-CHAN-00015.
+    P-CHAN-00010, of the axis of #CAX. ``single_block``: P-CHAN-00015. ``awaits_idle_axes``:
+    P-CHAN-00451, whether a block also waits for an independent axis that it need not move.
     """
 
     axes: tuple[NamedAxis, ...]
@@ -217,6 +218,7 @@ class ChannelParameters:
     transformations: Transformations
     measuring: ChannelMeasuring
     keeps_listed_limits: bool
+    awaits_idle_axes: bool
     c_axis_name: str
     feed_group: ListedFeedGroup
     dynamic_weights: DynamicWeights
@@ -274,6 +276,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         transformations(values, len(axes), collector),
         channel_measuring(values),
         values.flag("range_check_prog_soft_limits"),
+        values.integer("mode_implicite_sync_indp_asyn_axis") == 1,
         values.text("default_ax_name_of_spindle"),
         listed_feed_group(values),
         dynamic_weights(values, collector),

@@ -33,7 +33,10 @@ from nctakt.messages.checked_blocks import (
     WORD_VALUE_MISSING,
     WORD_VALUE_OUT_OF_RANGE,
 )
-from nctakt.messages.checked_cycles import FUNCTION_GIVEN_TO_AXIS_IN_CYCLE
+from nctakt.messages.checked_cycles import (
+    COMMAND_NOT_ALLOWED_IN_CYCLE,
+    FUNCTION_GIVEN_TO_AXIS_IN_CYCLE,
+)
 from nctakt.messages.offsets import (
     COMMAND_WITHOUT_AXIS,
     G159_WITHOUT_NUMBER,
@@ -53,6 +56,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.frames import (
     check_scale_factors,
 )
+from nctakt.nc.check.independent_axes import check_independent
 from nctakt.nc.check.motion_words import functions_of
 from nctakt.nc.check.path_commands import check_path_axis
 from nctakt.nc.check.returns import check_return
@@ -86,6 +90,7 @@ from nctakt.nc.vocabulary.functions import (
     SUBPROGRAM_ENDS,
     TOOL_CHANGE,
 )
+from nctakt.nc.vocabulary.independent_axes import FORMS, form_of
 from nctakt.nc.vocabulary.orientation import VECTOR_WORDS
 from nctakt.nc.vocabulary.spindle_commands import split
 
@@ -93,7 +98,7 @@ from nctakt.nc.vocabulary.spindle_commands import split
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: Words of axis commands that are known and not simulated.
-_AXIS_FORMS = ("INDP_ASYN", "INDP_SYN", "OSC")
+_AXIS_FORMS = ("OSC",)
 #: Bounds of the value of an M or H function: signed, 32 bits.
 MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
@@ -170,7 +175,7 @@ class WordChecker:
                 case Word():
                     self._word(word, state)
                 case BracketCommand():
-                    if self._is_of_path(word):
+                    if self._is_of_path(word) or self._is_independent(word, state.axis_words):
                         continue
                     if not self.bracket(word, state):
                         self._unknown(word, state)
@@ -374,6 +379,12 @@ class WordChecker:
             return False
         return check_path_axis(command, self._values, self._findings)
 
+    def _is_independent(self, command: BracketCommand, path: tuple[AxisWord, ...]) -> bool:
+        """Check ``X[INDP_SYN …]`` or ``X[INDP_ASYN …]``; return whether it is one of them."""
+        if command.name not in self.axes:
+            return False
+        return check_independent(command, path, self._values, self._findings)
+
     def bracket(self, command: BracketCommand, state: _BlockState | None = None) -> bool:
         """Check ``X[…]`` or ``M17[MAIN]``; return false if the name is unknown."""
         name = command.name
@@ -398,13 +409,18 @@ class WordChecker:
         """Report a command for an axis that is not simulated, misspelt, or lacks INDP."""
         words = [item.name for item in command.items if isinstance(item, Keyword | Name)]
         axis = command.name
+        form = form_of(command)
+        if form:
+            written = f"{axis}[{form} …]"
+            self._findings.report(COMMAND_NOT_ALLOWED_IN_CYCLE, command.span, command=written)
+            return
         known = next((word for word in words if word in _AXIS_FORMS), None)
         motion = next((word for word in words if word in INDP_WORDS), None)
         if known is not None:
             entry = support_level.form(f"X[{known} …]")
             self._findings.report_support(entry, command.span, f"{axis}[{known} …]")
             return
-        names = ("INDP", "OVERRIDE", "FIXED_STOP", *_AXIS_FORMS)
+        names = ("INDP", *FORMS, "OVERRIDE", "FIXED_STOP", *_AXIS_FORMS)
         others = (word for word in words if word not in INDP_WORDS)
         misspelt = next((word for word in others if nearest(word, names) not in ("", word)), None)
         if misspelt is not None:

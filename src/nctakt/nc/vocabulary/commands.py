@@ -7,7 +7,7 @@ A ``#`` command is known by its first words; the longest row that fits counts.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
-from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, table
+from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, Support, table
 from nctakt.nc.vocabulary.spindle_variables import SPINDLE_ROWS
 from nctakt.nc.vocabulary.system_names import ROWS
 
@@ -420,6 +420,63 @@ VARIABLES = table(
     ("V.TOOL.VARIANT", SIMULATED, "its number of the variant", "seine Variantennummer"),
 )
 
+
+def _of_independent_axes(form: str) -> tuple[tuple[str, Support, str, str, Text], ...]:
+    """Return the rows of the keywords of an independent axis that are refused."""
+    return (
+        (
+            f"X[{form} SLOPE_TYPE]",
+            REFUSED,
+            "another slope for this motion",
+            "andere Rampenform für diese Bewegung",
+            Text(
+                "Leave it out: the motion has the slope of P-CHAN-00071.",
+                "Weglassen: die Bewegung hat die Rampenform von P-CHAN-00071.",
+            ),
+        ),
+        (
+            f"X[{form} ACC_WEIGHT]",
+            REFUSED,
+            "another acceleration for this motion",
+            "andere Beschleunigung für diese Bewegung",
+            Text(
+                "Leave it out: the motion has the acceleration of the axis list.",
+                "Weglassen: die Bewegung hat die Beschleunigung der Achsliste.",
+            ),
+        ),
+        (
+            f"X[{form} DRY_RUN]",
+            REFUSED,
+            "test of the motion before it is made",
+            "Probe der Bewegung, bevor sie ausgeführt wird",
+            Text(
+                "Leave it out: a target beyond the limits is refused before the axis moves.",
+                "Weglassen: ein Ziel jenseits der Endschalter wird vor der Bewegung abgelehnt.",
+            ),
+        ),
+        (
+            f"X[{form} M]",
+            REFUSED,
+            "M or H function of an independent axis",
+            "M- oder H-Funktion einer unabhängigen Achse",
+            Text(
+                "Write the function as a word of the block.",
+                "Die Funktion als Wort des Satzes schreiben.",
+            ),
+        ),
+        (
+            f"X[{form} G100]",
+            REFUSED,
+            "measuring with an independent axis",
+            "Messen mit einer unabhängigen Achse",
+            Text(
+                "Measure with the path: G100 as a word of the block.",
+                "Mit der Bahn messen: G100 als Wort des Satzes.",
+            ),
+        ),
+    )
+
+
 #: Forms of the language without a name of their own, each by an example.
 FORMS = table(
     Kind.FORM,
@@ -428,24 +485,18 @@ FORMS = table(
     ("X[FIXED_STOP …]", SIMULATED, "motion to a fixed stop", "Fahren auf Festanschlag"),
     (
         "X[INDP_ASYN …]",
-        REFUSED,
+        SIMULATED,
         "motion of one axis beside the program, which does not wait for it",
         "Bewegung einer Achse neben dem Programm, das nicht auf sie wartet",
-        Text(
-            "In realtime cycles X[INDP …] moves an axis by itself.",
-            "In Echtzeit-Zyklen bewegt X[INDP …] eine Achse für sich.",
-        ),
     ),
     (
         "X[INDP_SYN …]",
-        REFUSED,
+        SIMULATED,
         "motion of one axis beside the path, for whose end the block waits",
         "Bewegung einer Achse neben der Bahn, auf deren Ende der Satz wartet",
-        Text(
-            "In realtime cycles X[INDP …] moves an axis by itself.",
-            "In Echtzeit-Zyklen bewegt X[INDP …] eine Achse für sich.",
-        ),
     ),
+    *_of_independent_axes("INDP_SYN"),
+    *_of_independent_axes("INDP_ASYN"),
     ("X[OSC …]", REFUSED, "oscillation of one axis", "Pendeln einer Achse"),
     ("X[…]", REFUSED, "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", SIMULATED, "command for a spindle", "Befehl für eine Spindel"),

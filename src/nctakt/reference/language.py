@@ -126,6 +126,8 @@ _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
     }
 )
 
+#: The beginning of a command for an axis or a spindle: its name and the first keyword.
+_AXIS_COMMAND = re.compile(r"[^\W\d]\w*\s*\[\s*([^\W\d]\w*)")
 _NUMBERED = re.compile(r"([GMH])0*(\d+)")
 _PARAMETER = re.compile(r"P+\d+(?:\[.*\])*|P+\[.*\]")
 _INDEX = re.compile(r"\[[^]]*\]")
@@ -205,6 +207,9 @@ def _spellings(word: str) -> Iterator[str]:
         yield {"$CASE": "$SWITCH", "$DEFAULT": "$SWITCH"}.get(text, text)
     elif _PARAMETER.fullmatch(text):
         yield "P"
+    command = _AXIS_COMMAND.match(text)
+    if command is not None:
+        yield from (f"X[{command[1]} …]", f"S[{command[1]} …]")
     if text.startswith(("V.A.", "V.G.")):
         indexed = _INDEX.sub("[1]", text)
         of_axis = _INDEX.sub("[1]", _LAST_INDEX.sub(".X", text))

@@ -98,7 +98,9 @@ from nctakt.nc.vocabulary.spindle_commands import split
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: Words of axis commands that are known and not simulated.
-_AXIS_FORMS = ("OSC",)
+_AXIS_FORMS = (
+    *("OSC", "DIST_CTRL", "LIFT", "LIFT_START", "LIFT_END", "POLY", "COMP", "DYNAMIC", "SYNC"),
+)
 #: Bounds of the value of an M or H function: signed, 32 bits.
 MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
@@ -419,6 +421,10 @@ class WordChecker:
         if known is not None:
             entry = support_level.form(f"X[{known} …]")
             self._findings.report_support(entry, command.span, f"{axis}[{known} …]")
+            return
+        if has_function(command):
+            written = self._findings.written(command.span)
+            self._findings.report_support(support_level.form("X[M7]"), command.span, written)
             return
         names = ("INDP", *FORMS, "OVERRIDE", "FIXED_STOP", *_AXIS_FORMS)
         others = (word for word in words if word not in INDP_WORDS)

@@ -126,5 +126,7 @@ def _refused_form(word: BlockWord | Keyword | Expression) -> str:
         return ""
     if word.name in ("CALLAX", "PUTAX") and word.value is None:
         return f"S[{word.name}]"
+    if word.name == "FEED_LINK":
+        return "S[FEED_LINK …]"
     is_homing = isinstance(word.value, Number) and word.value.value == HOMING
     return "S[G74]" if word.name == "G" and is_homing else ""

@@ -497,7 +497,116 @@ FORMS = table(
     ),
     *_of_independent_axes("INDP_SYN"),
     *_of_independent_axes("INDP_ASYN"),
-    ("X[OSC …]", REFUSED, "oscillation of one axis", "Pendeln einer Achse"),
+    (
+        "X[OSC …]",
+        REFUSED,
+        "oscillation of one axis",
+        "Pendeln einer Achse",
+        Text(
+            "In a realtime cycle X[INDP …] can send the axis from one reversal to the other.",
+            "In einem Echtzeit-Zyklus kann X[INDP …] die Achse von Umkehr zu Umkehr schicken.",
+        ),
+    ),
+    (
+        "X[DIST_CTRL …]",
+        REFUSED,
+        "distance control: the axis follows a sensor",
+        "Abstandsregelung: die Achse folgt einem Sensor",
+        Text(
+            "Leave it out: there is no surface to sense; the axis keeps its position.",
+            "Weglassen: es gibt keine Oberfläche; die Achse behält ihre Position.",
+        ),
+    ),
+    (
+        "X[LIFT …]",
+        REFUSED,
+        "lifting an axis during a motion of the path",
+        "Abheben einer Achse während einer Bahnbewegung",
+        Text(
+            "Write the lifting as a motion: X[INDP_ASYN G91 …] before the block.",
+            "Das Abheben als Bewegung schreiben: X[INDP_ASYN G91 …] vor dem Satz.",
+        ),
+    ),
+    (
+        "X[LIFT_START …]",
+        REFUSED,
+        "lifting an axis over several blocks begins",
+        "Abheben einer Achse über mehrere Sätze beginnt",
+        Text(
+            "Write X[INDP_ASYN G91 …] before the first of these blocks.",
+            "X[INDP_ASYN G91 …] vor den ersten dieser Sätze schreiben.",
+        ),
+    ),
+    (
+        "X[LIFT_END …]",
+        REFUSED,
+        "lifting an axis over several blocks ends",
+        "Abheben einer Achse über mehrere Sätze endet",
+        Text(
+            "Write X[INDP_SYN G91 …] after the last of these blocks.",
+            "X[INDP_SYN G91 …] hinter den letzten dieser Sätze schreiben.",
+        ),
+    ),
+    (
+        "X[POLY …]",
+        REFUSED,
+        "motion of one axis by a polynomial",
+        "Bewegung einer Achse nach einem Polynom",
+        Text(
+            "Write the motion as a spline (#SPLINE ON) or as lines.",
+            "Die Bewegung als Spline (#SPLINE ON) oder als Geraden schreiben.",
+        ),
+    ),
+    (
+        "X[COMP …]",
+        REFUSED,
+        "compensations of one axis on or off",
+        "Kompensationen einer Achse ein oder aus",
+        Text(
+            "Leave it out: the simulated axis has no errors to compensate.",
+            "Weglassen: die simulierte Achse hat keine Fehler, die zu kompensieren wären.",
+        ),
+    ),
+    (
+        "X[DYNAMIC …]",
+        REFUSED,
+        "higher acceleration of one axis for some time",
+        "zeitweise höhere Beschleunigung einer Achse",
+        Text(
+            "Leave it out, or write G130: percent of the acceleration, up to P-AXIS-00008.",
+            "Weglassen oder G130 schreiben: Prozent der Beschleunigung bis P-AXIS-00008.",
+        ),
+    ),
+    (
+        "X[SYNC …]",
+        REFUSED,
+        "coupling of one axis to a moving workpiece",
+        "Kopplung einer Achse an ein bewegtes Werkstück",
+        Text(
+            "Leave it out: the simulation has no conveyor.",
+            "Weglassen: die Simulation hat kein Förderband.",
+        ),
+    ),
+    (
+        "X[M7]",
+        REFUSED,
+        "M or H function of one axis alone",
+        "M- oder H-Funktion einer Achse allein",
+        Text(
+            "Write the function as a word of the block.",
+            "Die Funktion als Wort des Satzes schreiben.",
+        ),
+    ),
+    (
+        "S[FEED_LINK …]",
+        REFUSED,
+        "feed linked to a spindle",
+        "Vorschub, der an eine Spindel gekoppelt ist",
+        Text(
+            "Write G95: feed per revolution of the main spindle.",
+            "G95 schreiben: Vorschub je Umdrehung der Hauptspindel.",
+        ),
+    ),
     ("X[…]", REFUSED, "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", SIMULATED, "command for a spindle", "Befehl für eine Spindel"),
     (

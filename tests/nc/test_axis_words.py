@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""Words of single-axis brackets that are known and refused: page 5252363631026771979 lists them."""
+
+from __future__ import annotations
+
+import pytest
+from support.decided import perform
+
+from nctakt.reference.topics import explain
+
+WORDS = {
+    "OSC": "X[OSC ON 1ST_POS=-100 2ND_POS=100 FEED=1000]",
+    "DIST_CTRL": "X[DIST_CTRL ON]",
+    "LIFT": "X[LIFT DOWN=1]",
+    "LIFT_START": "X[LIFT_START DOWN=1]",
+    "LIFT_END": "X[LIFT_END]",
+    "POLY": "X[POLY]",
+    "COMP": "X[COMP OFF]",
+    "DYNAMIC": "X[DYNAMIC ON]",
+    "SYNC": "X[SYNC IN]",
+    "M7": "X[M7]",
+    "CALLAX": "S[CALLAX]",
+    "PUTAX": "S[PUTAX]",
+    "FEED_LINK": "S[FEED_LINK ON]",
+    "SLOPE_TYPE": "X[INDP_SYN G90 POS=1 SLOPE_TYPE=STEP]",
+    "ACC_WEIGHT": "X[INDP_SYN G90 POS=1 RAPID_ACC_WEIGHT=50]",
+    "DRY_RUN": "X[INDP_SYN G90 POS=1 DRY_RUN]",
+    "M": "X[INDP_SYN G90 POS=1 M7]",
+    "G100": "X[INDP_SYN G90 G100 FEED=1 POS=1]",
+}
+
+
+@pytest.mark.parametrize("word", WORDS)
+def test_each_is_refused_by_name_with_what_to_do_instead(word: str) -> None:
+    """Not as an unknown command; the remedy is that of its row."""
+    found = perform(f"{WORDS[word]}\nM30").diagnostics[0]
+    assert found.id == 900200
+    assert word in found.text()
+    assert "Remove it" not in found.remedy()
+
+
+@pytest.mark.parametrize("word", [word for word in WORDS if "INDP" not in WORDS[word]])
+def test_explain_finds_each_as_it_is_written(word: str) -> None:
+    """In any bracket, with what follows the word."""
+    articles = explain(WORDS[word])
+    assert any(f"[{word}" in article.name for article in articles), articles

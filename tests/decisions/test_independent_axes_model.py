@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: MIT
+"""Random programs with independent axes, beside a realtime cycle and a PLC, against a slow model.
+
+The model knows the rules only: which command is taken in which tick (RC-003, RC-005, RC-409, SA-1 …
+SA-6), and that an axis takes the shortest time from its present speed to a target (MO-11): speed up
+or down to one speed, keep it, brake. It finds that speed by bisection, and compares the place of
+each axis in each tick.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import dataclass, field
+
+import pytest
+from support.random_seeds import each_seed
+
+from nctakt.plc import MC_MoveAbsolute, Plc
+from nctakt.run.controller import Controller, NcText
+from nctakt.run.plc_view import PlcView
+from nctakt.run.stimuli import Stimulus
+
+TICK, ACCELERATION, FASTEST = 0.001, 4000.0, 500.0
+AXES = "XYZ"
+
+
+@dataclass
+class Plan:
+    """From ``place`` with ``speed`` to ``target``, begun in tick ``first``."""
+
+    first: int
+    place: float
+    speed: float
+    target: float
+    top: float
+
+    def __post_init__(self) -> None:
+        way = self.target - self.place
+        low, high = -self.top, self.top
+        if way >= self.braked(high):
+            self.cruise, self.rest = high, (way - self.braked(high)) / high
+        elif way <= self.braked(low):
+            self.cruise, self.rest = low, (way - self.braked(low)) / low
+        else:
+            for _ in range(200):
+                middle = (low + high) / 2
+                low, high = (middle, high) if self.braked(middle) < way else (low, middle)
+            self.cruise, self.rest = (low + high) / 2, 0.0
+        self.ramp = abs(self.cruise - self.speed) / ACCELERATION
+        self.duration = self.ramp + self.rest + abs(self.cruise) / ACCELERATION
+
+    def braked(self, cruise: float) -> float:
+        """The way to a speed and from there to rest."""
+        ramp = abs(cruise - self.speed) / ACCELERATION
+        return (self.speed + cruise) / 2 * ramp + cruise * abs(cruise) / (2 * ACCELERATION)
+
+    def ticks(self) -> int:
+        """How many ticks it takes, at least one."""
+        return max(1, math.ceil(self.duration / TICK - 1e-6))
+
+    def after(self, tick: int) -> tuple[float, float]:
+        """Place and speed at the end of a tick."""
+        time = (tick - self.first + 1) * TICK
+        if tick - self.first + 1 >= self.ticks():
+            return self.target, 0.0
+        if time < self.ramp:
+            change = math.copysign(ACCELERATION, self.cruise - self.speed) * time
+            return self.place + (self.speed + change / 2) * time, self.speed + change
+        place = self.place + (self.speed + self.cruise) / 2 * self.ramp
+        time -= self.ramp
+        if time < self.rest:
+            return place + self.cruise * time, self.cruise
+        place += self.cruise * self.rest
+        time -= self.rest
+        speed = self.cruise - math.copysign(ACCELERATION, self.cruise) * time
+        return place + (self.cruise + speed) / 2 * time, speed
+
+
+@dataclass(frozen=True)
+class Order:
+    """A command for one axis: POS absolute or not, feed in mm/min."""
+
+    axis: str
+    position: float
+    absolute: bool
+    feed: float
+    waits: bool = False
+
+    def text(self) -> str:
+        form = "INDP_SYN" if self.waits else "INDP_ASYN"
+        how = "G90" if self.absolute else "G91"
+        return f"{self.axis}[{form} {how} G01 FEED={self.feed:g} POS={self.position:g}]"
+
+
+@dataclass(frozen=True)
+class Line:
+    """Orders, and the target of one axis of the path, of a block; or axes to wait for."""
+
+    orders: tuple[Order, ...] = ()
+    path: tuple[str, float, float] | None = None
+    awaited: str = ""
+
+    def text(self) -> str:
+        if self.awaited:
+            return f"#WAIT INDP [{self.awaited}]"
+        words = [order.text() for order in self.orders]
+        if self.path:
+            axis, target, feed = self.path
+            words.append(f"G01 G60 {axis}{target:g} F{feed:g}")
+        return " ".join(words)
+
+
+@dataclass
+class Model:
+    """The axes of the machine, tick by tick."""
+
+    plans: dict[str, Plan] = field(default_factory=dict)
+
+    def state(self, axis: str, tick: int) -> tuple[float, float]:
+        """Place and speed at the beginning of a tick."""
+        plan = self.plans.get(axis)
+        return (0.0, 0.0) if plan is None else plan.after(tick - 1)
+
+    def order(self, tick: int, order: Order) -> None:
+        """The last command has the axis."""
+        place, speed = self.state(order.axis, tick)
+        target = order.position if order.absolute else place + order.position
+        self.plans[order.axis] = Plan(tick, place, speed, target, min(order.feed / 60, FASTEST))
+
+    def stands(self, axis: str, tick: int) -> bool:
+        """Whether the axis stands at the end of a tick."""
+        plan = self.plans.get(axis)
+        return plan is None or tick >= plan.first + plan.ticks() - 1
+
+
+def interpreted(lines: list[Line], model: Model):
+    """Yield each time a tick has to pass; takes what the program commands, with the present tick.
+
+    ``independent``: axes commanded since their places were read; Z is moved by a cycle, too, so
+    that its place is read once time has passed (RC-409).
+    """
+    tick = yield
+    independent: set[str] = set()
+    uncertain = {"Z"}
+    known = dict.fromkeys(AXES, 0.0)
+    for line in lines:
+        if line.awaited:
+            needed = [axis for axis in line.awaited if axis in independent | uncertain]
+        else:
+            needed = []
+        for order in line.orders:
+            # Each command reads the place of its own axis, in the order of the words.
+            if order.axis in independent | uncertain:
+                tick = yield from read([order.axis], tick, model, independent, uncertain, known)
+            known[order.axis] = order.position + (0.0 if order.absolute else known[order.axis])
+        if needed:
+            tick = yield from read(needed, tick, model, independent, uncertain, known)
+        for order in line.orders:
+            independent.add(order.axis)
+            model.order(tick, order)
+        if line.path:
+            axis, target, feed = line.path
+            if axis in independent and target != known[axis]:
+                tick = yield from read([axis], tick, model, independent, uncertain, known)
+            if target != known[axis]:
+                model.order(tick, Order(axis, target, True, feed))
+                known[axis] = target
+                for _ in range(model.plans[axis].ticks()):
+                    tick = yield
+                uncertain.add("Z")
+        awaited = [order.axis for order in line.orders if order.waits]
+        if awaited:
+            tick = yield from read(awaited, tick, model, independent, uncertain, known)
+
+
+def read(axes, tick, model, independent, uncertain, known):
+    """Answer at the end of the first tick in which all of them stand."""
+    while not all(model.stands(axis, tick) for axis in axes):
+        tick = yield
+    uncertain.add("Z")
+    for axis in axes:
+        known[axis] = model.state(axis, tick + 1)[0]
+    independent.difference_update(axes)
+    uncertain.difference_update(axes)
+    return (yield)
+
+
+def random_lines(source: random.Random) -> list[Line]:
+    """Some blocks; X moves with the path, too."""
+    lines = []
+    places = [float(place) for place in range(-8, 9)]
+    known = [0.0]
+    for _ in range(source.randrange(2, 7)):
+        kind = source.randrange(4)
+        if kind == 0:
+            lines.append(Line(awaited=source.choice(AXES)))
+            continue
+        axes = source.sample(AXES, source.randrange(1, 3))
+        path = None
+        if kind == 1:
+            axes = [axis for axis in axes if axis != "X"]
+            target = source.choice([*known, source.choice(places)])
+            path = ("X", target, source.choice([3000.0, 9000.0]))
+        orders = tuple(
+            Order(
+                axis,
+                source.choice(places),
+                source.random() < 0.5,
+                source.choice([2400.0, 6000.0, 60000.0]),
+                source.random() < 0.4,
+            )
+            for axis in axes
+        )
+        known = [order.position for order in orders if order.axis == "X"] or known
+        if orders or path:
+            lines.append(Line(orders, path))
+    return lines
+
+
+class Mover(Plc):
+    """Sends Y to a position in a tick."""
+
+    def __init__(self, tick: int, position: float) -> None:
+        self.tick, self.position = tick, position
+        self.block = MC_MoveAbsolute("Y")
+
+    def each_tick(self, hli: PlcView) -> None:
+        self.block(hli, execute=hli.tick + 1 >= self.tick, position=self.position, velocity=100)
+
+
+@each_seed(compiled=12, plain=4)
+def test_programs_cycles_and_the_plc_move_axes_as_the_rules_say(seed: int) -> None:
+    """SA-1 … SA-6: each place in each tick, from which also follows that limits hold."""
+    source = random.Random(seed)
+    lines = random_lines(source)
+    of_cycle, of_plc = source.randrange(1, 300), source.randrange(1, 300)
+    targets = source.randrange(-8, 9), source.randrange(-8, 9)
+    cycle = (
+        "#RT CYCLE [ID=1 SCOPE=PROG END_ACTION=MOVE_CONT]\n$IF ONCE V.E.TRIGGER\n"
+        f"Z[INDP G90 G01 FEED=6000 POS={targets[0]}]\n$ENDIF\n#RT CYCLE END\n"
+    )
+    text = cycle + "\n".join(line.text() for line in lines) + "\nG04 0.4\nM30"
+    run = Controller().run(
+        NcText("p.nc", text),
+        plc=Mover(of_plc, targets[1]),
+        at=[Stimulus(f"{of_cycle} ms", "V.E.TRIGGER", 1.0)],
+        signals=[f"{axis}.ACS.ACT_POS" for axis in AXES],
+    )
+    assert run.state == "ended", (text, run.diagnostics)
+    assert run.trace is not None
+    traces = {axis: run.trace[f"{axis}.ACS.ACT_POS"] for axis in AXES}
+    model = Model()
+    program = interpreted(lines, model)
+    next(program)
+    is_over = False
+    end_tick = next(event.tick for event in run.events if event.kind == "end")
+    for tick in range(end_tick):
+        if tick == of_plc:
+            model.order(tick, Order("Y", targets[1], True, 6000.0))
+        if not is_over:
+            try:
+                program.send(tick)
+            except StopIteration:
+                is_over = True
+        if tick == of_cycle:
+            model.order(tick, Order("Z", targets[0], True, 6000.0))
+        for axis in AXES:
+            place = model.state(axis, tick + 1)[0]
+            assert traces[axis][tick] == pytest.approx(place, abs=1e-6), (axis, tick, text)
+    assert is_over

@@ -70,11 +70,11 @@ def test_several_axes_of_a_block_begin_together() -> None:
     """The block is over when the slowest synchronous one is: Y for 225 ticks, not A."""
     run = run_of(
         f"Z[INDP_SYN {TO_10}] Y[INDP_SYN G91 G01 FEED=6000 POS=-20] "
-        "A[INDP_ASYN G90 G01 FEED=6 POS=90]",
+        "A[INDP_ASYN G90 G01 FEED=3000 POS=30]",
         '#MSG ["%f %f", V.A.ABS.Z, V.A.ABS.Y]',
     )
     begun = [text for text in axes(run) if "begun" in text]
-    assert begun == ["0 axis Z begun 10", "0 axis Y begun -20", "0 axis A begun 90"]
+    assert begun == ["0 axis Z begun 10", "0 axis Y begun -20", "0 axis A begun 30"]
     assert texts(run) == ["10.000000 -20.000000"]
     assert end(run) == 225
 
@@ -261,7 +261,7 @@ def test_the_end_of_the_program_does_not_wait() -> None:
 
 
 def test_nothing_is_walked_back_before_an_independent_motion() -> None:
-    """Number 51023 of the controller: it cannot be executed backwards; X stays at 20."""
+    """It cannot be executed backwards, as others of the controller; X stays at 20."""
     back = [Stimulus("500 ms", "HLI.BACKWARD_MOTION", 1.0)]
     lines = ("G01 X10 F6000", "X[INDP_SYN G90 G00 POS=20]", "X30 F600", "M30")
     run = Controller().run(

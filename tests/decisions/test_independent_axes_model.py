@@ -116,6 +116,8 @@ class Model:
     """The axes of the machine, tick by tick."""
 
     plans: dict[str, Plan] = field(default_factory=dict)
+    places: dict[str, float] = field(default_factory=dict)
+    standing: set[str] = field(default_factory=set)
 
     def state(self, axis: str, tick: int) -> tuple[float, float]:
         """Place and speed at the beginning of a tick."""
@@ -127,6 +129,11 @@ class Model:
         place, speed = self.state(order.axis, tick)
         target = order.position if order.absolute else place + order.position
         self.plans[order.axis] = Plan(tick, place, speed, target, min(order.feed / 60, FASTEST))
+
+    def close(self, tick: int) -> None:
+        """Note what is at the end of a tick."""
+        self.places = {axis: self.state(axis, tick + 1)[0] for axis in AXES}
+        self.standing = {axis for axis in AXES if self.stands(axis, tick)}
 
     def stands(self, axis: str, tick: int) -> bool:
         """Whether the axis stands at the end of a tick."""
@@ -152,17 +159,17 @@ def interpreted(lines: list[Line], model: Model):
         for order in line.orders:
             # Each command reads the place of its own axis, in the order of the words.
             if order.axis in independent | uncertain:
-                tick = yield from read([order.axis], tick, model, independent, uncertain, known)
+                tick = yield from read([order.axis], model, independent, uncertain, known)
             known[order.axis] = order.position + (0.0 if order.absolute else known[order.axis])
         if needed:
-            tick = yield from read(needed, tick, model, independent, uncertain, known)
+            tick = yield from read(needed, model, independent, uncertain, known)
         for order in line.orders:
             independent.add(order.axis)
             model.order(tick, order)
         if line.path:
             axis, target, feed = line.path
             if axis in independent and target != known[axis]:
-                tick = yield from read([axis], tick, model, independent, uncertain, known)
+                tick = yield from read([axis], model, independent, uncertain, known)
             if target != known[axis]:
                 model.order(tick, Order(axis, target, True, feed))
                 known[axis] = target
@@ -171,19 +178,20 @@ def interpreted(lines: list[Line], model: Model):
                 uncertain.add("Z")
         awaited = [order.axis for order in line.orders if order.waits]
         if awaited:
-            tick = yield from read(awaited, tick, model, independent, uncertain, known)
+            tick = yield from read(awaited, model, independent, uncertain, known)
 
 
-def read(axes, tick, model, independent, uncertain, known):
+def read(axes, model, independent, uncertain, known):
     """Answer at the end of the first tick in which all of them stand."""
-    while not all(model.stands(axis, tick) for axis in axes):
+    tick = yield
+    while not model.standing.issuperset(axes):
         tick = yield
     uncertain.add("Z")
     for axis in axes:
-        known[axis] = model.state(axis, tick + 1)[0]
+        known[axis] = model.places[axis]
     independent.difference_update(axes)
     uncertain.difference_update(axes)
-    return (yield)
+    return tick
 
 
 def random_lines(source: random.Random) -> list[Line]:
@@ -265,7 +273,7 @@ def test_programs_cycles_and_the_plc_move_axes_as_the_rules_say(seed: int) -> No
                 is_over = True
         if tick == of_cycle:
             model.order(tick, Order("Z", targets[0], True, 6000.0))
-        for axis in AXES:
-            place = model.state(axis, tick + 1)[0]
+        model.close(tick)
+        for axis, place in model.places.items():
             assert traces[axis][tick] == pytest.approx(place, abs=1e-6), (axis, tick, text)
     assert is_over

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from nctakt.decoder.state import commands
-from nctakt.decoder.state.axis_commands import Home, Refer, SetSoftwareLimits
+from nctakt.decoder.state.axis_commands import Home, MoveAlone, Refer, SetSoftwareLimits
 from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.packing import pack
 from nctakt.decoder.state.probe_commands import Touch, TouchEnd
@@ -287,6 +287,17 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         },
     ),
     (
+        MoveAlone,
+        {"axis": 2, "value": 5.0, "speed": 10.0, "is_relative": True},
+        rows.MOVE_ALONE,
+        {
+            rows.ALONE_AXIS: 2,
+            rows.ALONE_VALUE: 5.0,
+            rows.ALONE_SPEED: 10.0,
+            rows.ALONE_IS_RELATIVE: 1,
+        },
+    ),
+    (
         SetSoftwareLimits,
         {"axis": 2, "low": -7.5, "high": 8.5},
         rows.SOFTWARE_LIMITS,
@@ -392,7 +403,7 @@ def test_each_command_is_packed() -> None:
     declared = {
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
-    declared |= {Touch, TouchEnd, Home, Refer, SetSoftwareLimits, SingleStep}
+    declared |= {Touch, TouchEnd, Home, MoveAlone, Refer, SetSoftwareLimits, SingleStep}
     declared |= {
         SpindleJob,
         AwaitSpindle,

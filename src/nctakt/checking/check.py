@@ -21,6 +21,7 @@ from nctakt.checking.channel_uses import ProgramUses, report_missing_partners
 from nctakt.checking.check_memory import CheckMemory, Poll
 from nctakt.checking.cycle_links import LinkedProgram, report_unlinked_cycles
 from nctakt.checking.inputs import LIST_SUFFIX, Finding, PlcInput, gather
+from nctakt.checking.plc_interface import report_interface_uses
 from nctakt.checking.program import check_program
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
@@ -30,7 +31,7 @@ from nctakt.lists.declared.schemas import STARTUP
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of
-from nctakt.lists.machine.machine import load_machine, load_startup
+from nctakt.lists.machine.machine import Machine, load_machine, load_startup
 from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.checking import (
@@ -139,6 +140,7 @@ class _Checker:
         self._poll = poll
         self._memory = memory
         self._targets = Targets(machine, for_all)
+        self._default_machine = machine.configuration
         self._access = machine.file_access
         self._detail = detail
         self._rtconf = rtconf
@@ -376,6 +378,10 @@ class _Checker:
         collector = Collector()
         folders = self._libraries(project.paths[0])
         programs = inspect_paths(project.paths, self._read, collector, folders=folders)
+        machine = self._machine_of_plc(project.paths[0])
+        for program in programs:
+            if machine is not None:
+                report_interface_uses(program, machine, collector)
         only = {path.resolve() for path in project.only}
         names = {path.resolve(): path.as_posix() for path in project.only}
         for path in project.paths:
@@ -390,6 +396,19 @@ class _Checker:
             file = "" if found.span is None else found.span.file
             if not only or Path(file).resolve() in only:
                 self._keep(file, [found])
+
+    def _machine_of_plc(self, path: Path) -> Machine | None:
+        """Return the machine that a PLC is for, if the check knows it: one that the user names."""
+        if self._for_all:
+            return self._default_machine
+        with contextlib.suppress(Failure):
+            project = find_project(path, self._access)
+            if project is not None and project.machine is not None:
+                choice = choose_machine(path, project, self._access)
+                return load_machine(
+                    choice.path, root=self._root, rtconf=self._rtconf, access=self._access
+                )
+        return None
 
     def _libraries(self, path: Path) -> tuple[Path, ...]:
         """Return the folders with sources of a PLC's libraries, as its project file names them."""

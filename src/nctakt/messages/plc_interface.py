@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""Messages about PLC code that does not fit the lists of its machine."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import note, warning
+
+INTERFACE_INDEX_OUTSIDE = warning(
+    902361,
+    en="{name}[{index}]: the machine has {count} of them, counted from 0",
+    de="{name}[{index}]: Die Maschine hat davon {count}, ab 0 gezählt",
+    remedy_en="Correct the index, or the machine's start-up list.",
+    remedy_de="Den Index oder die Hochlaufliste der Maschine berichtigen.",
+    index=("the index", "der Index"),
+    count=("the number of channels or axes", "die Anzahl der Kanäle oder Achsen"),
+)
+NOTHING_ACKNOWLEDGES = warning(
+    902362,
+    en="the PLC announces itself for the channel, and nothing sets done_w: functions wait for ever",
+    de="die SPS meldet sich für den Kanal an, und nichts setzt done_w: Funktionen warten endlos",
+    remedy_en="Set done_w of each unit of techno_unit_std_sync[], after please_rw is TRUE.",
+    remedy_de="done_w jeder Einheit von techno_unit_std_sync[] setzen, sobald please_rw TRUE ist.",
+)
+FUNCTION_NOT_ACKNOWLEDGED = warning(
+    902363,
+    en="the channel list has functions for which no code sets done_w: {functions}",
+    de="die Kanalliste hat Funktionen, für die kein Code done_w setzt: {functions}",
+    remedy_en="Add labels for them, or an ELSE; or synchronise them by MOS in the list.",
+    remedy_de="Marken dafür oder ein ELSE ergänzen; oder sie in der Liste mit MOS synchronisieren.",
+    functions=("the functions", "die Funktionen"),
+)
+CODE_KNOWS_UNLISTED_FUNCTION = note(
+    902364,
+    en="no channel list has a function M{number} or H{number}: it never comes",
+    de="keine Kanalliste hat eine Funktion M{number} oder H{number}: Sie kommt nie",
+    remedy_en="Add it to the channel list (P-CHAN-00041, P-CHAN-00027), or remove the label.",
+    remedy_de="Sie in die Kanalliste aufnehmen (P-CHAN-00041, P-CHAN-00027) oder die Marke "
+    "entfernen.",
+)
+SEMAPHORE_NEVER_SET = warning(
+    902365,
+    en="a command is written, and nothing sets command_semaphor_rw of {kind}: it is never taken",
+    de="ein Befehl wird geschrieben, und nichts setzt command_semaphor_rw von {kind}: Er wird nie "
+    "übernommen",
+    remedy_en="Set command_semaphor_rw after the command, when it is FALSE.",
+    remedy_de="command_semaphor_rw nach dem Befehl setzen, wenn es FALSE ist.",
+    kind=("the type of the control unit", "der Typ der Steuereinheit"),
+)

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""PLC code that does not fit the lists of its machine, and code that cannot be judged."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+from support.changed_lists import machine_with
+
+from nctakt.cli.check import command
+
+HEAD = "PROGRAM MAIN\nVAR i : INT; pM : POINTER TO HLI_M_H_PROZESS; b : BOOL; END_VAR\n"
+PRESENT = "gpCh[0]^.head.plc_present_w := TRUE;\n"
+UNIT = "gpCh[0]^.techno_unit_std_sync[i]"
+TAKE = f"pM := ADR({UNIT}.attribut_r.data);\n"
+DONE = f"{UNIT}.done_w := TRUE;"
+
+
+def found_in(folder: Path, body: str) -> list[tuple[int, int]]:
+    """Numbers and lines of what is reported beyond the code itself."""
+    machine_with(folder / "lists")
+    (folder / "nctakt.toml").write_text('machine = "lists"\n', "utf-8")
+    (folder / "cell.st").write_text(f"{HEAD}{body}\nEND_PROGRAM\n", "utf-8")
+    return reported(folder / "cell.st")
+
+
+def reported(path: Path) -> list[tuple[int, int]]:
+    """Numbers and lines of what is reported beyond the code itself, which has no errors."""
+    done = CliRunner().invoke(command, [str(path), "--format", "json"])
+    found = json.loads(done.stdout)["diagnostics"]
+    assert not [one for one in found if one["severity"] == "error"]
+    return [(one["id"], one["line"]) for one in found if 902361 <= one["id"] <= 902369]
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("b := gpCh[7]^.bahn_state.program_end_r;", [(902361, 3)]),
+        ("b := gpCh[0]^.bahn_state.program_end_r;", []),
+        (f"gpAx[9]^.head.plc_present_w := TRUE;\n{PRESENT}{DONE}", [(902361, 3)]),
+        (PRESENT, [(902362, 3)]),
+        (f"{PRESENT}{DONE}", []),
+        (f"{PRESENT}{TAKE}CASE pM^.nr OF\n100: {DONE}\nEND_CASE", [(902363, 6)]),
+        (f"{PRESENT}{TAKE}CASE pM^.nr OF\n0..9999: {DONE}\nEND_CASE", []),
+        (f"{PRESENT}{TAKE}CASE pM^.nr OF\n100: b := TRUE;\nELSE\n{DONE}\nEND_CASE", []),
+        (f"{PRESENT}{TAKE}IF pM^.nr = 7777 THEN b := TRUE; END_IF\n{DONE}", [(902364, 5)]),
+        ("gpCh[0]^.bahn_mc_control.insert_cmd.command_w.axis_nr := 1;", [(902365, 3)]),
+        (
+            "gpCh[0]^.bahn_mc_control.insert_cmd.command_w.axis_nr := 1;\n"
+            "gpCh[0]^.bahn_mc_control.insert_cmd.command_semaphor_rw := TRUE;",
+            [],
+        ),
+    ],
+)
+def test_code_is_compared_with_the_lists(
+    tmp_path: Path, body: str, expected: list[tuple[int, int]]
+) -> None:
+    """ST-762, ST-763: what no code answers, what never comes, what is never taken."""
+    assert found_in(tmp_path, body) == expected
+
+
+def test_code_with_addresses_of_units_is_not_judged(tmp_path: Path) -> None:
+    """Other code may answer by the address of the unit."""
+    body = f"{PRESENT}i := SEL(ADR({UNIT}) = 0, 1, 2);"
+    assert found_in(tmp_path, body) == []
+
+
+def test_without_a_named_machine_nothing_is_compared(tmp_path: Path) -> None:
+    """The demo machine is not the user's."""
+    (tmp_path / "cell.st").write_text(f"{HEAD}{PRESENT}END_PROGRAM\n", "utf-8")
+    assert reported(tmp_path / "cell.st") == []

@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 7
+#define HLI_VERSION 8
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 7; another one is another layout */
+    uint32_t version; /* 8; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -107,12 +107,12 @@ _Static_assert(sizeof(hli_unit) == 48, "hli_unit");
 /* the state of a channel */
 typedef struct hli_channel {
     uint8_t state; /* 0 ready, 1 a program runs, 2 error, 3 reset */
-    uint8_t paused; /* 1: single block, M00 or M01 waits for START */
+    uint8_t wait_continue_r; /* 1: single block, M00 or M01 waits for START */
     uint8_t armed; /* 1: a selected program waits for START */
     uint32_t error; /* number of the error that has stopped the channel, else 0 */
-    uint8_t retrace; /* 0: at its front, 1 backward over the history, 2 forward again */
+    uint16_t retrace_r; /* 0: at its front, 1 backward over the history, 2 forward again */
     uint32_t history; /* blocks in the history of the path, the current one included */
-    uint8_t inside_rt_loop; /* 1: the path is in a realtime loop */
+    uint8_t inside_rt_loop_r; /* 1: the path is in a realtime loop */
     uint32_t history_size; /* blocks that the history holds (P-STUP-00033); 0: none */
     double tool_time; /* that the tool has worked since it came (s) */
     double tool_distance; /* that the tool has worked since it came (mm) */
@@ -122,20 +122,20 @@ typedef struct hli_channel {
     double life_distance; /* its distance (mm) */
     uint32_t error_serial; /* how many errors have stopped the channel */
     uint32_t override_total; /* that acts (%) */
-    double path_speed; /* the speed on the path (mm/s) */
-    double distance_to_go; /* left of the block (mm) */
-    uint32_t block; /* N number of the current block */
+    int32_t active_feed_r; /* the speed on the path (µm/s) */
+    int32_t dist_to_go_r; /* left of the block (0.1 µm) */
+    uint32_t block_number_r; /* N number of the current block */
     uint32_t active_cycles; /* realtime cycles that run */
     hli_unit program[HLI_UNITS];
     hli_unit realtime[HLI_UNITS];
 } hli_channel;
 _Static_assert(offsetof(hli_channel, state) == 0, "state");
-_Static_assert(offsetof(hli_channel, paused) == 1, "paused");
+_Static_assert(offsetof(hli_channel, wait_continue_r) == 1, "wait_continue_r");
 _Static_assert(offsetof(hli_channel, armed) == 2, "armed");
 _Static_assert(offsetof(hli_channel, error) == 4, "error");
-_Static_assert(offsetof(hli_channel, retrace) == 8, "retrace");
+_Static_assert(offsetof(hli_channel, retrace_r) == 8, "retrace_r");
 _Static_assert(offsetof(hli_channel, history) == 12, "history");
-_Static_assert(offsetof(hli_channel, inside_rt_loop) == 16, "inside_rt_loop");
+_Static_assert(offsetof(hli_channel, inside_rt_loop_r) == 16, "inside_rt_loop_r");
 _Static_assert(offsetof(hli_channel, history_size) == 20, "history_size");
 _Static_assert(offsetof(hli_channel, tool_time) == 24, "tool_time");
 _Static_assert(offsetof(hli_channel, tool_distance) == 32, "tool_distance");
@@ -145,38 +145,39 @@ _Static_assert(offsetof(hli_channel, life_time) == 48, "life_time");
 _Static_assert(offsetof(hli_channel, life_distance) == 56, "life_distance");
 _Static_assert(offsetof(hli_channel, error_serial) == 64, "error_serial");
 _Static_assert(offsetof(hli_channel, override_total) == 68, "override_total");
-_Static_assert(offsetof(hli_channel, path_speed) == 72, "path_speed");
-_Static_assert(offsetof(hli_channel, distance_to_go) == 80, "distance_to_go");
-_Static_assert(offsetof(hli_channel, block) == 88, "block");
-_Static_assert(offsetof(hli_channel, active_cycles) == 92, "active_cycles");
-_Static_assert(offsetof(hli_channel, program) == 96, "program");
-_Static_assert(offsetof(hli_channel, realtime) == 1056, "realtime");
-_Static_assert(sizeof(hli_channel) == 2016, "hli_channel");
+_Static_assert(offsetof(hli_channel, active_feed_r) == 72, "active_feed_r");
+_Static_assert(offsetof(hli_channel, dist_to_go_r) == 76, "dist_to_go_r");
+_Static_assert(offsetof(hli_channel, block_number_r) == 80, "block_number_r");
+_Static_assert(offsetof(hli_channel, active_cycles) == 84, "active_cycles");
+_Static_assert(offsetof(hli_channel, program) == 88, "program");
+_Static_assert(offsetof(hli_channel, realtime) == 1048, "realtime");
+_Static_assert(sizeof(hli_channel) == 2008, "hli_channel");
 
 /* the state of an axis */
 typedef struct hli_axis {
     char name[16]; /* its name in the channel, with a zero byte */
-    uint32_t logical; /* its logical number */
-    double command; /* command position, ACS (mm, °) */
-    double actual; /* actual position, ACS (mm, °) */
-    double target; /* end of the motion, ACS (mm, °) */
+    uint16_t log_ax_n_r; /* its logical number */
+    int32_t active_position_acs_r; /* command position, ACS (0.1 µm, 0.0001°) */
+    int32_t current_position_acs_r; /* actual position, ACS (0.1 µm, 0.0001°) */
+    int32_t end_position_acs_r; /* end of the motion, ACS (0.1 µm, 0.0001°) */
     double machine; /* command position, MCS (mm, °) */
-    double program; /* command position, PCS (mm, °) */
+    int32_t act_position_r; /* command position, PCS (0.1 µm, 0.0001°) */
     double distance_to_go; /* left to the target (mm, °) */
     uint32_t override_total; /* of its own motions (%) */
     uint8_t state; /* PLCopen: 1 Standstill, 2 DiscreteMotion, 3 ContinuousMotion, 4 Stopping, 5 ErrorStop, 6 SynchronizedMotion */
+    uint8_t fill_up[3];
 } hli_axis;
 _Static_assert(offsetof(hli_axis, name) == 0, "name");
-_Static_assert(offsetof(hli_axis, logical) == 16, "logical");
-_Static_assert(offsetof(hli_axis, command) == 24, "command");
-_Static_assert(offsetof(hli_axis, actual) == 32, "actual");
-_Static_assert(offsetof(hli_axis, target) == 40, "target");
-_Static_assert(offsetof(hli_axis, machine) == 48, "machine");
-_Static_assert(offsetof(hli_axis, program) == 56, "program");
-_Static_assert(offsetof(hli_axis, distance_to_go) == 64, "distance_to_go");
-_Static_assert(offsetof(hli_axis, override_total) == 72, "override_total");
-_Static_assert(offsetof(hli_axis, state) == 76, "state");
-_Static_assert(sizeof(hli_axis) == 80, "hli_axis");
+_Static_assert(offsetof(hli_axis, log_ax_n_r) == 16, "log_ax_n_r");
+_Static_assert(offsetof(hli_axis, active_position_acs_r) == 20, "active_position_acs_r");
+_Static_assert(offsetof(hli_axis, current_position_acs_r) == 24, "current_position_acs_r");
+_Static_assert(offsetof(hli_axis, end_position_acs_r) == 28, "end_position_acs_r");
+_Static_assert(offsetof(hli_axis, machine) == 32, "machine");
+_Static_assert(offsetof(hli_axis, act_position_r) == 40, "act_position_r");
+_Static_assert(offsetof(hli_axis, distance_to_go) == 48, "distance_to_go");
+_Static_assert(offsetof(hli_axis, override_total) == 56, "override_total");
+_Static_assert(offsetof(hli_axis, state) == 60, "state");
+_Static_assert(sizeof(hli_axis) == 64, "hli_axis");
 
 /* the state of a spindle; where the PLC turns it, the job that waits for it */
 typedef struct hli_spindle {
@@ -184,7 +185,7 @@ typedef struct hli_spindle {
     uint32_t logical; /* its logical number */
     uint32_t channel; /* number of its channel, from 1 */
     uint32_t plc_controlled; /* 1: the PLC turns it (P-CHAN-00069) */
-    double speed; /* negative under M4; the CNC's only (rev/min) */
+    int32_t active_rev_r; /* negative under M4; the CNC's only (µm/s, 0.001°/s) */
     double position; /* 0 … 360; of the CNC's only (°) */
     uint32_t job; /* 0: none waits; else the running number of the job */
     uint32_t function; /* 3, 4, 5 or 19: M3, M4, M5, M19 */
@@ -198,57 +199,59 @@ _Static_assert(offsetof(hli_spindle, name) == 0, "name");
 _Static_assert(offsetof(hli_spindle, logical) == 16, "logical");
 _Static_assert(offsetof(hli_spindle, channel) == 20, "channel");
 _Static_assert(offsetof(hli_spindle, plc_controlled) == 24, "plc_controlled");
-_Static_assert(offsetof(hli_spindle, speed) == 32, "speed");
-_Static_assert(offsetof(hli_spindle, position) == 40, "position");
-_Static_assert(offsetof(hli_spindle, job) == 48, "job");
-_Static_assert(offsetof(hli_spindle, function) == 52, "function");
-_Static_assert(offsetof(hli_spindle, direction) == 56, "direction");
-_Static_assert(offsetof(hli_spindle, job_time_us) == 64, "job_time_us");
-_Static_assert(offsetof(hli_spindle, job_duration_us) == 72, "job_duration_us");
-_Static_assert(offsetof(hli_spindle, job_speed) == 80, "job_speed");
-_Static_assert(offsetof(hli_spindle, job_position) == 88, "job_position");
-_Static_assert(sizeof(hli_spindle) == 96, "hli_spindle");
+_Static_assert(offsetof(hli_spindle, active_rev_r) == 28, "active_rev_r");
+_Static_assert(offsetof(hli_spindle, position) == 32, "position");
+_Static_assert(offsetof(hli_spindle, job) == 40, "job");
+_Static_assert(offsetof(hli_spindle, function) == 44, "function");
+_Static_assert(offsetof(hli_spindle, direction) == 48, "direction");
+_Static_assert(offsetof(hli_spindle, job_time_us) == 56, "job_time_us");
+_Static_assert(offsetof(hli_spindle, job_duration_us) == 64, "job_duration_us");
+_Static_assert(offsetof(hli_spindle, job_speed) == 72, "job_speed");
+_Static_assert(offsetof(hli_spindle, job_position) == 80, "job_position");
+_Static_assert(sizeof(hli_spindle) == 88, "hli_spindle");
 
 /* what the PLC commands a channel */
 typedef struct hli_command {
-    double override; /* the operator's override of the path (%) */
-    uint8_t feed_hold; /* 1: the path brakes to a standstill and stays there */
-    uint8_t single_block; /* 1: the channel stops in front of each block */
-    uint8_t start; /* START: the PLC writes 1, the CNC takes it and writes 0 */
-    uint8_t reset; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
-    uint8_t plc_present; /* 1: the PLC acknowledges functions, 0: the CNC itself */
-    uint8_t backward_motion; /* 1: the path is walked back, 0: forward again */
-    uint8_t probe; /* 1: the probe touches (G100), or is on the edge (G108) */
-    uint8_t optional_stop; /* 1: M01 stops as M00 does */
-    uint8_t watchdog; /* 1: the PLC shows in time that it lives, or it is an error */
-    uint8_t alive; /* the sign of life: the PLC writes 1, the CNC takes it, writes 0 */
+    uint16_t override_command_w; /* the operator's override of the path (0.1 %) */
+    uint8_t feedhold_command_w; /* 1: the path brakes to a standstill and stays there */
+    uint8_t single_block_command_w; /* 1: the channel stops in front of each block */
+    uint8_t continue_on_command_w; /* START: the PLC writes 1, the CNC takes it and writes 0 */
+    uint8_t reset_command_w; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
+    uint8_t plc_present_w; /* 1: the PLC acknowledges functions, 0: the CNC itself */
+    uint8_t backward_motion_command_w; /* 1: the path is walked back, 0: forward again */
+    uint8_t probe_command_w; /* 1: the probe touches (G100), or is on the edge (G108) */
+    uint8_t m01_stop_enable_command_w; /* 1: M01 stops as M00 does */
+    uint8_t mc_watchdog_enable_w; /* 1: the PLC shows in time that it lives, or it is an error */
+    uint8_t mc_watchdog_alive_rw; /* the sign of life: the PLC writes 1, the CNC takes it, writes 0 */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
+    uint8_t fill_up[4];
 } hli_command;
-_Static_assert(offsetof(hli_command, override) == 0, "override");
-_Static_assert(offsetof(hli_command, feed_hold) == 8, "feed_hold");
-_Static_assert(offsetof(hli_command, single_block) == 9, "single_block");
-_Static_assert(offsetof(hli_command, start) == 10, "start");
-_Static_assert(offsetof(hli_command, reset) == 11, "reset");
-_Static_assert(offsetof(hli_command, plc_present) == 12, "plc_present");
-_Static_assert(offsetof(hli_command, backward_motion) == 13, "backward_motion");
-_Static_assert(offsetof(hli_command, probe) == 14, "probe");
-_Static_assert(offsetof(hli_command, optional_stop) == 15, "optional_stop");
-_Static_assert(offsetof(hli_command, watchdog) == 16, "watchdog");
-_Static_assert(offsetof(hli_command, alive) == 17, "alive");
-_Static_assert(offsetof(hli_command, ack_program) == 20, "ack_program");
-_Static_assert(offsetof(hli_command, ack_realtime) == 100, "ack_realtime");
-_Static_assert(sizeof(hli_command) == 184, "hli_command");
+_Static_assert(offsetof(hli_command, override_command_w) == 0, "override_command_w");
+_Static_assert(offsetof(hli_command, feedhold_command_w) == 2, "feedhold_command_w");
+_Static_assert(offsetof(hli_command, single_block_command_w) == 3, "single_block_command_w");
+_Static_assert(offsetof(hli_command, continue_on_command_w) == 4, "continue_on_command_w");
+_Static_assert(offsetof(hli_command, reset_command_w) == 5, "reset_command_w");
+_Static_assert(offsetof(hli_command, plc_present_w) == 6, "plc_present_w");
+_Static_assert(offsetof(hli_command, backward_motion_command_w) == 7, "backward_motion_command_w");
+_Static_assert(offsetof(hli_command, probe_command_w) == 8, "probe_command_w");
+_Static_assert(offsetof(hli_command, m01_stop_enable_command_w) == 9, "m01_stop_enable_command_w");
+_Static_assert(offsetof(hli_command, mc_watchdog_enable_w) == 10, "mc_watchdog_enable_w");
+_Static_assert(offsetof(hli_command, mc_watchdog_alive_rw) == 11, "mc_watchdog_alive_rw");
+_Static_assert(offsetof(hli_command, ack_program) == 12, "ack_program");
+_Static_assert(offsetof(hli_command, ack_realtime) == 92, "ack_realtime");
+_Static_assert(sizeof(hli_command) == 176, "hli_command");
 
 /* what the PLC commands a spindle, and its answer for one that it turns */
 typedef struct hli_spindle_command {
     uint32_t ack_job; /* acknowledges job of the spindle: its number */
     uint32_t reserved; /* not used */
-    double override; /* the operator's override of a spindle that the CNC turns (%) */
+    uint16_t override_command_w; /* the operator's override of a spindle that the CNC turns (0.1 %) */
+    uint8_t fill_up[6];
 } hli_spindle_command;
 _Static_assert(offsetof(hli_spindle_command, ack_job) == 0, "ack_job");
 _Static_assert(offsetof(hli_spindle_command, reserved) == 4, "reserved");
-_Static_assert(offsetof(hli_spindle_command, override) == 8, "override");
+_Static_assert(offsetof(hli_spindle_command, override_command_w) == 8, "override_command_w");
 _Static_assert(sizeof(hli_spindle_command) == 16, "hli_spindle_command");
 
 #endif

@@ -91,7 +91,7 @@ int main(int count, char **words)
     uint32_t seen[2][HLI_UNITS] = {{0}};
 
     link->process = (uint64_t)getpid(); /* so that the CNC notices at once when it ends */
-    command->plc_present = 1;
+    command->plc_present_w = 1;
     while (header->ready) {
         uint64_t turn = header->turn;
         if (turn == link->turn) {
@@ -100,9 +100,10 @@ int main(int count, char **words)
         }
         atomic_thread_fence(memory_order_acquire);
         uint64_t now_us = (header->tick - 1) * header->cycle_time_us;
-        bool waits = answer(channel->program, command->ack_program, seen[0], now_us, x->command);
-        waits |= answer(channel->realtime, command->ack_realtime, seen[1], now_us, x->command);
-        command->override = waits ? 50.0 : 100.0;
+        double x_mm = x->active_position_acs_r / 10000.0; /* 0.1 µm */
+        bool waits = answer(channel->program, command->ack_program, seen[0], now_us, x_mm);
+        waits |= answer(channel->realtime, command->ack_realtime, seen[1], now_us, x_mm);
+        command->override_command_w = waits ? 500 : 1000; /* 0.1 % */
         atomic_thread_fence(memory_order_release);
         link->turn = turn;
     }

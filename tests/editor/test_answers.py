@@ -83,6 +83,11 @@ def test_hover_explains_words_and_the_programs_own_names(in_editor: Run) -> None
         assert "line 1" in await text("LL PART", "PART")
         assert "V.P.SIZE = 10" in await text("XV.P.SIZE", "SIZE")
         assert "realtime cycle" in await text("#RT CYCLE [ID", "RT")
+        editor.type(uri, 0, 0, 0, "; waits for gpCh[0]^.bahn_state.program_end_r\n")
+        params = types.HoverParams(**editor.at(uri, 0, 40))
+        found = await editor.client.text_document_hover_async(params)
+        assert found is not None
+        assert "No program runs" in found.contents.value
 
     in_editor(script)
 
@@ -115,6 +120,10 @@ def test_completion_offers_what_can_stand_at_the_cursor(in_editor: Run) -> None:
         assert "PART" in await labels("LL ")
         assert "other.nc" in await labels("L ")
         assert {"G01", "M30", "X", "SIN", "ONCE", "P1", "M100"} <= await labels("G")
+        assert {"gpCh[0]^", "gpAx[0]^", "gpPform^"} <= await labels("; gpC")
+        assert "override" in await labels('hli["gpCh[0]^.bahn_mc_control.')
+        assert {"enable_w", "command_w"} <= await labels("gpAx[1]^.lr_mc_control.drive_on.")
+        assert not await labels("gpCh[0]^.bahn_stat.")
         listed = await editor.open("sda_mds1.lis", "rt_cycles.enable 1\n")
         params = types.CompletionParams(**editor.at(listed, 1, 0))
         found = await editor.client.text_document_completion_async(params)

@@ -30,7 +30,7 @@ def test_what_a_plc_writes_into_the_image_stands_on_the_tape_by_name() -> None:
             memory, layout = self.image.memory, self.image.layout
             if hli.tick == 3:
                 override = layout.command(0) + entry(COMMAND, "override").offset
-                struct.pack_into("=d", memory, override, 50.0)
+                struct.pack_into("=H", memory, override, 500)  # 0.1 %
             if hli.tick == 5:
                 serial = layout.channel(0) + unit_offset(CHANNEL, "program")
                 serial += entry(UNIT, "serial").offset
@@ -46,7 +46,7 @@ def test_what_a_plc_writes_into_the_image_stands_on_the_tape_by_name() -> None:
         (4, "hli", "image", "command[1].override"),
         (6, "hli", "image", "command[1].ack_program"),
     ]
-    assert inputs[0].values[1] == struct.pack("=d", 50.0).hex()
+    assert inputs[0].values[1] == struct.pack("=H", 500).hex()
     tape = Tape({}, {}, True, tuple(inputs), {}, run.ticks, run.state, {})
     again = Controller().run(program, replay=tape)
     assert again.ticks == run.ticks

@@ -39,7 +39,15 @@ from nctakt.run.shared_image import SharedImage
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"
 DEMO = ROOT / "src" / "nctakt" / "machines" / "demo"
-FORMATS = {"BOOLEAN": "=B", "UNS08": "=B", "UNS32": "=I", "UNS64": "=Q", "REAL64": "=d"}
+FORMATS = {
+    "BOOLEAN": "=B",
+    "UNS08": "=B",
+    "UNS16": "=H",
+    "UNS32": "=I",
+    "SGN32": "=i",
+    "UNS64": "=Q",
+    "REAL64": "=d",
+}
 
 needs_shared_folder = pytest.mark.skipif(
     not Path("/dev/shm").is_dir(), reason="shared memory is seen as files on Linux only"
@@ -56,13 +64,14 @@ class Part:
 
     def __getitem__(self, name: str) -> float:
         place = entry(self.structure, name)
-        form = FORMATS[place.entry.type]
-        return float(struct.unpack_from(form, self.image.memory, self.offset + place.offset)[0])
+        form = FORMATS[place.entry.image_type]
+        number = struct.unpack_from(form, self.image.memory, self.offset + place.offset)[0]
+        return float(number) / place.entry.factor
 
     def __setitem__(self, name: str, value: float) -> None:
         place = entry(self.structure, name)
-        form = FORMATS[place.entry.type]
-        number = value if form == "=d" else int(value)
+        form = FORMATS[place.entry.image_type]
+        number = value if form == "=d" else int(value * place.entry.factor)
         struct.pack_into(form, self.image.memory, self.offset + place.offset, number)
 
 
@@ -388,18 +397,6 @@ def test_what_the_plc_writes_into_the_cncs_places_is_not_taken() -> None:
     memory.x["command"] = 77.0
     memory.controller.step(1)
     assert memory.x["command"] == pytest.approx(0.002 * 11**2)
-
-
-def test_an_override_that_is_no_number_is_told() -> None:
-    """21821 with the name of the value; the override stays."""
-    controller = Controller()
-    memory = Memory(controller)
-    memory.command["override"] = float("nan")
-    controller.step(2)
-    assert [(one.id, dict(one.values)["variable"]) for one in controller.diagnostics] == [
-        (21821, "HLI.OVERRIDE")
-    ]
-    assert memory.command["override"] == 100.0
 
 
 def test_start_through_the_image() -> None:

@@ -18,6 +18,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.editor.document import Document
 from nctakt.editor.list_lines import parameter_of, values_of
 from nctakt.editor.names import Kind, occurrences_in, section_of
+from nctakt.hli import table
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.parameter import ValueType
 from nctakt.lists.format.schema import Schema
@@ -40,6 +41,10 @@ from nctakt.run.program_loader import search_folders
 SEARCHED_LINES = 20_000
 
 _PATH = re.compile(r"(?<![\w.])Vs?\.[\w.\[\]]*$", re.IGNORECASE)
+#: The beginning of a path of the interface: in a comment, in a PLC in Python or Structured Text.
+_INTERFACE = re.compile(
+    r"(?<![\w.])(?:HLI_Global_Variables\.)?gp[A-Z][\w\[\]^.]*$", re.IGNORECASE
+)
 _CONTROL = re.compile(r"\$\w*$")
 _COMMAND = re.compile(r"#[A-Z_ ]*$", re.IGNORECASE)
 _WORD = re.compile(r"[A-Z_@]\w*$", re.IGNORECASE)
@@ -86,6 +91,9 @@ def complete(
     """Return what can be written at a position."""
     before = document.line(position.line)[: document.index(position)]
     cursor = _Cursor(document, position.line, before, language)
+    interface = _INTERFACE.search(before)
+    if interface is not None:
+        return list(_elements(cursor, interface[0]))
     if document.is_list:
         return list(_parameters(cursor))
     if ";" in before and before.count('"', 0, before.index(";")) % 2 == 0:
@@ -110,6 +118,20 @@ def complete(
     if command is not None:
         return list(_commands(cursor, command[0]))
     return list(_words(cursor, machine))
+
+
+def _elements(cursor: _Cursor, path: str) -> Iterator[CompletionItem]:
+    """Yield elements of the interface to the PLC behind the beginning of a path."""
+    written = len(path.rpartition(".")[2])
+    for element in table.continuations(path):
+        label = element.name if "." in element.path else element.path
+        kind = CompletionItemKind.Field
+        said = element.said
+        detail = element.type.name
+        if said is not None:
+            detail += f": {said.meaning.get(cursor.language)}"
+        text = f"{label}[{element.type.low}]" if element.type.base is not None else label
+        yield cursor.item(label, kind, written, detail, text)
 
 
 def _comment(cursor: _Cursor) -> Iterator[CompletionItem]:

@@ -30,6 +30,11 @@ _NOT_DECLARED = Text("not in the lists of this machine", "nicht in den Listen di
 #: Variables that the lists of the machine declare.
 _OF_LISTS = ("V.E.", "V.CH.")
 _KEY = re.compile(r"[\w.\[\]]+")
+#: A path of the interface to the PLC, in a comment or in a PLC.
+_INTERFACE = re.compile(
+    r"(?<![\w.])(?:HLI_Global_Variables\.)?gp(?:Ch|Ax|Pform)(?:\[\w*\])?\^[\w\[\].]*",
+    re.IGNORECASE,
+)
 _NUMBER = re.compile(r"\d{4,6}")
 _DEFINED = Text("defined in line {line}", "vereinbart in Zeile {line}")
 _ASSIGNED = Text("first assigned in line {line}", "zuerst zugewiesen in Zeile {line}")
@@ -47,8 +52,10 @@ def hover(
 ) -> Hover | None:
     """Return what is known of the word at a position."""
     line, index = document.line(position.line), document.index(position)
+    if any(match.start() <= index <= match.end() for match in _INTERFACE.finditer(line)):
+        return _of_pattern(_INTERFACE, document, position, line, index, language)
     if document.is_list:
-        return _of_list(document, position, line, index, language)
+        return _of_pattern(_KEY, document, position, line, index, language)
     token = token_at(line, index)
     if token is None:
         return None
@@ -64,10 +71,16 @@ def hover(
     return Hover(MarkupContent(MarkupKind.Markdown, "\n\n".join(parts)), area)
 
 
-def _of_list(
-    document: Document, position: Position, line: str, index: int, language: Language
+def _of_pattern(
+    pattern: re.Pattern[str],
+    document: Document,
+    position: Position,
+    line: str,
+    index: int,
+    language: Language,
 ) -> Hover | None:
-    match = next((m for m in _KEY.finditer(line) if m.start() <= index <= m.end()), None)
+    """Return what is known of the word at a position that a pattern finds."""
+    match = next((m for m in pattern.finditer(line) if m.start() <= index <= m.end()), None)
     if match is None:
         return None
     text = [article_text(article, language) for article in articles_of(match[0])]

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.hli.layout import MAGIC, STRUCTURES, UNIT, VERSION, Entry, Structure
-from nctakt.hli.places import entries, size_of, unit_offset
+from nctakt.hli.places import entries, fill_up_of, size_of, unit_offset
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
 _TYPES = {
     "BOOLEAN": "uint8_t",
     "UNS08": "uint8_t",
+    "UNS16": "uint16_t",
     "UNS32": "uint32_t",
     "SGN32": "int32_t",
     "UNS64": "uint64_t",
@@ -40,6 +41,8 @@ def _lines() -> Iterator[str]:
         yield from ("", f"/* {structure.meaning} */", f"typedef struct {structure.name} {{")
         for entry in structure.entries:
             yield f"    {_member(entry)}; {_comment(entry)}"
+        if fill_up := fill_up_of(structure):
+            yield f"    uint8_t fill_up[{fill_up}];"
         for name in structure.units:
             yield f"    {UNIT.name} {name}[HLI_UNITS];"
         yield f"}} {structure.name};"
@@ -49,17 +52,17 @@ def _lines() -> Iterator[str]:
 
 def _member(entry: Entry) -> str:
     count = f"[{entry.count}]" if entry.count else ""
-    return f"{_TYPES[entry.type]} {entry.name}{count}"
+    return f"{_TYPES[entry.image_type]} {entry.member}{count}"
 
 
 def _comment(entry: Entry) -> str:
-    unit = f" ({entry.unit})" if entry.unit else ""
+    unit = f" ({entry.image_unit})" if entry.image_unit else ""
     return f"/* {entry.meaning.replace('`', '')}{unit} */"
 
 
 def _asserts(structure: Structure) -> Iterator[str]:
     name = structure.name
-    places = [(placed.entry.name, placed.offset) for placed in entries(structure)]
+    places = [(placed.entry.member, placed.offset) for placed in entries(structure)]
     places += [(unit, unit_offset(structure, unit)) for unit in structure.units]
     for member, offset in places:
         yield f'_Static_assert(offsetof({name}, {member}) == {offset}, "{member}");'

@@ -13,13 +13,14 @@ from collections.abc import Callable
 from functools import cache
 from typing import TypeVar
 
-from nctakt.base.diagnostics import NOTHING
+from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.hli.layout import (
     AXIS,
     CHANNEL,
     COMMAND,
+    DIFFERENCES,
     HEADER,
     LINK,
     MAGIC,
@@ -30,6 +31,7 @@ from nctakt.hli.layout import (
 )
 from nctakt.hli.places import PlacedEntry, entries, size_of
 from nctakt.hli.variable_names import NamedVariable, read_names
+from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.messages.hli_connection import (
     HLI_CNC_WRITES_ON,
@@ -83,7 +85,15 @@ class ImageAccess:
             raise Failure(diagnostic(NOT_AN_HLI, name=name))
         version = self.number(HEADER, 0, "version")
         if version != VERSION:
-            raise Failure(diagnostic(HLI_VERSION_DIFFERS, name=name, version=version, own=VERSION))
+            raise Failure(
+                diagnostic(
+                    HLI_VERSION_DIFFERS,
+                    name=name,
+                    version=version,
+                    own=VERSION,
+                    differences=_differences(int(version)),
+                )
+            )
         if self.number(HEADER, 0, "size") > len(memory):  # what is missing cannot be touched
             raise self._layout_differs("size")
         for count, prefix, structure in _ARRAYS.values():
@@ -134,16 +144,20 @@ class ImageAccess:
         return first + index * size_of(structure)
 
     def number(self, structure: Structure, first: int, name: str, element: int = 0) -> float:
-        """Return a number of the structure at the offset ``first``."""
+        """Return a number of the structure at the offset ``first``, in the session's unit."""
         placed = _placed(structure, name)
-        return self.number_at(placed.entry.type, first + placed.offset, element)
+        number = self.number_at(placed.entry.image_type, first + placed.offset, element)
+        return number if placed.entry.factor == 1.0 else number / placed.entry.factor
 
     def put_number(
         self, structure: Structure, first: int, name: str, value: float, element: int = 0
     ) -> None:
         """Write a number of the structure at the offset ``first``."""
         placed = _placed(structure, name)
-        self.put_number_at(placed.entry.type, first + placed.offset, value, element)
+        type_, factor = placed.entry.image_type, placed.entry.factor
+        if factor != 1.0:
+            value = min(float(round(value * factor)), SCALARS[type_].high)
+        self.put_number_at(type_, first + placed.offset, value, element)
 
     def text(self, structure: Structure, first: int, name: str) -> str:
         """Return a text of the structure at the offset ``first``."""
@@ -191,10 +205,20 @@ class ImageAccess:
         self._memory.release()
 
 
+def _differences(version: int) -> Text:
+    """Return what has changed between a version and this one."""
+    low, high = sorted((version, VERSION))
+    found = [said for one, said in DIFFERENCES.items() if low < one <= high]
+    if len(found) < high - low:
+        found.append(Text("the rest is not known here", "das Übrige ist hier nicht bekannt"))
+    return Text("; ".join(one.en for one in found), "; ".join(one.de for one in found))
+
+
 @cache
 def _placed(structure: Structure, name: str) -> PlacedEntry:
     """Return a value of a structure; raises ``Failure`` (901012) for an unknown name."""
     placed = {one.entry.name: one for one in entries(structure)}
+    placed |= {one.entry.member: one for one in entries(structure)}
     if name not in placed:
         near = nearest(name, placed) or NOTHING
         raise Failure(

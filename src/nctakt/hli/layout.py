@@ -13,6 +13,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
+from nctakt.hli import table
+from nctakt.hli.table import Element
 from nctakt.kernel import cells
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
@@ -23,17 +26,43 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Version of the layout, changed whenever a value changes its offset or meaning.
-VERSION = 7
+VERSION = 8
+
+#: What has changed with each version, for whoever meets an older or newer partner.
+DIFFERENCES = {
+    7: Text(
+        "7: functions have their synchronisation and value, and T is among them",
+        "7: Funktionen haben Synchronisation und Wert, und T ist dabei",
+    ),
+    8: Text(
+        "8: values that the controller has, too, have its names, types and units "
+        "(active_feed_r, override_command_w …); mc_watchdog, error_serial",
+        "8: Werte, die auch die Steuerung hat, tragen deren Namen, Typen und Einheiten "
+        "(active_feed_r, override_command_w …); mc_watchdog, error_serial",
+    ),
+}
 
 #: Size of each type, of names as a whole, in bytes.
 TYPE_BYTES = {
     "BOOLEAN": 1,
     "UNS08": 1,
+    "UNS16": 2,
     "UNS32": 4,
     "SGN32": 4,
     "UNS64": 8,
     "REAL64": 8,
     "STRING": 1,
+}
+
+
+#: The elementary types of the controller, as variables lists name them.
+_TYPES = {
+    "BOOL": "BOOLEAN",
+    "USINT": "UNS08",
+    "UINT": "UNS16",
+    "DINT": "SGN32",
+    "UDINT": "UNS32",
+    "LREAL": "REAL64",
 }
 
 
@@ -43,6 +72,9 @@ class Entry:
 
     ``count``: elements of an array, 0 for a single value. ``source``: the variable of the channel
     or axis that it shows (``nc/vocabulary/variable_table.py``); empty for a value of other origin.
+    ``path``: that of the same value on the controller: then the image has its name, type and unit
+    from the table of the interface, and ``name`` is the short form of the session; empty where the
+    controller has none, and the value is nctakt's own.
     """
 
     name: str
@@ -51,6 +83,39 @@ class Entry:
     meaning: str
     count: int = 0
     source: str = ""
+    path: str = ""
+
+    @property
+    def _element(self) -> Element | None:
+        return table.find(self.path) if self.path else None
+
+    @property
+    def member(self) -> str:
+        """Its name in the image."""
+        last = self.path.rpartition(".")[2]
+        if last in ("command_w", "enable_w", "alive_rw"):
+            return f"{self.path.split('.')[-2]}_{last}"
+        return last or self.name
+
+    @property
+    def image_type(self) -> str:
+        """Its type in the image."""
+        element = self._element
+        return self.type if element is None else _TYPES[element.type.name]
+
+    @property
+    def image_unit(self) -> str:
+        """Its unit in the image."""
+        element = self._element
+        return self.unit if element is None else element.unit
+
+    @property
+    def factor(self) -> float:
+        """How many units of the image one of the session is."""
+        element = self._element
+        if element is None or element.tie is None or element.tie.kind == "fact":
+            return 1.0
+        return float(element.tie.factor)
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,28 +134,112 @@ class Structure:
 
 #: The operator's commands, written by the PLC.
 PANEL = (
-    Entry("override", "REAL64", "%", "the operator's override of the path"),
-    Entry("feed_hold", "BOOLEAN", "", "1: the path brakes to a standstill and stays there"),
-    Entry("single_block", "BOOLEAN", "", "1: the channel stops in front of each block"),
-    Entry("start", "BOOLEAN", "", "START: the PLC writes 1, the CNC takes it and writes 0"),
-    Entry("reset", "BOOLEAN", "", "RESET: the PLC writes 1, the CNC takes it and writes 0"),
-    Entry("plc_present", "BOOLEAN", "", "1: the PLC acknowledges functions, 0: the CNC itself"),
-    Entry("backward_motion", "BOOLEAN", "", "1: the path is walked back, 0: forward again"),
-    Entry("probe", "BOOLEAN", "", "1: the probe touches (G100), or is on the edge (G108)"),
-    Entry("optional_stop", "BOOLEAN", "", "1: M01 stops as M00 does"),
-    Entry("watchdog", "BOOLEAN", "", "1: the PLC shows in time that it lives, or it is an error"),
-    Entry("alive", "BOOLEAN", "", "the sign of life: the PLC writes 1, the CNC takes it, writes 0"),
+    Entry(
+        "override",
+        "REAL64",
+        "%",
+        "the operator's override of the path",
+        path="gpCh[0]^.bahn_mc_control.override.command_w",
+    ),
+    Entry(
+        "feed_hold",
+        "BOOLEAN",
+        "",
+        "1: the path brakes to a standstill and stays there",
+        path="gpCh[0]^.bahn_mc_control.feedhold.command_w",
+    ),
+    Entry(
+        "single_block",
+        "BOOLEAN",
+        "",
+        "1: the channel stops in front of each block",
+        path="gpCh[0]^.bahn_mc_control.single_block.command_w",
+    ),
+    Entry(
+        "start",
+        "BOOLEAN",
+        "",
+        "START: the PLC writes 1, the CNC takes it and writes 0",
+        path="gpCh[0]^.bahn_mc_control.continue_on.command_w",
+    ),
+    Entry(
+        "reset",
+        "BOOLEAN",
+        "",
+        "RESET: the PLC writes 1, the CNC takes it and writes 0",
+        path="gpCh[0]^.channel_mc_control.reset.command_w",
+    ),
+    Entry(
+        "plc_present",
+        "BOOLEAN",
+        "",
+        "1: the PLC acknowledges functions, 0: the CNC itself",
+        path="gpCh[0]^.head.plc_present_w",
+    ),
+    Entry(
+        "backward_motion",
+        "BOOLEAN",
+        "",
+        "1: the path is walked back, 0: forward again",
+        path="gpCh[0]^.bahn_mc_control.backward_motion.command_w",
+    ),
+    Entry(
+        "probe",
+        "BOOLEAN",
+        "",
+        "1: the probe touches (G100), or is on the edge (G108)",
+        path="gpCh[0]^.channel_mc_control.probe.command_w",
+    ),
+    Entry(
+        "optional_stop",
+        "BOOLEAN",
+        "",
+        "1: M01 stops as M00 does",
+        path="gpCh[0]^.bahn_mc_control.m01_stop_enable.command_w",
+    ),
+    Entry(
+        "watchdog",
+        "BOOLEAN",
+        "",
+        "1: the PLC shows in time that it lives, or it is an error",
+        path="gpCh[0]^.head.mc_watchdog.enable_w",
+    ),
+    Entry(
+        "alive",
+        "BOOLEAN",
+        "",
+        "the sign of life: the PLC writes 1, the CNC takes it, writes 0",
+        path="gpCh[0]^.head.mc_watchdog.alive_rw",
+    ),
 )
 
 #: The signals to the operator, written by the CNC.
 LAMPS = (
     Entry("state", "UNS08", "", "0 ready, 1 a program runs, 2 error, 3 reset"),
-    Entry("paused", "BOOLEAN", "", "1: single block, M00 or M01 waits for START"),
+    Entry(
+        "paused",
+        "BOOLEAN",
+        "",
+        "1: single block, M00 or M01 waits for START",
+        path="gpCh[0]^.bahn_state.wait_continue_r",
+    ),
     Entry("armed", "BOOLEAN", "", "1: a selected program waits for START"),
     Entry("error", "UNS32", "", "number of the error that has stopped the channel, else 0"),
-    Entry("retrace", "UNS08", "", "0: at its front, 1 backward over the history, 2 forward again"),
+    Entry(
+        "retrace",
+        "UNS08",
+        "",
+        "0: at its front, 1 backward over the history, 2 forward again",
+        path="gpCh[0]^.bahn_state.retrace_r",
+    ),
     Entry("history", "UNS32", "", "blocks in the history of the path, the current one included"),
-    Entry("inside_rt_loop", "BOOLEAN", "", "1: the path is in a realtime loop"),
+    Entry(
+        "inside_rt_loop",
+        "BOOLEAN",
+        "",
+        "1: the path is in a realtime loop",
+        path="gpCh[0]^.bahn_state.inside_rt_loop_r",
+    ),
     Entry("history_size", "UNS32", "", "blocks that the history holds (P-STUP-00033); 0: none"),
     Entry("tool_time", "REAL64", "s", "that the tool has worked since it came"),
     Entry("tool_distance", "REAL64", "mm", "that the tool has worked since it came"),
@@ -167,9 +316,30 @@ CHANNEL = Structure(
     (
         *LAMPS,
         Entry("override_total", "UNS32", "%", "that acts", source="OVERRIDE.VEL.TOTAL"),
-        Entry("path_speed", "REAL64", "mm/s", "the speed on the path", source="PATH.SPEED"),
-        Entry("distance_to_go", "REAL64", "mm", "left of the block", source="PATH.DIST_TO_GO"),
-        Entry("block", "UNS32", "", "N number of the current block", source="BLOCK"),
+        Entry(
+            "path_speed",
+            "REAL64",
+            "mm/s",
+            "the speed on the path",
+            source="PATH.SPEED",
+            path="gpCh[0]^.bahn_state.active_feed_r",
+        ),
+        Entry(
+            "distance_to_go",
+            "REAL64",
+            "mm",
+            "left of the block",
+            source="PATH.DIST_TO_GO",
+            path="gpCh[0]^.bahn_state.dist_to_go_r",
+        ),
+        Entry(
+            "block",
+            "UNS32",
+            "",
+            "N number of the current block",
+            source="BLOCK",
+            path="gpCh[0]^.bahn_state.block_number_r",
+        ),
         Entry("active_cycles", "UNS32", "", "realtime cycles that run", source="CYCLES.ACTIVE"),
     ),
     units=("program", "realtime"),
@@ -180,12 +350,40 @@ AXIS = Structure(
     "the state of an axis",
     (
         Entry("name", "STRING", "", "its name in the channel, with a zero byte", count=16),
-        Entry("logical", "UNS32", "", "its logical number"),
-        Entry("command", "REAL64", "mm, °", "command position, ACS", source="ACS.ACT_POS"),
-        Entry("actual", "REAL64", "mm, °", "actual position, ACS", source="ACS.CUR_POS"),
-        Entry("target", "REAL64", "mm, °", "end of the motion, ACS", source="ACS.CMD_POS"),
+        Entry("logical", "UNS32", "", "its logical number", path="gpAx[0]^.head.log_ax_n_r"),
+        Entry(
+            "command",
+            "REAL64",
+            "mm, °",
+            "command position, ACS",
+            source="ACS.ACT_POS",
+            path="gpAx[0]^.lr_state.active_position_acs_r",
+        ),
+        Entry(
+            "actual",
+            "REAL64",
+            "mm, °",
+            "actual position, ACS",
+            source="ACS.CUR_POS",
+            path="gpAx[0]^.lr_state.current_position_acs_r",
+        ),
+        Entry(
+            "target",
+            "REAL64",
+            "mm, °",
+            "end of the motion, ACS",
+            source="ACS.CMD_POS",
+            path="gpAx[0]^.lr_state.end_position_acs_r",
+        ),
         Entry("machine", "REAL64", "mm, °", "command position, MCS", source="MCS.ACT_POS"),
-        Entry("program", "REAL64", "mm, °", "command position, PCS", source="PCS.ACT_POS"),
+        Entry(
+            "program",
+            "REAL64",
+            "mm, °",
+            "command position, PCS",
+            source="PCS.ACT_POS",
+            path="gpCh[0]^.bahn_state.coord_r[0].act_position_r",
+        ),
         Entry("distance_to_go", "REAL64", "mm, °", "left to the target", source="MCS.DIST_TO_GO"),
         Entry("override_total", "UNS32", "%", "of its own motions", source="OVERRIDE.VEL.TOTAL"),
         Entry(
@@ -207,7 +405,14 @@ SPINDLE = Structure(
         Entry("logical", "UNS32", "", "its logical number"),
         Entry("channel", "UNS32", "", "number of its channel, from 1"),
         Entry("plc_controlled", "UNS32", "", "1: the PLC turns it (P-CHAN-00069)"),
-        Entry("speed", "REAL64", "rev/min", "negative under M4; the CNC's only", source="SPEED"),
+        Entry(
+            "speed",
+            "REAL64",
+            "rev/min",
+            "negative under M4; the CNC's only",
+            source="SPEED",
+            path="gpAx[0]^.lr_state.active_rev_r",
+        ),
         Entry("position", "REAL64", "°", "0 … 360; of the CNC's only", source="POSITION"),
         Entry("job", "UNS32", "", "0: none waits; else the running number of the job"),
         Entry("function", "UNS32", "", "3, 4, 5 or 19: M3, M4, M5, M19"),
@@ -244,7 +449,11 @@ COMMAND = Structure(
 
 #: The operator's command of a spindle; its cell is behind the spindle's signals.
 SPINDLE_OVERRIDE = Entry(
-    "override", "REAL64", "%", "the operator's override of a spindle that the CNC turns"
+    "override",
+    "REAL64",
+    "%",
+    "the operator's override of a spindle that the CNC turns",
+    path="gpAx[0]^.ipo_mc_control.override.command_w",
 )
 
 SPINDLE_COMMAND = Structure(

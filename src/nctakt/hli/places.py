@@ -46,21 +46,23 @@ class PlacedEntry:
     @property
     def size_bytes(self) -> int:
         """The size of all its elements."""
-        return TYPE_BYTES[self.entry.type] * max(1, self.entry.count)
+        return TYPE_BYTES[self.entry.image_type] * max(1, self.entry.count)
 
 
 def entries(structure: Structure) -> Iterator[PlacedEntry]:
     """Yield the values of a structure with their offsets, without its units."""
     end = 0
     for entry in structure.entries:
-        placed = PlacedEntry(entry, _aligned(end, TYPE_BYTES[entry.type]))
+        placed = PlacedEntry(entry, _aligned(end, TYPE_BYTES[entry.image_type]))
         end = placed.offset + placed.size_bytes
         yield placed
 
 
 def entry(structure: Structure, name: str) -> PlacedEntry:
-    """Return the value of a structure with this name."""
-    return next(placed for placed in entries(structure) if placed.entry.name == name)
+    """Return the value of a structure with this name, the short one or that in the image."""
+    return next(
+        placed for placed in entries(structure) if name in (placed.entry.name, placed.entry.member)
+    )
 
 
 def unit_offset(structure: Structure, name: str) -> int:
@@ -77,6 +79,12 @@ def size_of(structure: Structure) -> int:
 def _entries_end(structure: Structure) -> int:
     *_, last = entries(structure)
     return _aligned(last.offset + last.size_bytes, 8)
+
+
+def fill_up_of(structure: Structure) -> int:
+    """Return the bytes behind the last value of a structure, up to a multiple of 8."""
+    *_, last = entries(structure)
+    return -(last.offset + last.size_bytes) % 8
 
 
 def _aligned(offset: int, alignment: int) -> int:

@@ -658,3 +658,20 @@ def search(text: str) -> list[Element]:
     """Return the elements whose path has these letters in it, in any case."""
     phrase = _bare(text).lower()
     return [element for path, element in patterns().items() if phrase in path.lower()]
+
+
+def continuations(text: str) -> list[Element]:
+    """Return what may come behind the last dot of the beginning of a path; none of an unknown one.
+
+    Without a dot: what the pointers are called.
+    """
+    head, dot, _ = _plain(text).rpartition(".")
+    if not dot:
+        return [root(name) for name in ROOTS]
+    try:
+        found = find(head)
+    except Failure:
+        return []
+    while found.type.base is not None:
+        found = _element_at(found, found.type.low, head)
+    return [found.member(member) for member in found.type.members]

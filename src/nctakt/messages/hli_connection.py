@@ -23,13 +23,14 @@ NOT_AN_HLI = error(
 )
 HLI_VERSION_DIFFERS = error(
     901432,
-    en="the HLI {name} has version {version} of the layout, this nctakt has {own}",
-    de="das HLI {name} hat Version {version} des Aufbaus, dieses nctakt hat {own}",
+    en="the HLI {name} has version {version} of the layout, this nctakt {own}: {differences}",
+    de="das HLI {name} hat Version {version} des Aufbaus, dieses nctakt {own}: {differences}",
     remedy_en="Use the same nctakt for the CNC and for the PLC.",
     remedy_de="Für CNC und SPS dasselbe nctakt verwenden.",
     name=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
     version=("the version in its header", "die Version in seinem Kopf"),
     own=("the version that this nctakt knows", "die Version, die dieses nctakt kennt"),
+    differences=("what has changed between them", "was sich dazwischen geändert hat"),
 )
 HLI_LAYOUT_DIFFERS = error(
     901433,

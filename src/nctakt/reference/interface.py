@@ -55,11 +55,13 @@ def _value(structure: Structure, entry: Entry) -> Article:
 
 
 def _facts(structure: Structure, entry: Entry) -> Iterator[Fact]:
-    yield fact("Type", "Typ", entry.type)
+    yield fact("Type", "Typ", entry.image_type)
     if entry.count:
         yield fact("Elements", "Elemente", entry.count)
-    if entry.unit:
-        yield fact("Unit", "Einheit", entry.unit)
+    if entry.image_unit:
+        yield fact("Unit", "Einheit", entry.image_unit)
+    if entry.member != entry.name:
+        yield fact("Name in memory", "Name im Speicher", entry.member)
     yield fact("Written by", "Geschrieben von", _BY_PLC if structure.is_command else _BY_CNC)
     if entry in (*PANEL, *LAMPS):
         yield fact("From outside", "Von außen", f"{PREFIX}{entry.name.upper()}")

@@ -35,7 +35,15 @@ from nctakt.hli.layout import (
     VERSION,
     Structure,
 )
-from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
+from nctakt.hli.places import (
+    ImageLayout,
+    PlacedEntry,
+    entries,
+    entry,
+    image_layout,
+    size_of,
+    unit_offset,
+)
 from nctakt.hli.variable_names import describe_names
 from nctakt.hli.variables_memory import Section, sections
 from nctakt.kernel.cells import IDENTIFIER_PROGRAM, POS_RT
@@ -64,7 +72,7 @@ if TYPE_CHECKING:
     from multiprocessing.shared_memory import SharedMemory
 
 #: A row of ``kernel.plc.interface_image``: byte, kind, cell, bytes, whether the PLC may write it.
-_Row = tuple[int, int, int, int, bool]
+_Row = tuple[int, int, int, int, bool, float]
 
 
 class SharedImage:
@@ -279,7 +287,9 @@ def _put_name(memory: memoryview, structure: Structure, first: int, name: str) -
 def _put_number(
     memory: memoryview, structure: Structure, first: int, name: str, value: int
 ) -> None:
-    struct.pack_into("=I", memory, first + entry(structure, name).offset, value)
+    placed = entry(structure, name)
+    code = "=H" if placed.size_bytes == 2 else "=I"
+    struct.pack_into(code, memory, first + placed.offset, value)
 
 
 def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
@@ -290,30 +300,31 @@ def _hli_rows(layout: ImageLayout, cells: Layout) -> Iterator[_Row]:
                 cell = cells.panel_cell(index) + len(PANEL) + LAMPS.index(placed.entry)
             else:
                 cell = cells.channel_value(index, placed.entry.source)
-            kind = KINDS[placed.entry.type]
-            yield layout.channel(index) + placed.offset, kind, cell, placed.size_bytes, False
+            yield _row(placed, layout.channel(index), cell, False)
         for placed in entries(COMMAND):
             if placed.entry in PANEL:
                 cell = cells.panel_cell(index) + PANEL.index(placed.entry)
-                kind = KINDS[placed.entry.type]
-                yield layout.command(index) + placed.offset, kind, cell, placed.size_bytes, True
+                yield _row(placed, layout.command(index), cell, True)
     for index in range(layout.axes):
         for placed in entries(AXIS):
             if placed.entry.source:
                 cell = cells.axis_value(index, placed.entry.source)
-                kind = KINDS[placed.entry.type]
-                yield layout.axis(index) + placed.offset, kind, cell, placed.size_bytes, False
+                yield _row(placed, layout.axis(index), cell, False)
     for index in range(layout.spindles):
         first = cells.spindle_cell(0) + len(SPINDLE_VALUES) * index
         for column, value in enumerate(SPINDLE_VALUES):
             for placed in entries(SPINDLE):
                 if placed.entry.source == value.path:
-                    kind, offset = KINDS[placed.entry.type], layout.spindle(index) + placed.offset
-                    yield offset, kind, first + column, placed.size_bytes, False
+                    yield _row(placed, layout.spindle(index), first + column, False)
         placed = entry(SPINDLE_COMMAND, SPINDLE_OVERRIDE.name)
-        offset = layout.spindle_command(index) + placed.offset
-        kind = KINDS[SPINDLE_OVERRIDE.type]
-        yield offset, kind, first + OVERRIDE_CELL, placed.size_bytes, True
+        yield _row(placed, layout.spindle_command(index), first + OVERRIDE_CELL, True)
+
+
+def _row(placed: PlacedEntry, first: int, cell: int, is_input: bool) -> _Row:
+    """Return the row of a value in a structure that begins at ``first``."""
+    value = placed.entry
+    kind, offset = KINDS[value.image_type], first + placed.offset
+    return offset, kind, cell, placed.size_bytes, is_input, value.factor
 
 
 def _external_rows(
@@ -326,7 +337,8 @@ def _external_rows(
             for field in fields(placed, pack):
                 for index in range(max(1, field.count)):
                     offset = section.offset + field.offset + index * field.size_bytes
-                    yield layout.ve_offset + offset, KINDS[field.type], cell, field.size_bytes, True
+                    kind, at = KINDS[field.type], layout.ve_offset + offset
+                    yield at, kind, cell, field.size_bytes, True, 1.0
                     cell += -(-field.size_bytes // CELL_BYTES)
 
 

@@ -2,6 +2,7 @@
 # C types of interface_image.py.
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
+from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.plc.image_slots cimport Units
 
@@ -28,6 +29,7 @@ cdef class InterfaceImage:
     cdef Py_ssize_t first_input_word
     cdef Units units
     cdef long long[::1] is_input
+    cdef double[::1] factor
     cdef unsigned char[::1] image
     cdef long long[::1] image_words
     cdef unsigned char[::1] published
@@ -72,6 +74,6 @@ cdef class InterfaceImage:
     cdef void put(self, Py_ssize_t entry) noexcept nogil
     @cython.locals(i=Py_ssize_t, first=Py_ssize_t, character=Py_ssize_t)
     cdef void put_string(self, Py_ssize_t entry) noexcept nogil
-    @cython.locals(i=Py_ssize_t, first=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, first=Py_ssize_t, value=double)
     cdef void put_number(self, Py_ssize_t entry) noexcept nogil
     cdef void set_number(self, int kind, double value) noexcept nogil

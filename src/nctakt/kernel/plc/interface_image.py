@@ -12,6 +12,7 @@ value, the image gets it back, and the first time of each variable is reported (
 from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
+from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.image_slots import Units
@@ -60,7 +61,7 @@ class InterfaceImage:
         self,
         image: memoryview,
         published: memoryview,
-        table: list[tuple[int, int, int, int, bool]],
+        table: list[tuple[int, int, int, int, bool, float]],
         units: Units,
         clock: int,
         first_input: int,
@@ -71,8 +72,8 @@ class InterfaceImage:
 
         ``image``: writable bytes, a multiple of 8, ``published``: as many of ours. A row
         of the table: first byte, kind, first cell, bytes of the variable, whether the PLC may write
-        it. ``clock``: the first byte of sequence and tick; ``first_input``: from there on the PLC
-        writes; ``ticks``: how many have been run.
+        it, how many of its units one of the cell's is. ``clock``: the first byte of sequence and
+        tick; ``first_input``: from there on the PLC writes; ``ticks``: how many have been run.
         """
         count = len(table)
         check_range(len(published), len(image), len(image), "length of the published image")
@@ -89,25 +90,28 @@ class InterfaceImage:
         self.hold_table(table)
         self.count = count
         self.event_bound = sum(
-            1 for _, kind, _, _, is_input in table if is_input and kind == codes.IMAGE_REAL64
+            1 for _, kind, _, _, is_input, _ in table if is_input and kind == codes.IMAGE_REAL64
         )
         self.word_count = len(image) // 8
         self.publish(ticks)
         self.is_attached = True
 
-    def check_table(self, table: list[tuple[int, int, int, int, bool]], length: int) -> None:
+    def check_table(self, table: list[tuple[int, int, int, int, bool, float]], length: int) -> None:
         """Raise ``ValueError`` if a variable exceeds an image of ``length`` bytes or the cells."""
-        for offset, kind, cell, size, _ in table:
+        for offset, kind, cell, size, _, factor in table:
+            if not factor > 0.0:
+                raise ValueError(f"a factor of {factor}")
             check_range(offset, 0, length - size, "byte of a variable")
             check_range(kind, codes.IMAGE_BOOLEAN, codes.IMAGE_STRING, "kind of a variable")
             max_size = length if kind == codes.IMAGE_STRING else len(self.scratch)
             check_range(size, 1, max_size, "bytes of a variable")
             check_range(cell, 0, len(self.cells) - -(-size // 8), "cell of a variable")
 
-    def hold_table(self, table: list[tuple[int, int, int, int, bool]]) -> None:
+    def hold_table(self, table: list[tuple[int, int, int, int, bool, float]]) -> None:
         """Hold the variables of a table, each with a shadow of its cells, all of them stale."""
         count = len(table)
         self.is_input = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.factor = memoryview(bytearray(8 * count + 8)).cast("d")
         self.offset = memoryview(bytearray(8 * count + 8)).cast("q")
         self.kind = memoryview(bytearray(8 * count + 8)).cast("q")
         self.cell = memoryview(bytearray(8 * count + 8)).cast("q")
@@ -116,14 +120,15 @@ class InterfaceImage:
         self.first_shadow = memoryview(bytearray(8 * count + 8)).cast("q")
         self.is_stale = memoryview(bytearray(8 * count + 8)).cast("q")
         self.was_refused = memoryview(bytearray(8 * count + 8)).cast("q")
-        shadows = sum(-(-size // 8) for _, _, _, size, _ in table)
+        shadows = sum(-(-size // 8) for _, _, _, size, _, _ in table)
         self.shadow = memoryview(bytearray(8 * shadows + 8)).cast("q")
         self.shadowed_cell = memoryview(bytearray(8 * shadows + 8)).cast("q")
         self.shadowed_entry = memoryview(bytearray(8 * shadows + 8)).cast("q")
         self.shadow_count = 0
         self.stale_count = count
-        for i, (offset, kind, cell, size, is_input) in enumerate(table):
+        for i, (offset, kind, cell, size, is_input, factor) in enumerate(table):
             self.is_input[i] = is_input
+            self.factor[i] = factor
             self.offset[i] = offset
             self.kind[i] = kind
             self.cell[i] = cell
@@ -149,6 +154,7 @@ class InterfaceImage:
         self.first_input_word = 0
         self.units = Units()
         self.is_input = nothing.cast("q")
+        self.factor = nothing.cast("d")
         self.image = nothing
         self.image_words = nothing.cast("q")
         self.published = nothing
@@ -232,7 +238,7 @@ class InterfaceImage:
         if value - value != 0.0:
             self.refuse(entry, value)
             return
-        self.cells[cell] = value
+        self.cells[cell] = value / self.factor[entry]
         self.remember(entry)
         if self.kind[entry] == codes.IMAGE_BOOLEAN and self.scratch[0] > 1:
             self.mark_stale(entry)
@@ -317,9 +323,19 @@ class InterfaceImage:
             self.image[first + i] = self.published[first + i] = self.characters[character + i]
 
     def put_number(self, entry: int) -> None:
-        """Convert a number into the image; cells of integers hold what fits their type."""
+        """Convert a number into the image; cells of integers hold what fits their type.
+
+        In another unit it is rounded and bounded.
+        """
         first = self.offset[entry]
-        self.set_number(int(self.kind[entry]), self.cells[self.cell[entry]])
+        value = self.cells[self.cell[entry]]
+        if self.factor[entry] != 1.0:
+            value = arithmetic.round_half_even(value * self.factor[entry])
+            if self.kind[entry] == codes.IMAGE_UNS16:
+                value = min(max(value, 0.0), 65535.0)
+            else:
+                value = min(max(value, -2147483648.0), 2147483647.0)
+        self.set_number(int(self.kind[entry]), value)
         for i in range(self.size[entry]):
             self.image[first + i] = self.published[first + i] = self.scratch[i]
 

@@ -122,7 +122,8 @@ def test_a_debugger_may_begin_there(tmp_path: Path) -> None:
     (tmp_path / "part.nc").write_text(PROGRAM)
     words = {"program": "part.nc", "cwd": str(tmp_path), "fromBlock": 130}
     configuration = read_configuration(Arguments(words), ())
-    assert (configuration.from_line, configuration.from_block) == (None, 130)
+    options = configuration.options
+    assert (options.get("from_line"), options.get("from_block")) == (None, 130)
 
 
 def test_measuring_in_front_of_it_is_an_error() -> None:

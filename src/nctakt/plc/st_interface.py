@@ -353,7 +353,7 @@ def _variables(machine: AssembledMachine, found: StInterface, memory: bytearray)
                 for index in range(max(1, one.count)):
                     offset = _CLOCK + part.offset + one.offset + index * one.size_bytes
                     end = max(end, offset + one.size_bytes)
-                    rows.append((offset, KINDS[one.type], cell, one.size_bytes, True))
+                    rows.append((offset, KINDS[one.type], cell, one.size_bytes, True, 1.0))
                     cell += -(-one.size_bytes // CELL_BYTES)
     begin = found.variables - _CLOCK
     size = max(-(-end // 8) * 8, _CLOCK)

@@ -71,7 +71,8 @@ from nctakt.run.technology_tables import types_of
 if TYPE_CHECKING:
     from multiprocessing.shared_memory import SharedMemory
 
-#: A row of ``kernel.plc.interface_image``: byte, kind, cell, bytes, whether the PLC may write it.
+#: A row of ``kernel.plc.interface_image``: byte, kind, cell, bytes, whether the PLC may write it,
+#: how many of its units one of the cell is.
 _Row = tuple[int, int, int, int, bool, float]
 
 

@@ -12,9 +12,10 @@ from pathlib import Path
 
 import pytest
 from support.changed_lists import machine_with
-from support.plc_rig import EACH_TICK, Stimulus, loaded, values_in_main
+from support.plc_rig import EACH_TICK, loaded, values_in_main
 from support.plc_text import pou_file
 
+from nctakt.base.failure import Failure
 from nctakt.hli.variables_memory import describe
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import Plc, on
@@ -25,6 +26,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.inputs import unpack
 from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.realtime_plc import PlcGroup
+from nctakt.run.stimuli import Stimulus, StimulusLike, parse_stimulus
 from nctakt.run.tape import Tape
 
 OPEN = "IF NOT fbHli.Initialized THEN fbHli(); RETURN; END_IF\n"
@@ -38,7 +40,7 @@ def program(variables: str, body: str) -> str:
 
 
 def run_nc(
-    plc: AnyPlc, text: str, ticks: int, signals: Sequence[str], at: Sequence[Stimulus] = ()
+    plc: AnyPlc, text: str, ticks: int, signals: Sequence[str], at: Sequence[StimulusLike] = ()
 ) -> Run:
     """The run of an NC program with a PLC."""
     nc = NcText("part.nc", text)
@@ -277,6 +279,35 @@ def test_several_plcs_run_in_one_tick(tmp_path: Path) -> None:
     trace = run_nc(plc, "N10 M7\nN20 G04 1\nM30", 10, ["MAIN.n", "OTHER.n"]).trace
     assert [int(trace["MAIN.n"][9]), int(trace["OTHER.n"][9])] == [10, 5]
     assert python.seen == 1
+
+
+ADDRESSES = """
+TYPE E_Gate : (Closed, Opening, Open := 10); END_TYPE
+PROGRAM MAIN
+VAR bDoor AT %IX0.3 : BOOL; eWish AT %IB4 : E_Gate; eState : E_Gate; END_VAR
+eState := eWish;
+IF bDoor THEN eState := E_Gate.Opening; END_IF
+END_PROGRAM
+"""
+
+
+def test_inputs_by_address_and_items_of_enumerations(tmp_path: Path) -> None:
+    """ST-402, ST-313: a fixed address names its variable; an item is as good as its number."""
+    at = [
+        parse_stimulus("2 ms", "%ix0.3=TRUE"),
+        parse_stimulus("4 ms", "%IX0.3=0"),
+        parse_stimulus("4 ms", "MAIN.eWish=E_Gate.Open"),
+        Stimulus("6 ms", "%IB4", "closed"),
+    ]
+    plc = loaded(tmp_path, ADDRESSES)
+    trace = run_nc(plc, "N10 G04 1\nM30", 8, ["MAIN.eState"], at).trace
+    assert [int(value) for value in trace["MAIN.eState"]] == [0, 0, 1, 1, 10, 10, 0, 0]
+    assert plc.read("%IX0.3") is False
+    assert plc.read("MAIN.eState") == "E_Gate.Closed"
+    for name, value in (("%IB4", "E_Gate.Opn"), ("%IB4", "E_Door.Open"), ("%IX0.3", "Open")):
+        with pytest.raises(Failure, match="902262"):
+            plc.check(name, value)
+    assert not plc.knows("%IX0.4")
 
 
 def test_a_tape_gives_the_inputs_of_the_plc_again(tmp_path: Path) -> None:

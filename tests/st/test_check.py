@@ -442,3 +442,14 @@ f.Go().Done := 1;
 END_PROGRAM
 """
     assert errors(text) == ["1: the type FB_Elsewhere is not known (C0077)"]
+
+
+def test_addresses_that_share_bits_are_reported() -> None:
+    """ST-402: bytes 2 and 3 hold both; bit 0 of byte 4 and byte 5 are others; areas are apart."""
+    text = """
+VAR_GLOBAL nWord AT %IW2 : WORD; bBit AT %IX3.7 : BOOL; bNext AT %IX4.0 : BOOL; END_VAR
+PROGRAM MAIN VAR nByte AT %IB5 : BYTE; nOut AT %QB2 : BYTE; bFree AT %I* : BOOL; END_VAR ;
+END_PROGRAM
+"""
+    found = [one for one in check(text)[1] if one.message.id == 902500]
+    assert [(one.values["name"], one.values["other"]) for one in found] == [("bBit", "nWord")]

@@ -529,3 +529,11 @@ PROGRAM_OF_TASK_UNKNOWN = error(
     remedy_de="Den Namen berichtigen oder den Aufruf entfernen.",
     task=("the task", "die Task"),
 )
+ADDRESSES_OVERLAP = warning(
+    902500,
+    en="{name} and {other} share bits of their addresses; here each has memory of its own",
+    de="{name} und {other} teilen Bits ihrer Adressen; hier hat jede eigenen Speicher",
+    remedy_en="Declare one of them, and read the bits of it: nStatus.3.",
+    remedy_de="Eine davon deklarieren und ihre Bits lesen: nStatus.3.",
+    other=("the other variable", "die andere Variable"),
+)

@@ -378,6 +378,8 @@ class StructuredPlc(RealtimePlc):
             if len(data) > unit * sought.length or "\0" in value:
                 raise Failure(refused)
             return data + bytes(unit)
+        if isinstance(sought, EnumType) and isinstance(value, str):
+            value = _enumeration_value(sought, value, refused)
         if kind is None or isinstance(value, str) or variable.bit >= 0:
             raise Failure(refused)
         if is_real(sought):
@@ -408,6 +410,15 @@ class StructuredPlc(RealtimePlc):
             return None
         self._tasks.show(variable.address, kind, cell)
         return cell, "", not is_real(variable.type)
+
+
+def _enumeration_value(sought: EnumType, text: str, refused: Diagnostic) -> int:
+    """Return the number of an enumeration's item, with or without the type before its name."""
+    kind, _, name = text.lower().rpartition(".")
+    found = sought.values.get(name)
+    if found is None or kind not in ("", sought.name.lower()):
+        raise Failure(refused)
+    return found.number
 
 
 def _priority(task: object) -> int:

@@ -27,6 +27,8 @@ from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import STIMULI, Input
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
+#: An item of a PLC's enumeration, such as E_Gate.Open.
+_ITEM = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
 #: The limit of the values of a 64-bit variable.
@@ -129,6 +131,8 @@ def _parse_value(name: str, text: str) -> float | str:
     truth = _TRUTH.get(text.upper())
     if truth is not None:
         return truth
+    if _ITEM.fullmatch(text):
+        return text
     if _NUMBER.fullmatch(text) is None or abs(float(text)) > _LARGEST:
         raise Failure(diagnostic(UNREADABLE_VALUE, name=name, value=text))
     return float(text)

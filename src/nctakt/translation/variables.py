@@ -23,7 +23,12 @@ class PlacedVariable:
 
 
 def find_variable(program: Program, path: str) -> PlacedVariable | None:
-    """Return the variable of a path such as ``MAIN.aTools[2].bWorn``; ``None`` if there is none."""
+    """Return the variable of a path such as ``MAIN.aTools[2].bWorn``; ``None`` if there is none.
+
+    An address such as ``%IX0.3`` is the path of the variable that is declared at it (ST-402).
+    """
+    if path.startswith("%"):
+        return _at_address(program, path.upper())
     parts = _PART.findall(path)
     if "".join(name or f"[{index}]" for name, index in parts) != re.sub(r"[.\s]", "", path):
         return None
@@ -45,6 +50,21 @@ def find_variable(program: Program, path: str) -> PlacedVariable | None:
         if found is None and scope is None:
             return None
     return found
+
+
+def _at_address(program: Program, address: str) -> PlacedVariable | None:
+    """Return the variable of a list or a program that is declared at a fixed address."""
+    for group in program.lists:
+        for variable in group.variables.values():
+            if variable.address == address:
+                return _global(variable)
+    for pou in program.pous.values():
+        if pou.kind is Kind.PROGRAM and pou.type is not None:
+            instance = PlacedVariable(kinds.NULL_BYTES + pou.instance, pou.type)
+            for name, variable in pou.members.items():
+                if variable.address == address:
+                    return _member(instance, name)
+    return None
 
 
 def _first(program: Program, name: str) -> tuple[PlacedVariable | None, dict[str, Variable] | None]:

@@ -18,6 +18,7 @@ from nctakt.messages.st_check import (
     RECURSION_REFUSED,
 )
 from nctakt.messages.st_text import NESTED_TOO_DEEP
+from nctakt.st.check.addresses import report_overlaps
 from nctakt.st.check.conversions import bases_of
 from nctakt.st.check.names import Names, Namespace, Scope
 from nctakt.st.check.resolver import Resolver
@@ -376,7 +377,9 @@ def check_project(
     resolver.declare_values(names.project)
     checker.check(declarations)
     tasks = checker.tasks([node for node in declarations if isinstance(node, TaskNode)])
-    return _program(name, resolver, names, tasks)
+    program = _program(name, resolver, names, tasks)
+    report_overlaps(program, reporter)
+    return program
 
 
 def _program(name: str, resolver: Resolver, names: Names, tasks: list[Task]) -> Program:

@@ -84,6 +84,7 @@ class Options:
     limit_fails: bool = False
     confined: tuple[str, ...] = ()
     record: str | None = None
+    retain: str | None = None
     tape: Tape | None = None
 
 

@@ -21,6 +21,7 @@ from nctakt.cli.help import described, option
 from nctakt.cli.options import FORMAT_OPTION, WATCH_OPTION, with_file_options
 from nctakt.cli.plotting import Drawings
 from nctakt.cli.request import Options, Request, read_request
+from nctakt.cli.retaining import with_retained
 from nctakt.cli.running import (
     RUN_CODES,
     TIMES_NOTE,
@@ -91,6 +92,15 @@ if TYPE_CHECKING:
         "Alle Eingaben für nctakt replay aufzeichnen.",
     ),
 )
+@option(
+    "--retain",
+    metavar="FILE",
+    group="machine",
+    text=Text(
+        "Keep RETAIN and PERSISTENT variables of the PLC from run to run.",
+        "RETAIN- und PERSISTENT-Variablen der SPS von Lauf zu Lauf behalten.",
+    ),
+)
 @WATCH_OPTION
 def command(**words: Any) -> int:
     """Run programs."""
@@ -122,12 +132,14 @@ def run_with(options: Options, access: FileAccess) -> int:
 
             partner = connect_partner(options, options.hli, controller, files)
             request = dataclasses.replace(request, plc=partner)
+        options, request, write_retained = with_retained(options, request, access, files)
         tape = _Taping(options, request, open_file("--record", options.record))
         listeners = drawings.sinks([*listeners, *tape.sinks], request)
         request = drawings.request(request)
         begin_s = time.perf_counter()
         run = _run_controller(options, request, controller, listeners, messages, tape, drawings)
         tape.finish(run, controller, access)
+        write_retained()
         wall_s = time.perf_counter() - begin_s
         diagnostics = () if run is None else run.diagnostics
         if report is not None:

@@ -42,9 +42,7 @@ SEARCHED_LINES = 20_000
 
 _PATH = re.compile(r"(?<![\w.])Vs?\.[\w.\[\]]*$", re.IGNORECASE)
 #: The beginning of a path of the interface: in a comment, in a PLC in Python or Structured Text.
-_INTERFACE = re.compile(
-    r"(?<![\w.])(?:HLI_Global_Variables\.)?gp[A-Z][\w\[\]^.]*$", re.IGNORECASE
-)
+_INTERFACE = re.compile(r"(?<![\w.])(?:HLI_Global_Variables\.)?gp[A-Z][\w\[\]^.]*$", re.IGNORECASE)
 _CONTROL = re.compile(r"\$\w*$")
 _COMMAND = re.compile(r"#[A-Z_ ]*$", re.IGNORECASE)
 _WORD = re.compile(r"[A-Z_@]\w*$", re.IGNORECASE)

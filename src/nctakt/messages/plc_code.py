@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
 _VALUES = ("values of the statement's variables", "Werte der Variablen der Anweisung")
 _CALLS = ("the calls that led to it", "die Aufrufe, die dorthin geführt haben")
@@ -150,4 +150,27 @@ SEVERAL_PLC_PROJECTS = error(
     remedy_en="Name the .plcproj of one of them.",
     remedy_de="Die .plcproj eines davon angeben.",
     names=("the projects", "die Projekte"),
+)
+NO_PLC_THAT_RETAINS = error(
+    902501,
+    en="--retain keeps variables of a PLC in Structured Text, and there is none",
+    de="--retain behält Variablen einer SPS in Strukturiertem Text, und es gibt keine",
+    remedy_en="Name its project: --plc Cell.plcproj.",
+    remedy_de="Ihr Projekt angeben: --plc Cell.plcproj.",
+)
+RETAINED_UNREADABLE = error(
+    902502,
+    en="{file} holds no retained variables: {reason}",
+    de="{file} enthält keine gehaltenen Variablen: {reason}",
+    remedy_en="Correct the file, or delete it: the variables begin with their initial values then.",
+    remedy_de="Die Datei berichtigen oder löschen: Dann beginnen die Variablen mit ihren "
+    "Anfangswerten.",
+    reason=("what is wrong", "was falsch ist"),
+)
+RETAINED_SKIPPED = warning(
+    902503,
+    en="{name} of {file} is no retained variable of the PLC, or of another type: it is skipped",
+    de="{name} aus {file} ist keine gehaltene Variable der SPS oder von anderem Typ: übergangen",
+    remedy_en="Declare it RETAIN or PERSISTENT, or let the file be written anew.",
+    remedy_de="Sie als RETAIN oder PERSISTENT deklarieren oder die Datei neu schreiben lassen.",
 )

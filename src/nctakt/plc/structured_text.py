@@ -52,7 +52,7 @@ from nctakt.st.program import Program, Task
 from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.project import Translation, translate
-from nctakt.translation.variables import PlacedVariable, find_variable
+from nctakt.translation.variables import PlacedVariable, find_variable, retained_paths
 
 if TYPE_CHECKING:
     from nctakt.run.assembly import AssembledMachine
@@ -158,6 +158,7 @@ class StructuredPlc(RealtimePlc):
         self.translated: Translation = translate(program)
         self._tasks: PlcTasks | None = None
         self._machine: AssembledMachine | None = None
+        self._first_tick = 0
         self._interface: StInterface | None = None
         self.context = self.translated.layout.context(self.translated.layout.memory())
 
@@ -187,6 +188,7 @@ class StructuredPlc(RealtimePlc):
         tick_ns = 1000 * machine.configuration.cycle_time_us
         self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory, cnc)
         self._machine = machine
+        self._first_tick = kernel.tick
         context.begin(0)
         self.translated.start.execute(context)
         if context.fault:
@@ -334,6 +336,10 @@ class StructuredPlc(RealtimePlc):
         """Return whether a name is the path of a variable."""
         return find_variable(self._program, name) is not None
 
+    def retained_paths(self) -> Iterator[str]:
+        """Yield the paths of what is RETAIN or PERSISTENT."""
+        return retained_paths(self._program)
+
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; raises ``KeyError`` for an unknown one."""
         variable = find_variable(self._program, name)
@@ -395,9 +401,13 @@ class StructuredPlc(RealtimePlc):
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from the next cycle on."""
         data = self.check(name, value)
-        variable = find_variable(self._program, name)
-        if variable is not None and self._tasks is not None:
-            self._tasks.post(variable.address, data)
+        variable, tasks = find_variable(self._program, name), self._tasks
+        if variable is None or tasks is None or self._machine is None:
+            return
+        if self._machine.kernel.tick == self._first_tick:  # it has not run: no bound on how much
+            self.context.poke(variable.address, data)
+        else:
+            tasks.post(variable.address, data)
 
     def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""

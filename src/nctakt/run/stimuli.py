@@ -31,6 +31,11 @@ _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
 _ITEM = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
+_WHOLE = re.compile(r"[+-]?\d{1,20}", re.ASCII)
+
+#: Up to here a whole number is exact as a float; a PLC has larger ones (ULINT).
+_LARGEST_EXACT = 1 << 53
+
 #: The limit of the values of a 64-bit variable.
 _LARGEST = 1.7976931348623157e308
 
@@ -135,4 +140,4 @@ def _parse_value(name: str, text: str) -> float | str:
         return text
     if _NUMBER.fullmatch(text) is None or abs(float(text)) > _LARGEST:
         raise Failure(diagnostic(UNREADABLE_VALUE, name=name, value=text))
-    return float(text)
+    return int(text) if _WHOLE.fullmatch(text) and abs(int(text)) > _LARGEST_EXACT else float(text)

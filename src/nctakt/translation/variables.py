@@ -3,12 +3,28 @@
 
 from __future__ import annotations
 
+import itertools
 import re
+from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.st import kinds
 from nctakt.st.program import Program
-from nctakt.st.types import ArrayType, BlockType, Kind, Storage, StructType, Type, Variable
+from nctakt.st.types import (
+    ArrayType,
+    BlockType,
+    InterfaceType,
+    Kind,
+    PointerType,
+    ReferenceType,
+    Section,
+    Storage,
+    StringType,
+    StructType,
+    Type,
+    Variable,
+)
+from nctakt.translation.layout import kind_of
 
 _PART = re.compile(r"\.?(\w+)|\[\s*(-?\d+(?:\s*,\s*-?\d+)*)\s*\]")
 
@@ -50,6 +66,45 @@ def find_variable(program: Program, path: str) -> PlacedVariable | None:
         if found is None and scope is None:
             return None
     return found
+
+
+def retained_paths(program: Program) -> Iterator[str]:
+    """Yield the paths of all scalars and texts that are RETAIN or PERSISTENT (ST-406).
+
+    Pointers, references, interfaces and single bits have no value that could be kept.
+    """
+    for group in program.lists:
+        prefix = f"{group.name}." if group.name else ""
+        for variable in group.variables.values():
+            if variable.storage is Storage.GLOBAL:
+                yield from _retained(f"{prefix}{variable.name}", variable, is_kept=False)
+    for pou in program.pous.values():
+        if pou.kind is Kind.PROGRAM and not pou.library:
+            for variable in pou.members.values():
+                yield from _retained(f"{pou.name}.{variable.name}", variable, is_kept=False)
+
+
+def _retained(path: str, variable: Variable, *, is_kept: bool) -> Iterator[str]:
+    if variable.section is Section.IN_OUT or variable.bit >= 0:
+        return
+    is_kept = is_kept or variable.is_retain or variable.is_persistent
+    yield from _retained_parts(path, variable.type, is_kept=is_kept)
+
+
+def _retained_parts(path: str, sought: Type, *, is_kept: bool) -> Iterator[str]:
+    if isinstance(sought, BlockType | StructType):
+        members = sought.pou.members if isinstance(sought, BlockType) else sought.members
+        for member in members.values():
+            yield from _retained(f"{path}.{member.name}", member, is_kept=is_kept)
+    elif isinstance(sought, ArrayType):
+        if is_kept or isinstance(sought.element, BlockType | ArrayType):
+            ranges = [range(low, high + 1) for low, high in sought.bounds]
+            for indices in itertools.product(*ranges):
+                element = f"{path}[{','.join(map(str, indices))}]"
+                yield from _retained_parts(element, sought.element, is_kept=is_kept)
+    elif is_kept and (isinstance(sought, StringType) or kind_of(sought) is not None):
+        if not isinstance(sought, PointerType | ReferenceType | InterfaceType):
+            yield path
 
 
 def _at_address(program: Program, address: str) -> PlacedVariable | None:

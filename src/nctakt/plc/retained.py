@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""RETAIN and PERSISTENT variables of a PLC from one run to the next (ST-406).
+
+A file holds them by their paths as JSON, ``{"MAIN.nParts": 41}``. What a path means is looked up
+when it is read, so that a variable keeps its value when others come and go.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.plc_code import NO_PLC_THAT_RETAINS, RETAINED_SKIPPED, RETAINED_UNREADABLE
+from nctakt.plc.structured_text import StructuredPlc
+from nctakt.run.plc_view import AnyPlc
+from nctakt.run.realtime_plc import parts_of
+
+Values = Mapping[str, float | str]
+
+
+def plcs_that_retain(plc: AnyPlc | None) -> list[StructuredPlc]:
+    """Return the PLCs in Structured Text; raises ``Failure`` (902501) if there is none."""
+    found = [one for one in parts_of(plc)[0] if isinstance(one, StructuredPlc)]
+    if not found:
+        raise Failure(diagnostic(NO_PLC_THAT_RETAINS))
+    return found
+
+
+def read_retained(
+    path: str | Path, plcs: list[StructuredPlc], access: FileAccess
+) -> tuple[Values, list[Diagnostic]]:
+    """Return what a file retains, and warnings (902503) for what no PLC can take over.
+
+    Nothing is retained where there is no file yet. Raises ``Failure`` (902502) for a file that is
+    none of this kind.
+    """
+    if not Path(path).exists():
+        return {}, []
+    try:
+        content = json.loads(access.read_bytes(Path(path)))
+    except (ValueError, RecursionError) as error:
+        raise Failure(diagnostic(RETAINED_UNREADABLE, file=str(path), reason=str(error))) from error
+    if not isinstance(content, dict) or not all(map(_is_value, content.values())):
+        reason = "{path: value, …}"
+        raise Failure(diagnostic(RETAINED_UNREADABLE, file=str(path), reason=reason))
+    kept = {name.lower() for plc in plcs for name in plc.retained_paths()}
+    values, warnings = {}, []
+    for name, value in content.items():
+        if name.lower() in kept and _fits(plcs, name, value):
+            values[name] = value
+        else:
+            warnings.append(diagnostic(RETAINED_SKIPPED, name=name, file=str(path)))
+    return values, warnings
+
+
+def retained_text(plcs: list[StructuredPlc]) -> str:
+    """Return the values of the retained variables of PLCs as the text of a file."""
+    return json.dumps(dict(_retained(plcs)), indent=1, ensure_ascii=False) + "\n"
+
+
+def _retained(plcs: list[StructuredPlc]) -> Iterator[tuple[str, float | bool | str]]:
+    for plc in plcs:
+        for path in plc.retained_paths():
+            value = plc.read(path)
+            if isinstance(value, str) or math.isfinite(value):
+                yield path, value
+
+
+def _is_value(value: object) -> bool:
+    return isinstance(value, str | int) or (isinstance(value, float) and math.isfinite(value))
+
+
+def _fits(plcs: list[StructuredPlc], name: str, value: float | str) -> bool:
+    plc = next(one for one in plcs if one.knows(name))
+    try:
+        plc.check(name, value)
+    except Failure:
+        return False
+    return True

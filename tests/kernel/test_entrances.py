@@ -269,23 +269,27 @@ def test_a_bytes_value_of_half_a_cell_is_refused() -> None:
 
 
 def test_rows_of_an_image_that_leave_it_are_refused() -> None:
-    """Byte, kind, cell and size of each variable."""
+    """Byte, kind, cell, size and factor of each variable."""
     machine = Rig().machine
     kernel, count = machine.kernel, len(machine.memory) // 8
     units = kernel.image.units if hasattr(kernel.image, "units") else None
     for row in (
-        (64, 7, 0, 8, True),
-        (-8, 7, 0, 8, True),
-        (0, 9, 0, 8, True),
-        (0, 7, -1, 8, True),
-        (0, 7, 10**9, 8, True),
-        (0, 7, count, 8, True),
-        (0, 8, count - 1, 9, True),
-        (0, 7, 0, 9, True),
-        (0, 8, 0, 65, True),
+        (64, 7, 0, 8, True, 1.0),
+        (-8, 7, 0, 8, True, 1.0),
+        (0, 9, 0, 8, True, 1.0),
+        (0, 7, -1, 8, True, 1.0),
+        (0, 7, 10**9, 8, True, 1.0),
+        (0, 7, count, 8, True, 1.0),
+        (0, 8, count - 1, 9, True, 1.0),
+        (0, 7, 0, 9, True, 1.0),
+        (0, 8, 0, 65, True, 1.0),
     ):
         image, published = memoryview(bytearray(64)), memoryview(bytearray(64))
         with pytest.raises(ValueError, match="is not in"):
+            kernel.image.attach(image, published, [row], units, 0, 16, 0)
+    for factor in (0.0, -1.0, float("nan")):
+        with pytest.raises(ValueError, match="a factor of"):
+            row = (0, 7, 0, 8, True, factor)
             kernel.image.attach(image, published, [row], units, 0, 16, 0)
     assert not kernel.image.is_attached
 

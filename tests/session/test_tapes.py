@@ -118,7 +118,7 @@ def with_line(tape: str, number: int, line: str) -> None:
 
 def test_what_a_plc_in_another_process_wrote_is_lived_through_without_it() -> None:
     assert main(["run", "part.nc", "--record", "run.tape", "--quiet"]) == 0
-    digits = struct.pack("=d", 50.0).hex()
+    digits = struct.pack("=H", 500).hex()  # 0.1 %
     written = ["hli", "image", "command[1].override", digits]
     with_line("run.tape", 1, json.dumps({"tick": 4, "inputs": [written]}))
     with Session.of_tape("run.tape") as session:

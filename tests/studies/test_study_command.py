@@ -191,7 +191,7 @@ def test_answers_come_with_their_commands(plan: Path, capsys: Captured) -> None:
     lines = capsys.readouterr().out.splitlines()
     assert lines[1].endswith("V.E.VALUE = 4, end = 4: erfüllt")
     assert lines[2] == f"    nctakt run {plan.with_name('part.nc')} --set V.E.VALUE=4"
-    assert lines[3].endswith("V.E.VALUE = 5, end = 5: verletzt")
+    assert lines[3].endswith("V.E.VALUE = 5, end = 5: verletzt: X at end < 4.5 (5)")
     folder = plan.with_name("tapes")
     assert main(["study", str(plan), "--quiet", "--record", str(folder)]) == 0
     assert len(list(folder.glob("boundary-V.E.VALUE-*.tape"))) == 2

@@ -14,8 +14,7 @@ from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
-from nctakt.hli import table
-from nctakt.hli.table import Element
+from nctakt.hli.table import Element, find
 from nctakt.kernel import cells
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
@@ -87,7 +86,7 @@ class Entry:
 
     @property
     def _element(self) -> Element | None:
-        return table.find(self.path) if self.path else None
+        return find(self.path) if self.path else None
 
     @property
     def member(self) -> str:

@@ -30,6 +30,7 @@ cdef class InterfaceImage:
     cdef Units units
     cdef long long[::1] is_input
     cdef double[::1] factor
+    cdef long long[::1] is_scaled
     cdef unsigned char[::1] image
     cdef long long[::1] image_words
     cdef unsigned char[::1] published

@@ -112,6 +112,7 @@ class InterfaceImage:
         count = len(table)
         self.is_input = memoryview(bytearray(8 * count + 8)).cast("q")
         self.factor = memoryview(bytearray(8 * count + 8)).cast("d")
+        self.is_scaled = memoryview(bytearray(8 * count + 8)).cast("q")
         self.offset = memoryview(bytearray(8 * count + 8)).cast("q")
         self.kind = memoryview(bytearray(8 * count + 8)).cast("q")
         self.cell = memoryview(bytearray(8 * count + 8)).cast("q")
@@ -129,6 +130,7 @@ class InterfaceImage:
         for i, (offset, kind, cell, size, is_input, factor) in enumerate(table):
             self.is_input[i] = is_input
             self.factor[i] = factor
+            self.is_scaled[i] = bool(factor - 1.0)
             self.offset[i] = offset
             self.kind[i] = kind
             self.cell[i] = cell
@@ -155,6 +157,7 @@ class InterfaceImage:
         self.units = Units()
         self.is_input = nothing.cast("q")
         self.factor = nothing.cast("d")
+        self.is_scaled = nothing.cast("q")
         self.image = nothing
         self.image_words = nothing.cast("q")
         self.published = nothing
@@ -329,7 +332,7 @@ class InterfaceImage:
         """
         first = self.offset[entry]
         value = self.cells[self.cell[entry]]
-        if self.factor[entry] != 1.0:
+        if self.is_scaled[entry]:
             value = arithmetic.round_half_even(value * self.factor[entry])
             if self.kind[entry] == codes.IMAGE_UNS16:
                 value = min(max(value, 0.0), 65535.0)

@@ -38,6 +38,7 @@ The PLC on the other side of the interface
     ``when``               call a method each time that a condition becomes true
     ``after``              acknowledge functions late: ``acknowledge = after("20 ms")``
     ``only``               acknowledge these functions and no others
+    ``ALL``, ``NONE``      acknowledge every function, or none: ``acknowledge = NONE``
     ``run_up``             acknowledge a spindle's job when its speed is reached
     ``HliView``            the interface that its methods get: ``def each_tick(self, hli: HliView)``
     ``Function``           an M, H or T function that waits for its acknowledgement
@@ -65,7 +66,7 @@ if TYPE_CHECKING:
     from nctakt.base.failure import Failure
     from nctakt.checking.python_check import check
     from nctakt.lists.machine.machine import Machine, load_machine
-    from nctakt.plc.policies import after, only, run_up
+    from nctakt.plc.policies import ALL, NONE, after, only, run_up
     from nctakt.plc.public_types import Function, HliView, SpindleJob
     from nctakt.plc.script import Plc, at, on, when
     from nctakt.results.run import Run
@@ -77,6 +78,8 @@ if TYPE_CHECKING:
     from nctakt.studies.study import Study
 
 __all__ = [
+    "ALL",
+    "NONE",
     "Controller",
     "Diagnostic",
     "Failure",
@@ -104,6 +107,8 @@ __all__ = [
 
 #: The module of each public name; it is imported when the name is first used.
 _MODULES = {
+    "ALL": "nctakt.plc.policies",
+    "NONE": "nctakt.plc.policies",
     "Controller": "nctakt.run.controller",
     "Diagnostic": "nctakt.base.diagnostics",
     "Failure": "nctakt.base.failure",

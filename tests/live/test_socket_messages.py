@@ -165,6 +165,7 @@ def test_messages_of_chance(seed: int, address: str) -> None:
             later.press("p")
             for looking in (later, other):
                 looking.until(lambda state: "tick" in state)
+            time.sleep(1.0)  # what was said last may still be on its way
             if later.state["isPlaying"]:
                 later.press(" ")
             assert_obeyed(later, other)

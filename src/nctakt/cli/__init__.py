@@ -22,7 +22,7 @@ import click
 from nctakt.base.diagnostics import Text
 from nctakt.base.interrupts import handling
 from nctakt.base.version import __version__
-from nctakt.cli.help import ShownGroup, help_language, option, shown_language
+from nctakt.cli.help import HELP_NAMES, ShownGroup, help_language, option, shown_language
 from nctakt.cli.terminal import complain, complain_notes, print_diagnostics, silence
 
 EXIT_RAN = 0
@@ -125,7 +125,7 @@ _TEXT = Text(
     cls=_LazyGroup,
     help=_TEXT.en,
     invoke_without_command=True,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    context_settings={"help_option_names": HELP_NAMES},
 )
 @option(
     "--version",

@@ -43,6 +43,8 @@ _CODES_WITHOUT_FAILURE = Text(
 )
 _USAGE = Text("Usage: ", "Aufruf: ")
 _EXAMPLES = Text("Examples", "Beispiele")
+#: What asks for help, of every command, also where it is called without the group.
+HELP_NAMES = ["-h", "--help"]
 _HELP = Text("Show this message and exit.", "Diese Hilfe zeigen.")
 
 #: The exit codes of commands without a text of their own.
@@ -219,7 +221,13 @@ def _shown(
     """Return a decorator that makes a command and gives it its texts."""
 
     def decorate(function: Callable[..., Any]) -> Any:
-        described_command = make(name, cls=cls, help=text.en, short_help=summary.en)(function)
+        described_command = make(
+            name,
+            cls=cls,
+            help=text.en,
+            short_help=summary.en,
+            context_settings={"help_option_names": HELP_NAMES},
+        )(function)
         described_command.summary, described_command.text, described_command.codes = (
             summary,
             text,

@@ -47,6 +47,20 @@ def test_frames_of_other_packages() -> None:
         assert len(frame()) == run.ticks
 
 
+def test_columns_have_their_units() -> None:
+    """In the metadata of a field in Arrow, in ``attrs`` of a pandas frame."""
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("pandas")
+    run = Controller().run(NcText("part.nc", TEXT), signals=["X.ACS.ACT_POS", "BLOCK"])
+    schema = run.to_arrow().schema
+    units = [(one.name, (one.metadata or {}).get(b"unit")) for one in schema]
+    assert units == [
+        ("tick", None), ("time_us", b"us"), ("X.ACS.ACT_POS", b"mm"), ("BLOCK", None),
+        ("events", None),
+    ]  # fmt: skip
+    assert run.to_pandas().attrs["units"] == {"time_us": "us", "X.ACS.ACT_POS": "mm"}
+
+
 def test_a_run_without_a_trace_has_no_table() -> None:
     """901350."""
     run = Controller().run(NcText("part.nc", TEXT), memory_trace=False)

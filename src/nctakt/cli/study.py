@@ -356,7 +356,7 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
         raise Failure(diagnostic(OTHER_PLAN, folder=results))
     target = words["report"] or str(Path(results).with_suffix(".html"))
     _check_outputs(study, [plan, results], {"report": target})
-    result = StudyResult(study.plan, rows, study.nominal)
+    result = StudyResult(study.plan, rows, study.nominal, study.bench.units)
     page = result.report(words["language"], commands_of(study, result, plan, words))
     write_file(target, page)
     return EXIT_RAN

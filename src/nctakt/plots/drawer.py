@@ -7,7 +7,8 @@ that writes raises ``OSError``, one that checks ``Failure``.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import functools
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 from nctakt.base.diagnostics import Language, Span
@@ -65,6 +66,12 @@ class Drawer:
         """Write a file for Perfetto."""
         write_run_perfetto(self._timeline(run, idle=True), _trace(run), path, language)
 
+    def detached(self, run: Run) -> Callable[[], Drawer]:
+        """Return what makes a drawer of this run without its controller, in any process."""
+        spans = {event.span for event in run.events if event.span is not None}
+        lines = {(span.file, span.line): self._line_at(span) for span in spans}
+        return functools.partial(_detached, tuple(self._axes), lines, self._limits_jerk)
+
     def _timeline(self, run: Run, *, idle: bool = False) -> Timeline:
         return timeline_of(
             run.events,
@@ -87,6 +94,13 @@ class Drawer:
         for name in signals or ():
             if name not in run.trace:
                 raise Failure(diagnostic(SIGNAL_NOT_RECORDED, name=name))
+
+
+def _detached(
+    axes: Sequence[AxisConfiguration], lines: Mapping[tuple[str, int], str], limits_jerk: bool
+) -> Drawer:
+    """Return a drawer that knows these source lines by file and number."""
+    return Drawer(axes, lambda span: lines.get((span.file, span.line), ""), limits_jerk=limits_jerk)
 
 
 #: The suffixes of traces for other viewers.

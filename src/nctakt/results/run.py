@@ -7,8 +7,9 @@ Plain records, the same for the same inputs: they hold no wall-clock time.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span
@@ -216,6 +217,9 @@ class RunDrawer(Protocol):
     def write_perfetto(self, run: Run, path: Path, language: Language) -> None:
         """Write a file for Perfetto."""
 
+    def detached(self, run: Run) -> Callable[[], RunDrawer]:
+        """Return what makes a drawer of this run without its controller, in any process."""
+
 
 @dataclass(frozen=True, slots=True, repr=False)
 class Run:
@@ -227,6 +231,9 @@ class Run:
     has the history of each condition, ``coverage`` the counts, if the run recorded them.
     ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
     ``drawer`` makes what draws the run (``plot``), ``None`` without a trace in memory.
+
+    Runs can be pickled; the copy is equal and can be drawn as well. Runs with the same inputs are
+    equal.
 
     >>> run = Controller().run(NcText("part.nc", "M100 G01 X100 F6000 M30"))
     >>> run.state, run.ticks
@@ -256,6 +263,12 @@ class Run:
     coverage: Coverage | None = None
     drawer: Callable[[], RunDrawer] | None = field(default=None, compare=False)
 
+    def __getstate__(self) -> tuple[Any, ...]:
+        values = {member.name: getattr(self, member.name) for member in fields(self)}
+        if self.drawer is not None:
+            values["drawer"] = self.drawer().detached(self)
+        return tuple(values.values())
+
     @property
     def virtual_time_us(self) -> int:
         """The time of the run on the machine, in microseconds."""
@@ -269,7 +282,8 @@ class Run:
     def to_arrow(self) -> pyarrow.Table:
         """Return the trace as an Arrow table: ``tick``, ``time_us``, the signals, ``events``.
 
-        Raises ``Failure``: no pyarrow (901311), a run without a trace (901350).
+        Each field has its ``unit`` as metadata. Raises ``Failure``: no pyarrow (901311), a run
+        without a trace (901350).
         """
         from nctakt.messages.studies import RUN_WITHOUT_TRACE  # noqa: PLC0415 - few runs need it
         from nctakt.trace.arrow import trace_table  # noqa: PLC0415 - an extra
@@ -279,11 +293,13 @@ class Run:
         return trace_table(self.trace)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return the trace as a pandas frame; raises as ``to_arrow``."""
-        return self.to_arrow().to_pandas()
+        """Return the trace as a pandas frame, units in ``attrs``; raises as ``to_arrow``."""
+        from nctakt.trace.arrow import pandas_frame  # noqa: PLC0415 - an extra
+
+        return pandas_frame(self.to_arrow())
 
     def to_polars(self) -> polars.DataFrame:
-        """Return the trace as a polars frame; raises as ``to_arrow``."""
+        """Return the trace as a polars frame, which has no units; raises as ``to_arrow``."""
         import polars  # noqa: PLC0415 - an extra
 
         return polars.DataFrame(self.to_arrow())

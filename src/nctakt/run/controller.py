@@ -188,6 +188,13 @@ class Controller:
             raise Failure(self._machine.unknown_signal(name))
         return self._machine.cells[signals[name][0]]
 
+    def unit(self, name: str) -> str:
+        """Return the unit of a signal, empty without one; raises ``Failure`` as ``signal``."""
+        signals = self._machine.signals()
+        if arguments.text("name", name) not in signals:
+            raise Failure(self._machine.unknown_signal(name))
+        return signals[name][1]
+
     def interface_image(self, name: str | None = None) -> SharedImage:
         """Return the HLI as bytes, live until it is closed, and shared under ``name`` if given.
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
@@ -42,6 +42,7 @@ from nctakt.studies.plan import Plan
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
 from nctakt.studies.schedule_measures import problems_of_numbers
+from nctakt.studies.units import REACTION, units_of
 from nctakt.studies.window import Injection
 from nctakt.testing.queries import values_before
 
@@ -50,9 +51,6 @@ Parameters = tuple[tuple[tuple[str, str], float | str], ...]
 
 #: A row of the results: name -> number, text or ``None``.
 Row = dict[str, float | int | str | None]
-
-#: The column of the time that the first expectation ``CONDITION within TIME`` took, in seconds.
-REACTION = "reaction_time"
 
 #: Verdicts of a run: all expectations met, one of them not, no run at all.
 HELD, BROKEN, FAILED, CRASHED = "held", "broken", "failed", "crashed"
@@ -90,6 +88,7 @@ class Bench:
         controller = self._controller(RunInputs())
         self.cycle_time_us = controller.cycle_time_us
         self.signals = self._signals(controller)
+        self.units = units_of(plan, lambda name: _unit(controller, name))
 
     def _signals(self, controller: Controller) -> tuple[str, ...]:
         """Return the signals that measures read; an axis stands for its command position."""
@@ -101,7 +100,7 @@ class Bench:
         found: list[Diagnostic] = []
         for table, entry, names in readers:
             for name in names:
-                signals.append(f"{name}.ACS.ACT_POS" if name in axes else name)
+                signals.append(_signal_name(name, axes))
                 try:
                     controller.signal(signals[-1])
                 except Failure as failure:
@@ -321,6 +320,20 @@ class Bench:
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
         plc = None if self._plc_file is None else self._plc_file.plc()
         return FaultyPlc(plc, inputs.faults) if inputs.faults else plc
+
+
+def _signal_name(name: str, axes: Collection[str]) -> str:
+    """Return the signal of a name in a measure: an axis stands for its command position."""
+    return f"{name}.ACS.ACT_POS" if name in axes else name
+
+
+def _unit(controller: Controller, name: str) -> str:
+    """Return the unit of a signal; empty for what is none, such as a variable of the program."""
+    axes = {axis.name for axis in controller.channel_axes}
+    try:
+        return controller.unit(_signal_name(name, axes))
+    except Failure:
+        return ""
 
 
 def _assignment_of(name: str, lines: Sequence[str]) -> tuple[int, int, int] | None:

@@ -18,10 +18,11 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import NOT_AN_INJECTION
-from nctakt.studies.bench import HELD, REACTION, Bench, Row
+from nctakt.studies.bench import HELD, Bench, Row
 from nctakt.studies.dimension import END_OF_RUN, Dimension
 from nctakt.studies.inputs import RunInputs
 from nctakt.studies.plan import Plan
+from nctakt.studies.units import REACTION
 
 _INJECTION = re.compile(r"(?P<assignment>.*=.*?)(?:\s+for\s+(?P<time>\S.*))?")
 

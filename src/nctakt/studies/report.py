@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from html import escape
 from typing import Any
 
@@ -19,11 +19,12 @@ from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT
 from nctakt.studies import charts
-from nctakt.studies.bench import HELD, REACTION, Row
+from nctakt.studies.bench import HELD, Row
 from nctakt.studies.each_tick import Nominal
 from nctakt.studies.effects import without_effect
 from nctakt.studies.measures import as_text
 from nctakt.studies.plan import Plan
+from nctakt.studies.units import REACTION
 from nctakt.studies.verdicts import limits_of, share_text
 
 #: Broken runs in the table of the report, pictures of one kind.
@@ -54,7 +55,7 @@ _TEXTS = {
         "title": "Study of {}", "each_tick": "Each tick", "measures": "Measures",
         "scatters": "Measures over inputs", "pairs": "Pairs of inputs",
         "sensitivities": "Sensitivities", "runs": "runs", "held": "{} held", "broken": "{} did not",
-        "in_s": "{} in s",
+        "in_unit": "{} in {}",
         "strip": "red: the expectations did not hold for an injection then; above: lines",
         "without": "{} without", "over": "{} over {}", "mean": "mean of {} over {} and {}",
         "depends": "how much {} depends on each input", "table": "Runs that did not hold",
@@ -72,7 +73,7 @@ _TEXTS = {
         "sensitivities": "Empfindlichkeiten", "runs": "Läufe", "held": "{} erfüllt",
         "broken": "{} nicht",
         "strip": "rot: Erwartungen bei einem Eingriff dann nicht erfüllt; darüber: Zeilen",
-        "in_s": "{} in s", "without": "{} ohne", "over": "{} über {}",
+        "in_unit": "{} in {}", "without": "{} ohne", "over": "{} über {}",
         "mean": "Mittelwert von {} über {} und {}",
         "depends": "wie stark {} von jedem Eingang abhängt", "table": "Nicht erfüllte Läufe",
         "more": "… und {} weitere", "sample": "Bilder aus {} der Läufe, gleichmäßig verteilt.",
@@ -89,15 +90,16 @@ _TEXTS = {
 def report(
     plan: Plan,
     rows: Sequence[Row],
+    units: Mapping[str, str],
     language: Language = "en",
     command: Callable[[int], str] | None = None,
     nominal: Nominal | None = None,
 ) -> str:
-    """Return the page; ``command`` shows a run by its number.
+    """Return the page; ``units``: those of the columns; ``command`` shows a run by its number.
 
     ``nominal``: the unchanged run of an each-tick study, whose blocks the strip has.
     """
-    return _Report(plan, rows, language, nominal).page(command)
+    return _Report(plan, rows, units, language, nominal).page(command)
 
 
 def _figure(picture: str, caption: str) -> str:
@@ -108,9 +110,15 @@ class _Report:
     """Makes the parts of a page; few of many rows are in memory."""
 
     def __init__(
-        self, plan: Plan, rows: Sequence[Row], language: Language, nominal: Nominal | None
+        self,
+        plan: Plan,
+        rows: Sequence[Row],
+        units: Mapping[str, str],
+        language: Language,
+        nominal: Nominal | None,
     ) -> None:
         self._plan = plan
+        self._units = units
         self._blocks: list[tuple[float, str]] = []
         if nominal is not None:
             length_us = nominal.cycle_time_us
@@ -185,7 +193,7 @@ class _Report:
         for dimension in self._plan.dimensions:
             own = self._numbers(dimension.name)
             if dimension.is_each_tick and own:
-                name = self._text("in_s", dimension.name)
+                name = self._label(dimension.name)
                 picture = charts.strip(_column(own, dimension.name), _held(own), name, self._blocks)
                 yield _figure(picture, self._text("strip"))
 
@@ -212,11 +220,9 @@ class _Report:
                 yield _figure(charts.scatter(x, y, _held(own), labels), caption)
 
     def _label(self, name: str) -> str:
-        """Return the name of a column with its unit: times are in seconds."""
-        times = {one.name for one in self._plan.dimensions if one.is_time}
-        times |= {one.name for one in self._plan.measures if one.text.strip() == "duration"}
-        is_time = name in times or name == REACTION
-        return self._text("in_s", name) if is_time else name
+        """Return the name of a column with its unit."""
+        unit = self._units.get(name)
+        return name if unit is None else self._text("in_unit", name, unit)
 
     def _verdict_maps(self) -> Iterator[str]:
         for first, second in itertools.combinations(self._plan.dimensions, 2):

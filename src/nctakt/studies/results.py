@@ -12,8 +12,9 @@ import io
 import itertools
 import json
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
+from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any, overload
 
 from nctakt.base.failure import Failure
@@ -22,10 +23,13 @@ from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
 from nctakt.studies.bench import Row
-from nctakt.trace.arrow import load_pyarrow
+from nctakt.trace.arrow import field, load_pyarrow
 
 if TYPE_CHECKING:
     import pyarrow
+
+#: No column has a unit.
+NO_UNITS: Mapping[str, str] = MappingProxyType({})
 
 #: Rows in one group of a Parquet file; rows that are read from one at a time.
 GROUP, READ_GROUP = 50_000, 5_000
@@ -37,15 +41,20 @@ def check_target(path: Path) -> None:
         load_pyarrow()
 
 
-def write_rows(rows: Iterable[Row], columns: Sequence[str], path: Path) -> None:
+def write_rows(
+    rows: Iterable[Row],
+    columns: Sequence[str],
+    path: Path,
+    units: Mapping[str, str] = NO_UNITS,
+) -> None:
     """Write rows to a file by its ending: .parquet, .csv, else JSON lines.
 
-    ``rows`` is gone through twice. Raises ``Failure``: no pyarrow (901311), a file that cannot be
-    written (900507).
+    ``units``: those of the columns, which Parquet keeps. ``rows`` is gone through twice. Raises
+    ``Failure``: no pyarrow (901311), a file that cannot be written (900507).
     """
     with OutputFile(path) as file:
         if path.suffix == ".parquet":
-            schema = _schema(rows, columns)
+            schema = _schema(rows, columns, units)
             file.fill(lambda target: _write_parquet(rows, schema, target))
         elif path.suffix == ".csv":
             file.write(_csv_line(columns))
@@ -164,17 +173,21 @@ def _cell(name: str, text: str) -> float | str | None:
         return text or None
 
 
-def arrow_table(rows: Iterable[Row], columns: Sequence[str]) -> pyarrow.Table:
+def arrow_table(
+    rows: Iterable[Row], columns: Sequence[str], units: Mapping[str, str] = NO_UNITS
+) -> pyarrow.Table:
     """Return rows as an Arrow table; a column that has numbers and texts becomes one of texts.
 
     Raises ``Failure`` (901311) without pyarrow.
     """
-    schema = _schema(rows, columns)
+    schema = _schema(rows, columns, units)
     return load_pyarrow().table(_arrays(rows, schema), schema=schema)
 
 
-def _schema(rows: Iterable[Row], columns: Sequence[str]) -> pyarrow.Schema:
-    """Return the types of the columns: texts, else numbers with a fraction, else whole ones."""
+def _schema(
+    rows: Iterable[Row], columns: Sequence[str], units: Mapping[str, str]
+) -> pyarrow.Schema:
+    """Return types and units of the columns: texts, else numbers with a fraction, else whole."""
     arrow = load_pyarrow()
     texts: set[str] = set()
     fractions: set[str] = set()
@@ -192,7 +205,7 @@ def _schema(rows: Iterable[Row], columns: Sequence[str]) -> pyarrow.Schema:
             return arrow.string()
         return arrow.float64() if name in fractions else arrow.int64()
 
-    return arrow.schema([(name, type_of(name)) for name in columns])
+    return arrow.schema([field(name, type_of(name), units.get(name, "")) for name in columns])
 
 
 def _arrays(rows: Iterable[Row], schema: pyarrow.Schema) -> list[pyarrow.Array]:

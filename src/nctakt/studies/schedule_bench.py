@@ -23,6 +23,7 @@ from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.plan import Plan
 from nctakt.studies.schedule_measures import ScheduleOutcome, problems_of_numbers
+from nctakt.studies.units import units_of
 
 #: How long a schedule is simulated unless the plan says it.
 DURATION = Time(1_000_000)
@@ -41,6 +42,7 @@ class ScheduleBench(Bench):
         self._files = ScheduleFiles(plan.rtconf, plan.load, plan.system)
         self._base = self._files.schedule(ScheduleChanges(), self.access)
         self.cycle_time_us = self._base.configuration.cycle_time_us
+        self.units = units_of(plan, lambda _name: "")
 
     def check(self) -> None:
         """Raise ``Failure`` for names that list and load do not have."""

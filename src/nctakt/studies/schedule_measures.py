@@ -78,6 +78,13 @@ class ScheduleNumber:
             return self._whole(run)
         return self._time(run, outcome) / _SECOND_NS
 
+    @property
+    def is_time(self) -> bool:
+        """Whether it is a time, in seconds."""
+        if self.name in _WHOLE:
+            return self.name in ("duration", "windows")
+        return self.name != "load" and self.name not in COUNTS
+
     def signals(self) -> Iterator[str]:
         """Yield nothing."""
         yield from ()

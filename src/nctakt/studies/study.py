@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -30,6 +30,7 @@ from nctakt.studies.row_store import RowStore
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search import Answer, search, shrink
 from nctakt.studies.shared_beginning import is_copied
+from nctakt.trace.arrow import pandas_frame
 
 if TYPE_CHECKING:
     import pandas
@@ -45,18 +46,42 @@ MAX_LISTED = 1_000_000
 
 
 class StudyResult:
-    """The rows of a study in the order of its runs; true if all runs met all expectations."""
+    """The rows of a study in the order of its runs; true if all runs met all expectations.
 
-    def __init__(self, plan: Plan, rows: Sequence[Row], nominal: Nominal | None = None) -> None:
+    ``units``: those of the columns that have any. Results can be compared and pickled; a measure
+    that is a Python function is pickled by its name, so it has to stand in a module.
+    """
+
+    def __init__(
+        self,
+        plan: Plan,
+        rows: Sequence[Row],
+        nominal: Nominal | None = None,
+        units: Mapping[str, str] | None = None,
+    ) -> None:
         self.plan = plan
         self.nominal = nominal
         self.rows = rows
+        self.units: Mapping[str, str] = units or {}
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{count} {verdict}" for verdict, count in self.counts.items() if count)
         first = self.first_broken(1)
         shown = f"; first run {first[0]['run']}: {first[0]['broken']}" if first else ""
         return f"<StudyResult of {len(self.rows)} runs: {counts or 'none'}{shown}>"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, StudyResult):
+            return NotImplemented
+        return self._content() == other._content()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[type[StudyResult], tuple[Any, ...]]:
+        return StudyResult, self._content()
+
+    def _content(self) -> tuple[Plan, list[Row], Nominal | None, dict[str, str]]:
+        return self.plan, list(self.rows), self.nominal, dict(self.units)
 
     def __bool__(self) -> bool:
         return all(row["verdict"] == HELD for row in self.rows)
@@ -95,15 +120,18 @@ class StudyResult:
         return sum(row[measure] is None for row in self.rows)
 
     def to_arrow(self) -> pyarrow.Table:
-        """Return the rows as an Arrow table; raises ``Failure`` (901311) without pyarrow."""
-        return arrow_table(self.rows, columns_of(self.plan))
+        """Return the rows as an Arrow table; each field has its ``unit`` as metadata.
+
+        Raises ``Failure`` (901311) without pyarrow.
+        """
+        return arrow_table(self.rows, columns_of(self.plan), self.units)
 
     def to_pandas(self) -> pandas.DataFrame:
-        """Return the rows as a pandas frame; raises as ``to_arrow``."""
-        return self.to_arrow().to_pandas()
+        """Return the rows as a pandas frame, units in ``attrs``; raises as ``to_arrow``."""
+        return pandas_frame(self.to_arrow())
 
     def to_polars(self) -> polars.DataFrame:
-        """Return the rows as a polars frame; raises as ``to_arrow``."""
+        """Return the rows as a polars frame, which has no units; raises as ``to_arrow``."""
         import polars  # noqa: PLC0415 - an extra
 
         return polars.DataFrame(self.to_arrow())
@@ -113,11 +141,11 @@ class StudyResult:
 
         ``command``: shows a run by its number, as ``Study.command`` does.
         """
-        return report(self.plan, self.rows, language, command, self.nominal)
+        return report(self.plan, self.rows, self.units, language, command, self.nominal)
 
     def save(self, path: str | Path) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""
-        write_rows(self.rows, columns_of(self.plan), Path(path))
+        write_rows(self.rows, columns_of(self.plan), Path(path), self.units)
 
 
 class Study:
@@ -218,10 +246,10 @@ class Study:
             if on_rows is not None:
                 on_rows(block)
         if store is not None:
-            return StudyResult(self.plan, store.rows(), self.nominal)
+            return StudyResult(self.plan, store.rows(), self.nominal, self.bench.units)
         rows = [row for block in blocks for row in block.rows]
         rows.sort(key=lambda row: int(row["run"] or 0))
-        return StudyResult(self.plan, rows, self.nominal)
+        return StudyResult(self.plan, rows, self.nominal, self.bench.units)
 
     def without_shown_effect(self, result: StudyResult) -> list[tuple[str, int]]:
         """Make some runs again with another value of one dimension alone, for points by chance.

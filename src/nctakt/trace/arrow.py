@@ -24,6 +24,7 @@ from nctakt.trace.sinks import Signal, TraceHeader
 from nctakt.trace.texts import by_tick, join_events
 
 if TYPE_CHECKING:
+    import pandas
     import pyarrow
 
 #: Rows that are written together.
@@ -55,6 +56,19 @@ def _event_cells(events: Sequence[Event], ticks: range) -> list[str]:
     return cells
 
 
+def field(name: str, kind: pyarrow.DataType, unit: str) -> pyarrow.Field:
+    """Return a column with its unit in the metadata."""
+    return load_pyarrow().field(name, kind, metadata={"unit": unit} if unit else None)
+
+
+def pandas_frame(table: pyarrow.Table) -> pandas.DataFrame:
+    """Return a table as a pandas frame with the units of its columns in ``attrs["units"]``."""
+    frame = table.to_pandas()
+    units = {one.name: (one.metadata or {}).get(b"unit", b"").decode() for one in table.schema}
+    frame.attrs["units"] = {name: unit for name, unit in units.items() if unit}
+    return frame
+
+
 def _table(
     signals: Sequence[Signal],
     cycle_time_us: int,
@@ -64,18 +78,18 @@ def _table(
 ) -> pyarrow.Table:
     arrow = load_pyarrow()
     ticks = range(first_tick, first_tick + len(cells))
-    arrays = {
-        "tick": arrow.array(ticks, arrow.int64()),
-        "time_us": arrow.array([tick * cycle_time_us for tick in ticks], arrow.int64()),
-    }
+    arrays = [
+        arrow.array(ticks, arrow.int64()),
+        arrow.array([tick * cycle_time_us for tick in ticks], arrow.int64()),
+    ]
+    fields = [field("tick", arrow.int64(), ""), field("time_us", arrow.int64(), "us")]
     for signal, column in zip(signals, columns, strict=True):
-        if signal.integral:
-            whole = [int(value) if isfinite(value) else None for value in column]
-            arrays[signal.name] = arrow.array(whole, arrow.int64())
-        else:
-            arrays[signal.name] = arrow.array(column, arrow.float64())
-    arrays["events"] = arrow.array(cells, arrow.string())
-    return arrow.table(arrays)
+        kind = arrow.int64() if signal.integral else arrow.float64()
+        whole = [int(one) if isfinite(one) else None for one in column if signal.integral]
+        arrays.append(arrow.array(whole if signal.integral else column, kind))
+        fields.append(field(signal.name, kind, signal.unit))
+    arrays.append(arrow.array(cells, arrow.string()))
+    return arrow.table(arrays, schema=arrow.schema([*fields, field("events", arrow.string(), "")]))
 
 
 class ParquetSink:

@@ -8,7 +8,7 @@ they come; arrays and events are built when they are first read, and numpy is lo
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nctakt.base.misspelling import nearest
 from nctakt.trace.events import Event
@@ -26,7 +26,8 @@ class Trace(Mapping[str, "Values"]):
     """The recorded signals by name, one float64 per tick, and the events.
 
     ``trace["X.ACS.ACT_POS"]`` is the column of a signal. Raises ``KeyError`` for a name that was
-    not recorded and suggests the nearest one. The arrays are read-only.
+    not recorded and suggests the nearest one. The arrays are read-only. Two traces are equal if
+    they have the same signals, ticks, bits and events.
     """
 
     def __init__(
@@ -36,6 +37,7 @@ class Trace(Mapping[str, "Values"]):
         chunks: Sequence[bytes],
         events: Sequence[Sequence[Event]],
     ) -> None:
+        self._header = header
         self.cycle_time_us = header.cycle_time_us
         self.signals: tuple[Signal, ...] = header.signals
         self.first_tick = first_tick
@@ -52,6 +54,21 @@ class Trace(Mapping[str, "Values"]):
             f"<Trace of {_counted(len(self), 'signal')}: {_counted(self.ticks, 'tick')}{begin}, "
             f"{_counted(count, 'event')}>"
         )
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Trace):
+            return NotImplemented
+        return self._header == other._header and self._content() == other._content()
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __reduce__(self) -> tuple[type[Trace], tuple[Any, ...]]:
+        first_tick, data, events = self._content()
+        return Trace, (self._header, first_tick, (data,), (events,))
+
+    def _content(self) -> tuple[int, bytes, list[Event]]:
+        """Return the first tick, the values of all ticks, and the events."""
+        return self.first_tick, self._data(), self.events
 
     def __getitem__(self, name: str) -> Values:
         column = self._columns.get(name)
@@ -102,11 +119,15 @@ class Trace(Mapping[str, "Values"]):
         import numpy  # noqa: PLC0415 - as above
 
         if self._rows is None:
-            data = b"".join(self._chunks)
-            self._chunks = (data,)
-            rows = numpy.frombuffer(data, dtype=numpy.float64)
+            rows = numpy.frombuffer(self._data(), dtype=numpy.float64)
             self._rows = rows.reshape(-1, len(self.signals))
         return self._rows
+
+    def _data(self) -> bytes:
+        """Return the values of all ticks, put together when they are first asked for."""
+        if len(self._chunks) > 1:
+            self._chunks = (b"".join(self._chunks),)
+        return self._chunks[0] if self._chunks else b""
 
 
 class MemorySink:

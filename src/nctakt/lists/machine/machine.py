@@ -12,7 +12,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
@@ -330,7 +329,7 @@ class _Loader:
             channels,
             axes,
             shared,
-            MappingProxyType(texts),
+            texts,
             (("startup", self.startup_file), *self.lists.files),
             tuple(self.collector.diagnostics),
         )

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import nctakt
-from nctakt import Controller, Failure, NcText, Stimulus
+from nctakt import Controller, Failure, HliView, NcText, Plc, Stimulus, Study
 
 #: The number of the message.
 WRONG = 901186
@@ -82,7 +82,51 @@ def test_other_wrong_types(call: Callable[[], object]) -> None:
     assert failure.value.diagnostics[0].remedy("en")
 
 
-def test_numbers_of_other_libraries_count() -> None:
-    """Whatever is an index of a list is a number of ticks."""
+def test_numbers_of_numpy_are_numbers() -> None:
+    """Each kind of scalar, of each argument, gives the run that the number of Python gives."""
     numpy = pytest.importorskip("numpy")
+    program = NcText("move.nc", "N10 G01 X[V.E.VALUE] F6000\nN20 M30")
     assert Controller().step(numpy.int64(3)).ticks == 3
+    assert Controller().step(numpy.timedelta64(20, "ms")).ticks == 20
+    assert Controller().step(numpy.timedelta64(1_000_001, "ns")).ticks == 2
+    for plain, value in ((3, numpy.int64(3)), (2.5, numpy.float32(2.5)), (1, numpy.bool_(True))):
+        expected = Controller().run(program, set={"V.E.VALUE": plain})
+        assert Controller().run(program, set={"V.E.VALUE": value}) == expected
+        at = ("1 ms", "V.E.VALUE", value)
+        assert type(Stimulus(*at).value) in (int, float, bool)
+        bound = Controller().bind("V.E.VALUE")
+        bound.value = value
+        assert bound.value == plain
+    study = Study(
+        program=program,
+        set={"V.E.VALUE": numpy.float32(1)},
+        vary=[{"variable": "HLI.OVERRIDE", "values": numpy.linspace(50, 100, 3)}],
+        seed=numpy.int64(4),
+    )
+    assert study.run().column("HLI.OVERRIDE") == [50.0, 75.0, 100.0]
+
+
+def test_a_class_of_plcs_makes_a_new_one_for_each_run() -> None:
+    """A class that needs arguments is refused, and so is one that is no PLC."""
+
+    class Counting(Plc):
+        ticks = 0
+
+        def cycle(self, hli: HliView) -> None:
+            self.ticks += 1
+            hli.override_pct = 100 - self.ticks
+
+    class Needy(Counting):
+        def __init__(self, size: int) -> None:
+            self.size = size
+
+    program = NcText("move.nc", "G01 X1 F6000\nM30")
+    assert Controller().run(program, plc=Counting) == Controller().run(program, plc=Counting())
+    controller = Controller()
+    controller.start(program, plc=Counting)
+    controller.step(5)
+    assert controller.hli.override_pct == 95
+    for wrong in (Needy, int):
+        with pytest.raises(Failure) as failure:
+            Controller().run(program, plc=wrong)  # type: ignore[arg-type]
+        assert failure.value.diagnostics[0].id == WRONG

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Protocol
 from nctakt.base.dataclass import dataclass
 from nctakt.hli.function_codes import LETTERS, code_of, function_name
 from nctakt.kernel.tick.plc_calls import Delays
+from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
 
 if TYPE_CHECKING:
@@ -187,4 +188,4 @@ def only(*names: str, then: Policy = ALL) -> Only:
     >>> Controller().run(NcText("clamp.nc", "M100\nG01 X10 F6000\nM30"), plc=Cell()).ticks
     126
     """
-    return Only(frozenset(name.upper() for name in names), then)
+    return Only(frozenset(arguments.text("name", name).upper() for name in names), then)

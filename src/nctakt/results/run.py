@@ -263,12 +263,6 @@ class Run:
     coverage: Coverage | None = None
     drawer: Callable[[], RunDrawer] | None = field(default=None, compare=False)
 
-    def __getstate__(self) -> tuple[Any, ...]:
-        values = {member.name: getattr(self, member.name) for member in fields(self)}
-        if self.drawer is not None:
-            values["drawer"] = self.drawer().detached(self)
-        return tuple(values.values())
-
     @property
     def virtual_time_us(self) -> int:
         """The time of the run on the machine, in microseconds."""
@@ -392,6 +386,19 @@ class Run:
             *((f"error {item.id}", item.headline()) for item in self.errors[:MAX_ROWS]),
         ]
         return html_table(", ".join(self.programs), rows)
+
+
+@dataclass(frozen=True, slots=True, repr=False)
+class RecordedRun(Run):
+    """The result of a run with its trace in memory, as it is unless ``memory_trace`` is false."""
+
+    trace: Trace
+
+    def __getstate__(self) -> tuple[Any, ...]:
+        values = {member.name: getattr(self, member.name) for member in fields(self)}
+        if self.drawer is not None:
+            values["drawer"] = self.drawer().detached(self)
+        return tuple(values.values())
 
 
 #: The kinds of events for outputs of functions: of realtime cycles, and of the main program.

@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Self, Unpack
+from typing import TYPE_CHECKING, Literal, Self, Unpack, overload
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.base.plain_values import plain_number
 from nctakt.files.access import FileAccess
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
@@ -23,15 +24,21 @@ from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
 from nctakt.messages.folders import UNKNOWN_CHANNEL
-from nctakt.results.run import Run
+from nctakt.results.run import RecordedRun, Run
 from nctakt.results.step import Step
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.bound_values import BoundValue
 from nctakt.run.inputs import IMAGE
 from nctakt.run.one_at_a_time import OneAtATime, alone
-from nctakt.run.options import RunKeywords, check_keywords, completed, with_keywords
-from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
+from nctakt.run.options import (
+    KeywordsBesideTrace,
+    RunKeywords,
+    check_keywords,
+    completed,
+    with_keywords,
+)
+from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText
 from nctakt.run.program_run import ProgramRun
 from nctakt.run.shared_image import SharedImage
@@ -217,18 +224,20 @@ class Controller:
         program: str | Path | NcText,
         channel: int = 1,
         *,
-        plc: AnyPlc | None = None,
+        plc: AnyPlc | type[AnyPlc] | None = None,
         set: Mapping[str, float | str] | None = None,
         at: Sequence[StimulusLike] = (),
     ) -> None:
         """Start a program in a channel; ``step`` runs it.
 
         An error of the previous program, or the program itself if it still runs, is reset first.
-        ``set`` gives variables values before the next tick, ``at`` at times from now on. ``plc``
-        runs after each tick from now on; without it, that of the latest run stays.
+        ``set`` gives variables values before the next tick, ``at`` at times from now on. ``plc``,
+        a new object if it is a class, runs after each tick from now on; without it, that of the
+        latest run stays.
         Raises ``Failure`` with the program's errors, and for an invalid name, value or time.
         """
         channel_run = self._loop.channels[self._index(channel)]
+        plc = plc_object(plc)
         loaded = program_loader.load(program, self._machine, self.diagnostics, channel - 1)
         if plc is not None:
             self._loop.attach(plc)
@@ -293,6 +302,7 @@ class Controller:
 
         A text without a unit could mean seconds or ticks, and is refused.
         """
+        ticks = plain_number(ticks)
         has_unit = isinstance(ticks, str) and ticks[-1:].isalpha()
         if has_unit or isinstance(ticks, Time) or hasattr(ticks, "total_seconds"):
             return read_time(ticks).ticks(self.cycle_time_us)
@@ -330,6 +340,26 @@ class Controller:
         return channel - 1
 
     # --- whole programs -------------------------------------------------------------------------
+
+    @overload
+    def run(
+        self,
+        /,
+        *programs: str | Path | NcText,
+        channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
+        memory_trace: Literal[True] = True,
+        **options: Unpack[KeywordsBesideTrace],
+    ) -> RecordedRun: ...
+
+    @overload
+    def run(
+        self,
+        /,
+        *programs: str | Path | NcText,
+        channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
+        memory_trace: bool,
+        **options: Unpack[KeywordsBesideTrace],
+    ) -> Run: ...
 
     @alone
     @with_keywords("python", RunKeywords)

@@ -69,12 +69,11 @@ class ProgramOptions(TypedDict, total=False):
     from_block: int | None
 
 
-class RunKeywords(ProgramOptions, total=False):
-    """The options of ``Controller.run``."""
+class KeywordsBesideTrace(ProgramOptions, total=False):
+    """The options of ``Controller.run`` that its type of result does not depend on."""
 
-    plc: AnyPlc | None
+    plc: AnyPlc | type[AnyPlc] | None
     sinks: Sequence[Sink]
-    memory_trace: bool
     record_writes: bool
     why: bool
     blocks: bool
@@ -85,6 +84,12 @@ class RunKeywords(ProgramOptions, total=False):
     on_cycle: Callable[[str, CycleDefinition], None] | None
     record: InputListener | None
     replay: Tape | None
+
+
+class RunKeywords(KeywordsBesideTrace, total=False):
+    """The options of ``Controller.run``."""
+
+    memory_trace: bool
 
 
 #: What accepts options: commands by their names, everything else with how messages call it.

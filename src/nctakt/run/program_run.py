@@ -19,7 +19,7 @@ from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import CycleResult, Run, RunDrawer, RunState
+from nctakt.results.run import CycleResult, RecordedRun, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
@@ -29,7 +29,7 @@ from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.deadlocks import deadlock, never_sent
 from nctakt.run.inputs import NEVER
 from nctakt.run.options import RunKeywords
-from nctakt.run.plc_view import PlcView, WatchedPlc
+from nctakt.run.plc_view import PlcView, WatchedPlc, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
 from nctakt.run.stimuli import as_inputs, not_reached, read_stimulus
 from nctakt.run.tick_loop import TickLoop, TickShares
@@ -76,14 +76,14 @@ class ProgramRun:
         self._end = first_tick + self._limit()
         self._stimuli = [read_stimulus(stimulus) for stimulus in options["at"]]
         _set_up(loop.channels, options)
-        loop.attach(options["plc"])
+        self._plc = plc = plc_object(options["plc"])
+        loop.attach(plc)
         for name, value in (options["set"] or {}).items():
             machine.write(name, value)
         machine.access.apply_writes()
         machine.inputs.listen(options["record"])
         for stimulus in self._stimuli:
             machine.access.check(stimulus.name, stimulus.value)
-        plc = options["plc"]
         if isinstance(plc, WatchedPlc):
             plc.begin_run(PlcView(machine))
         self._first_diagnostic = len(diagnostics) if first_tick else 0
@@ -305,7 +305,7 @@ class ProgramRun:
     def result(self) -> Run:
         """Return the result of a run that is over and closed."""
         assert self.state is not None
-        machine, loop, plc = self._machine, self._loop, self._options["plc"]
+        machine, loop, plc = self._machine, self._loop, self._plc
         if self.state not in ("error", "interrupted"):
             end_us = (loop.tick - self._first_tick) * self._cycle_time_us
             self._diagnostics += not_reached(self._stimuli, end_us, self._cycle_time_us)
@@ -316,7 +316,8 @@ class ProgramRun:
             self._diagnostics += scheduled.findings()
         report, coverage = loop.recording.why(self._first_tick, self.texts)
         statistics = self._statistics
-        return Run(
+        kind: type[Run] = Run if self._memory is None else RecordedRun
+        return kind(
             programs=tuple(
                 program_loader.name_of(program)
                 for own in self._programs.values()

@@ -61,10 +61,9 @@ class Stimulus:
 
     def __init__(self, time: TimeLike, name: str, value: float | str) -> None:
         arguments.text("name", name)
-        arguments.number_or_text(name, value)
         object.__setattr__(self, "time", read_time(time))
         object.__setattr__(self, "name", name)
-        object.__setattr__(self, "value", value)
+        object.__setattr__(self, "value", arguments.number_or_text(name, value))
 
 
 #: A stimulus in the Python interface.

@@ -157,7 +157,7 @@ class VariableAccess:
     def converted(self, name: str, value: float | bool | str) -> Write:
         """Return the converted value; raises ``Failure`` for an unknown name and a wrong value."""
         shown = self._find_panel(arguments.text("name", name))
-        arguments.number_or_text(name, value)
+        value = arguments.number_or_text(name, value)
         if shown is not None:
             return Write(shown.cell, command_number(shown.name, shown.entry, value))
         location, cell = self._find(name)

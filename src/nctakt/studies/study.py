@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
+from nctakt.base.plain_values import plain_data
 from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
 from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
@@ -178,7 +179,7 @@ class Study:
         **entries: Any,
     ) -> None:
         if file is None:
-            plan = read_tables(entries, Path(), default_machine=default_machine)
+            plan = read_tables(plain_data(entries), Path(), default_machine=default_machine)
         else:
             plan = replace(read_plan(Path(file), default_machine), **entries)
         if functions:

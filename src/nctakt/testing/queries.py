@@ -40,7 +40,7 @@ def run_program(
     program: str | Path,
     folder: Path,
     *,
-    plc: AnyPlc | str | Path | None = None,
+    plc: AnyPlc | type[AnyPlc] | str | Path | None = None,
     why: bool = False,
     limit_fails: bool | None = None,
     **options: Unpack[ProgramOptions],
@@ -91,8 +91,8 @@ def run_program(
 
 
 def _settings_beside(
-    named: Named, plc: AnyPlc | str | Path | None
-) -> tuple[RunSettings, AnyPlc | None]:
+    named: Named, plc: AnyPlc | type[AnyPlc] | str | Path | None
+) -> tuple[RunSettings, AnyPlc | type[AnyPlc] | None]:
     """Return the settings of a run with the PLC that it names, and that PLC or the project's."""
     if plc is None or isinstance(plc, str | Path):
         settings = run_settings([named.base], FileAccess(), replace(named, plc=plc))

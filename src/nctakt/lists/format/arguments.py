@@ -15,6 +15,7 @@ from typing import Any, NoReturn, SupportsIndex
 
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
+from nctakt.base.plain_values import plain_number
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import ARGUMENT_OF_WRONG_TYPE
 
@@ -47,10 +48,14 @@ def text(name: str, value: object) -> str:
 
 
 def number_or_text(name: str, value: object) -> float | str:
-    """Return the value of a variable; raises ``Failure`` for what no variable holds."""
-    if not isinstance(value, str | int | float):
+    """Return the value of a variable; raises ``Failure`` for what no variable holds.
+
+    A number of numpy becomes the one of Python.
+    """
+    plain = plain_number(value)
+    if not isinstance(plain, str | int | float):
         refuse(name, value, _NUMBER_OR_TEXT)
-    return value
+    return plain
 
 
 def path(name: str, value: object) -> Path:

@@ -16,6 +16,7 @@ from datetime import timedelta
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
+from nctakt.base.plain_values import plain_number
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import INVALID_TIME, WRONG_TIME_TYPE
 
@@ -78,6 +79,7 @@ def read_time(value: TimeLike) -> Time:
 
     Raises ``Failure`` for an invalid text or number (900510) and for another type (900513).
     """
+    value = plain_number(value)
     if isinstance(value, Time):
         return value
     if isinstance(value, str):

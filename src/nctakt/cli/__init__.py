@@ -49,6 +49,7 @@ _GROUPS: Mapping[Text, Mapping[str, str]] = {
         "live": "nctakt.cli.live",
         "why": "nctakt.cli.why",
         "time": "nctakt.cli.time",
+        "compare": "nctakt.cli.compare",
         "coverage": "nctakt.cli.coverage",
         "disassemble": "nctakt.cli.disassemble",
         "explain": "nctakt.cli.explain",

@@ -38,8 +38,7 @@ def with_retained(
     )
 
     plcs = plcs_that_retain(request.plc)
-    # The file is read and written: it is no input that an output must not replace.
-    values, warnings = read_retained(options.retain, plcs, FileAccess(access.folders))
+    values, warnings = read_retained(options.retain, plcs, access)
     print_diagnostics(warnings, options.language)
     file = files.enter_context(OutputFile(options.retain, "--retain", access))
     words = (*(assignment_text(*one) for one in values.items()), *options.run["set"])

@@ -9,11 +9,12 @@ name.
 
 from __future__ import annotations
 
+import io
 import os
 import stat
 from collections.abc import Sequence
 from pathlib import Path
-from typing import BinaryIO
+from typing import BinaryIO, TextIO
 
 from nctakt.base.failure import Failure
 from nctakt.base.long_text import LinesTooLong, LongText, is_long
@@ -154,6 +155,13 @@ class FileAccess:
             raise _too_long(path) from error
         except OSError as error:
             raise _unreadable(path, error) from error
+
+    def open_text(self, path: Path, encoding: str) -> TextIO:
+        """Return a text of any length, open to be read line by line; raises as ``read_bytes``.
+
+        Bytes that the encoding has not become a mark of that.
+        """
+        return io.TextIOWrapper(self._opened(path), encoding=encoding, errors="replace")
 
     def read_begin(self, path: Path) -> bytes:
         """Return the first ``BEGIN_BYTES`` of a file; raises ``Failure`` as ``read_bytes``."""

@@ -43,7 +43,7 @@ def read_retained(
     if not Path(path).exists():
         return {}, []
     try:
-        content = json.loads(access.read_bytes(Path(path)))
+        content = json.loads(access.read_bytes(Path(path), is_replaced=True))
     except (ValueError, RecursionError) as error:
         raise Failure(diagnostic(RETAINED_UNREADABLE, file=str(path), reason=str(error))) from error
     if not isinstance(content, dict) or not all(map(_is_value, content.values())):

@@ -45,6 +45,7 @@ from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import StimulusLike, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
 from nctakt.trace.recorded import EventList
+from nctakt.trace.sinks import Signal
 
 if TYPE_CHECKING:
     from nctakt.run.inputs import Input
@@ -201,6 +202,13 @@ class Controller:
         if arguments.text("name", name) not in signals:
             raise Failure(self._machine.unknown_signal(name))
         return signals[name][1]
+
+    def signals(self) -> list[Signal]:
+        """Return all signals that a run can record, with their units."""
+        return [
+            Signal(name, unit, is_whole)
+            for name, (_, unit, is_whole) in self._machine.signals().items()
+        ]
 
     def interface_image(self, name: str | None = None) -> SharedImage:
         """Return the HLI as bytes, live until it is closed, and shared under ``name`` if given.

@@ -97,8 +97,8 @@ FRONT_ENDS: Mapping[str, Text] = {
     **{
         name: Text(f"nctakt {name}", f"nctakt {name}")
         for name in (
-            "run", "why", "time", "disassemble", "coverage", "live", "serve", "study", "check",
-            "replay",
+            "run", "why", "time", "compare", "disassemble", "coverage", "live", "serve", "study",
+            "check", "replay",
         )
     },
     "python": Text("Controller.run", "Controller.run"),
@@ -111,7 +111,7 @@ FRONT_ENDS: Mapping[str, Text] = {
     "tape": Text("a tape", "ein Band"),
 }  # fmt: skip
 
-_RUNS = "run why time disassemble coverage"
+_RUNS = "run why time compare disassemble coverage"
 _SESSIONS = "live serve"
 _DATA = "python session test plan launch"
 

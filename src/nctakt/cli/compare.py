@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt compare``: lay a machine's log over the run of its program.
+
+In: a log, programs, machine, a mapping of columns to signals, tolerances. Out: how far both are
+apart, and where. Exit code 1 if a signal leaves its tolerance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nctakt.base.diagnostics import Text
+from nctakt.base.failure import Failure
+from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
+from nctakt.cli.help import described, option
+from nctakt.cli.options import FORMAT_OPTION
+from nctakt.cli.request import Options, read_request
+from nctakt.cli.running import (
+    TIMES_NOTE,
+    choose_mode,
+    exit_code,
+    run_options,
+    run_programs,
+    shown_from,
+    start_controller,
+)
+from nctakt.cli.settings import carry_out
+from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.comparison import TOLERANCE_UNREADABLE
+
+if TYPE_CHECKING:
+    from nctakt.comparison.comparison import Comparison
+    from nctakt.comparison.mapping import MappingFile
+
+_CODES = (
+    Text("the run is within the tolerances", "der Lauf liegt innerhalb der Toleranzen"),
+    Text(
+        "a signal leaves its tolerance, or the program fails",
+        "ein Signal verlässt seine Toleranz, oder das Programm scheitert",
+    ),
+)
+
+
+@described(
+    "compare",
+    summary=Text("Lay a machine's log over a run.", "Eine Aufzeichnung über einen Lauf legen."),
+    text=Text(
+        "Run NC programs and tell how far a log of the machine is from them, and in which block.",
+        "NC-Programme ausführen und sagen, wie weit eine Aufzeichnung der Maschine davon abweicht "
+        "und in welchem Satz.",
+    ),
+    codes=_CODES,
+    notes=Text(
+        "The log is text: an export of TwinCAT Scope, a trace of nctakt, or a table with names and "
+        f"times. {TIMES_NOTE.en}",
+        "Die Aufzeichnung ist Text: ein Export von TwinCAT Scope, eine Aufzeichnung von nctakt "
+        f"oder eine Tabelle mit Namen und Zeiten. {TIMES_NOTE.de}",
+    ),
+    examples=(
+        "nctakt compare scope.csv part.nc --machine mill",
+        "nctakt compare scope.csv part.nc --tolerance 0.05 --tolerance S.SPEED=20",
+        "nctakt compare scope.csv part.nc --map scope.toml --offset 1.25s",
+    ),
+)
+@click.argument("log")
+@run_options("compare")
+@FORMAT_OPTION
+@option(
+    "--map",
+    "mapping",
+    metavar="FILE.toml",
+    text=Text("Which column belongs to which signal.", "Welche Spalte zu welchem Signal gehört."),
+)
+@option(
+    "--tolerance",
+    "tolerances",
+    metavar="[NAME=]VALUE",
+    multiple=True,
+    text=Text(
+        "How far a signal, or each, may be off, in its unit; may be repeated.",
+        "Wie weit ein Signal oder jedes abweichen darf, in seiner Einheit; mehrfach möglich.",
+    ),
+)
+@option(
+    "--offset",
+    metavar="TIME",
+    text=Text(
+        "When the run begins in the log [default: found by correlation].",
+        "Wann der Lauf in der Aufzeichnung beginnt [Vorgabe: über Korrelation gesucht].",
+    ),
+)
+def command(
+    log: str, mapping: str | None, tolerances: tuple[str, ...], offset: str | None, **words: Any
+) -> int:
+    """Compare."""
+    return carry_out(
+        words, lambda options, access: _compare(options, access, log, mapping, tolerances, offset)
+    )
+
+
+def _compare(
+    options: Options,
+    access: FileAccess,
+    name: str,
+    mapping: str | None,
+    tolerances: tuple[str, ...],
+    offset: str | None,
+) -> int:
+    """Run, compare and report; raises ``Failure`` for invalid options and logs."""
+    choose_mode(options)
+    from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.comparison.log_file import open_log  # noqa: PLC0415
+    from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
+    from nctakt.lists.format.times import read_time  # noqa: PLC0415
+
+    limits = dict(_tolerance(text) for text in tolerances)
+    said: MappingFile = MappingFile() if mapping is None else read_mapping(mapping, access)
+    log = open_log(name, access, said.log)
+    request = read_request(options, access)
+    controller = start_controller(options, access)
+    offset_us = None if offset is None else read_time(offset).us(controller.cycle_time_us)
+    signals = {one.name: one for one in controller.signals()}
+    for wished in (*said.wishes, *filter(None, limits)):
+        if wished not in signals:
+            controller.signal(wished)  # raises with the nearest name
+    axes = [axis.name for axis in controller.machine.axes]
+    pairs = pairs_of(log, list(signals.values()), axes, said.wishes)
+    recorded = tuple(dict.fromkeys(pair.signal.name for pair in pairs))
+    run = run_programs(options, replace(request, signals=recorded), controller, is_drawn=True)
+    if run is None:
+        return EXIT_NC_ERROR
+    print_diagnostics(run.diagnostics, options.language, shown_from(options))
+    comparison = compare(log, run, pairs, limits, offset_us)
+    print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
+    _show(options, comparison)
+    return max(exit_code(options, run), EXIT_RAN if comparison.is_within else EXIT_NC_ERROR)
+
+
+def _tolerance(text: str) -> tuple[str, float]:
+    """Return signal ("" for all) and tolerance; raises ``Failure`` (902529)."""
+    name, _, value = text.rpartition("=")
+    try:
+        number = float(value)
+    except ValueError:
+        number = -1.0
+    if not 0.0 <= number < float("inf"):
+        raise Failure(diagnostic(TOLERANCE_UNREADABLE, text=text))
+    return name.strip(), number
+
+
+def _show(options: Options, comparison: Comparison) -> None:
+    from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as above
+    from nctakt.comparison.report import comparison_document, comparison_text  # noqa: PLC0415
+
+    if options.form == "json":
+        text = as_json(
+            run_document(
+                comparison.run, options.language, comparison=comparison_document(comparison)
+            )
+        )
+    else:
+        text = comparison_text(comparison, ", ".join(options.programs), options.language)
+    show_at_the_end(lambda file: print(text, end="", file=file))

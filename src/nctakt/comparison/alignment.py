@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: MIT
+"""The time of a log on the time of a run: offset and drift (LG-701 … LG-704).
+
+First both are differentiated on a coarse grid and correlated; then the deviation at the log's own
+stamps is made small by Huber's least squares over offset, drift, bias and gain. The log is never
+resampled for what is reported, and bias and gain are told, not taken out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy
+from numpy.typing import NDArray
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
+from nctakt.comparison.log import Samples
+
+Numbers = NDArray[numpy.float64]
+
+#: The grid of the correlation, in µs.
+_GRID_US = 4000.0
+#: A second peak of this share of the first makes the answer ambiguous (LG-704).
+_SECOND_PEAK = 0.95
+#: Least correlation that is believed.
+_MIN_QUALITY = 0.5
+#: Shortest log of which a drift is told, in µs.
+_DRIFT_FROM_US = 60e6
+#: Samples that the fit takes at most, and its rounds.
+_MAX_FITTED, _ROUNDS = 200_000, 30
+#: A step of the offset below this ends the fit, in µs.
+_SETTLED_US = 0.05
+#: Fewer samples than this tell nothing.
+_MIN_SAMPLES = 5
+#: A drift of less than so many standard errors is none.
+_SIGNIFICANT = 3.0
+#: Residuals beyond so many of their typical size count less.
+_HUBER = 1.345
+
+
+_TWO = Text("two offsets fit equally well", "zwei Versätze passen gleich gut")
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """A signal of the run: its value at each tick, ``period_us`` apart, the first at 0."""
+
+    period_us: float
+    values: Numbers
+
+    @property
+    def end_us(self) -> float:
+        """The time of its last value."""
+        return self.period_us * (len(self.values) - 1)
+
+    def at(self, times: Numbers) -> Numbers:
+        """Return the values at times, linear between ticks."""
+        stamps = numpy.arange(len(self.values)) * self.period_us
+        found: Numbers = numpy.interp(times, stamps, self.values)
+        return found
+
+    def slope_at(self, times: Numbers) -> Numbers:
+        """Return the change per µs at times."""
+        half = self.period_us / 2.0
+        found: Numbers = (self.at(times + half) - self.at(times - half)) / self.period_us
+        return found
+
+
+@dataclass(frozen=True, slots=True)
+class Alignment:
+    """Where the log lies: its stamp t is ``offset_us`` + (1 + ``drift``) · the run's time.
+
+    ``quality``: the correlation, 0 … 1; ``reason``: why there is no offset, ``None`` if there is
+    one. ``gain`` and ``bias`` are those of the pair that it was found by.
+    """
+
+    offset_us: float
+    drift: float = 0.0
+    quality: float = 0.0
+    gain: float = 1.0
+    bias: float = 0.0
+    reason: Text | None = None
+
+    def run_times(self, stamps: Numbers) -> Numbers:
+        """Return the run's times of the log's stamps, in µs."""
+        times: Numbers = (stamps - self.offset_us) / (1.0 + self.drift)
+        return times
+
+
+def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
+    """Return where a log lies on the time of a run."""
+    moving = [pair for pair in pairs if _energy(pair) > 0.0]
+    if not moving:
+        return Alignment(0.0, reason=Text("nothing moves in both", "nichts bewegt sich in beiden"))
+    offset, quality, second = _coarse(moving)
+    if quality < _MIN_QUALITY:
+        return Alignment(0.0, quality=quality, reason=_little(quality))
+    if second > _SECOND_PEAK:
+        return Alignment(0.0, quality=quality, reason=_TWO)
+    return _fine(max(moving, key=_energy), offset, quality)
+
+
+def _little(quality: float) -> Text:
+    return Text(
+        f"the best correlation is {quality:.2f}", f"die beste Korrelation ist {quality:.2f}"
+    )
+
+
+def _energy(pair: tuple[Samples, Curve]) -> float:
+    """Return how far a pair moves: the less of both sides' ranges."""
+    samples, curve = pair
+    if min(len(samples.values), len(curve.values)) < _MIN_SAMPLES:
+        return 0.0
+    return min(float(numpy.ptp(samples.values)), float(numpy.ptp(curve.values)))
+
+
+def _coarse(pairs: Sequence[tuple[Samples, Curve]]) -> tuple[float, float, float]:
+    """Return offset in µs, correlation, and the second peak's share of the first."""
+    first = min(float(samples.times[0]) for samples, _ in pairs)
+    last = max(float(samples.times[-1]) for samples, _ in pairs)
+    log_grid = numpy.arange(first, last + _GRID_US, _GRID_US)
+    run_grid = numpy.arange(0.0, max(curve.end_us for _, curve in pairs) + _GRID_US, _GRID_US)
+    size = 1 << int(len(log_grid) + len(run_grid)).bit_length()
+    total = numpy.zeros(size)
+    weight = 0.0
+    for samples, curve in pairs:
+        ours = numpy.diff(curve.at(run_grid), prepend=curve.values[0])
+        others = numpy.diff(numpy.interp(log_grid, samples.times, samples.values), prepend=0.0)
+        others[0] = 0.0
+        norm = float(numpy.sqrt((ours**2).sum() * (others**2).sum()))
+        if norm > 0.0:
+            spectrum = numpy.fft.rfft(others, size) * numpy.conj(numpy.fft.rfft(ours, size))
+            total += numpy.fft.irfft(spectrum, size) / norm
+            weight += 1.0
+    total /= max(weight, 1.0)
+    best = int(total.argmax())
+    peak = float(total[best])
+    far = numpy.abs((numpy.arange(size) - best + size // 2) % size - size // 2) > _width(
+        total, best
+    )
+    second = float(total[far].max()) / peak if peak > 0.0 and far.any() else 0.0
+    lag = best if best < size // 2 else best - size
+    return first + lag * _GRID_US, peak, second
+
+
+def _width(total: Numbers, best: int) -> int:
+    """Return how far the peak reaches: to where it has fallen to a half on both sides, doubled."""
+    half = total[best] / 2.0
+    rolled = numpy.roll(total, -best)
+    right = int((rolled < half).argmax())
+    left = int((rolled[::-1] < half).argmax()) + 1
+    return 2 * max(left, right, 2)
+
+
+def _fine(
+    pair: tuple[Samples, Curve], coarse_us: float, quality: float, *, may_drift: bool = True
+) -> Alignment:
+    """Return the alignment near a coarse offset, by one pair."""
+    samples, curve = pair
+    stride = max(1, len(samples.times) // _MAX_FITTED)
+    stamps, values = samples.times[::stride], samples.values[::stride]
+    may_drift = may_drift and float(stamps[-1] - stamps[0]) >= _DRIFT_FROM_US
+    middle = float(stamps.mean())
+    offset, drift, gain, bias = coarse_us, 0.0, 1.0, 0.0
+    error = numpy.zeros(4)
+    for _ in range(_ROUNDS):
+        times = (stamps - offset) / (1.0 + drift)
+        is_inside = (times >= 0.0) & (times <= curve.end_us)
+        if is_inside.sum() < _MIN_SAMPLES:
+            return Alignment(coarse_us, quality=quality)
+        inside = times[is_inside]
+        ours, slope = curve.at(inside), curve.slope_at(inside)
+        columns = [-slope, numpy.ones_like(slope), ours]
+        if may_drift:
+            columns.append(-slope * (stamps[is_inside] - middle))
+        matrix = numpy.stack(columns, axis=1)
+        solution, error = _robust(matrix, values[is_inside] - ours)
+        step = float(solution[0])
+        gain, bias = 1.0 + float(solution[2]), float(solution[1])
+        if may_drift:
+            step += (offset - middle) * float(solution[3])
+            drift += float(solution[3])
+        offset += step
+        if abs(step) < _SETTLED_US:
+            break
+    if may_drift and abs(drift) < _SIGNIFICANT * error[3]:
+        return _fine(pair, coarse_us, quality, may_drift=False)
+    return Alignment(offset, drift, quality, gain, bias)
+
+
+def _robust(matrix: Numbers, residual: Numbers) -> tuple[Numbers, Numbers]:
+    """Return the solution of Huber's least squares and its standard errors."""
+    weights = numpy.ones(len(residual))
+    solution: Numbers = numpy.zeros(matrix.shape[1])
+    left: Numbers = residual
+    scale = numpy.abs(matrix).max(axis=0)
+    scaled = matrix / numpy.where(scale > 0.0, scale, 1.0)
+    for _ in range(5):
+        root = numpy.sqrt(weights)
+        found = numpy.linalg.lstsq(scaled * root[:, None], residual * root, rcond=None)
+        solution = numpy.asarray(found[0], dtype=numpy.float64)
+        left = residual - scaled @ solution
+        size = float(numpy.median(numpy.abs(left))) / 0.6745
+        if size <= 0.0:
+            break
+        weights = numpy.minimum(1.0, _HUBER * size / numpy.maximum(numpy.abs(left), 1e-300))
+    spread = float((weights * left**2).sum()) / max(len(residual) - matrix.shape[1], 1)
+    normal = numpy.linalg.pinv((scaled * weights[:, None]).T @ scaled)
+    errors = numpy.sqrt(numpy.maximum(numpy.diag(normal) * spread, 0.0))
+    divisor = numpy.where(scale > 0.0, scale, 1.0)
+    return solution / divisor, errors / divisor

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Tables in text with a row of names and a column of stamps: our own traces and anybody's CSV.
+
+In: the text, and what a mapping file says about it (``[log]``). Names may carry units in brackets,
+``Position X [mm]``. A table of a kind without stamps has its period in a comment (LG-301).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from nctakt.base.failure import Failure
+from nctakt.comparison.delimited import Table
+from nctakt.comparison.log import LogColumn
+from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.comparison import NO_NAMES_IN_LOG, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
+
+#: Names of time columns, in lower case and without their unit.
+_TIMES = frozenset(
+    ("t", "time", "zeit", "timestamp", "time_us", "time_ms", "time_s", "zeitstempel")
+)
+#: Microseconds of the units of stamps.
+TIME_UNITS = {"us": 1.0, "µs": 1.0, "ms": 1e3, "s": 1e6, "sec": 1e6, "min": 6e7, "ns": 1e-3}
+#: Columns of our own traces that are no signals.
+_NOT_SIGNALS = ("tick", "events")
+_UNIT = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
+_PERIOD = re.compile(r"sampling period\D*(\d+)\s*ns", re.IGNORECASE)
+
+
+class PlainTable(Table):
+    """A table with names, open to be read; ``said``: its ``[log]`` in a mapping file."""
+
+    def __init__(
+        self, path: Path, access: FileAccess, encoding: str, said: Mapping[str, str]
+    ) -> None:
+        super().__init__(path, access, encoding)
+        self._said = said
+        self.decimal = said.get("decimal", "")
+        names = self._read_names()
+        cells = [_split_unit(name) for name in names]
+        time = self._time_column(cells)
+        self.columns = [
+            LogColumn(name, unit, at, time)
+            for at, (name, unit) in enumerate(cells)
+            if at != time and name and name not in _NOT_SIGNALS
+        ]
+        if not self.columns:
+            raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
+
+    def _read_names(self) -> list[str]:
+        """Return the cells of the row of names; find separator and first row."""
+        names: list[str] = []
+        for number, line in self.lines():
+            period = _PERIOD.search(line)
+            if period is not None:
+                self.period_us = int(period[1]) / 1e3
+            if not line.strip() or line.startswith("#"):
+                continue
+            if names:
+                self.begin = number
+                return names
+            self.separator = self._said.get("separator") or _separator_of(line)
+            names = [cell.strip().strip('"') for cell in line.split(self.separator)]
+            if any(map(_is_number, names)):
+                raise Failure(diagnostic(NO_NAMES_IN_LOG, file=self.file, line=number))
+        raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
+
+    def _time_column(self, cells: Sequence[tuple[str, str]]) -> int:
+        """Return the column of the stamps, -1 for a table with a period."""
+        named = self._said.get("time", "").lower()
+        for at, (name, unit) in enumerate(cells):
+            is_time = name.lower() == named if named else name.lower() in _TIMES
+            if is_time:
+                word = self._said.get("time_unit") or unit or name.lower().rpartition("_")[2]
+                self.time_us = TIME_UNITS.get(word, TIME_UNITS["s"])
+                return at
+        if named or not self.period_us:
+            raise Failure(diagnostic(NO_TIME_IN_LOG, file=self.file))
+        return -1
+
+
+def _split_unit(name: str) -> tuple[str, str]:
+    """Return name and unit of ``Position X [mm]``."""
+    found = _UNIT.search(name)
+    return (name, "") if found is None else (name[: found.start()].strip(), found[1].strip())
+
+
+def _separator_of(line: str) -> str:
+    """Return what separates the names: the most frequent of tab, semicolon and comma."""
+    return max("\t;,", key=line.count)
+
+
+def _is_number(text: str) -> bool:
+    return re.fullmatch(r"[+-]?\d+([.,]\d+)?([eE][+-]?\d+)?", text) is not None

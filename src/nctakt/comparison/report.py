@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: MIT
+"""A comparison as text and as data."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from nctakt.base.diagnostics import Language, Span, Text
+from nctakt.comparison.alignment import Alignment
+from nctakt.comparison.comparison import Comparison, Running
+from nctakt.comparison.deviations import Deviation
+from nctakt.results.summary import Table, plain_table
+
+_HEADS = (
+    Text("signal", "Signal"),
+    Text("in the log", "in der Aufzeichnung"),
+    Text("samples", "Werte"),
+    Text("greatest", "größte"),
+    Text("at", "bei"),
+    Text("mean", "Mittel"),
+    Text("RMS", "RMS"),
+    Text("99 %", "99 %"),
+)
+_TITLE = Text(
+    "{program} beside {log}: log minus run", "{program} neben {log}: Aufzeichnung minus Lauf"
+)
+_FOUND = Text(
+    "the run begins {offset} s after the log's zero, drift {drift} ppm "
+    "(by {names}, correlation {quality})",
+    "der Lauf beginnt {offset} s nach der Null der Aufzeichnung, Drift {drift} ppm "
+    "(über {names}, Korrelation {quality})",
+)
+_GIVEN = Text(
+    "the run begins {offset} s after the log's zero, as given",
+    "der Lauf beginnt {offset} s nach der Null der Aufzeichnung, wie angegeben",
+)
+_GAIN = Text(
+    "the log is {gain} times the run, {bias} beside it",
+    "die Aufzeichnung ist {gain}-mal der Lauf, {bias} daneben",
+)
+_LEAVES = Text(
+    "{signal} leaves its tolerance first at {time} s, with {count} of {samples} samples beyond",
+    "{signal} verlässt seine Toleranz zuerst bei {time} s, {count} von {samples} Werten liegen "
+    "außerhalb",
+)
+_FARTHEST = Text("{signal} is farthest at {time} s", "{signal} ist am weitesten bei {time} s")
+_AT_BLOCK = Text("block in {file}:{line}", "Satz in {file}:{line}")
+_REACTION = Text("{event} {since} ms before", "{event} {since} ms davor")
+_SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
+_WITHIN = Text("within the tolerances", "innerhalb der Toleranzen")
+_BEYOND = Text("beyond the tolerances", "außerhalb der Toleranzen")
+
+#: A gain that is told: further from 1 than this.
+_TOLD_GAIN = 1e-4
+
+
+def comparison_text(comparison: Comparison, program: str, language: Language) -> str:
+    """Return the comparison as text."""
+    rows = tuple(_row(one, language) for one in comparison.deviations)
+    heads = tuple(head.get(language) for head in _HEADS)
+    title = _TITLE.get(language).format(program=program, log=comparison.log.file)
+    lines = [title, *_alignment(comparison, language), "", *plain_table(Table(heads, rows)), ""]
+    for one in comparison.deviations:
+        lines += _remarks(comparison, one, language)
+    if any(one.pair.is_suggested for one in comparison.deviations):
+        lines.append(f"* {_SUGGESTED.get(language)}")
+    lines.append((_WITHIN if comparison.is_within else _BEYOND).get(language))
+    return "\n".join(lines) + "\n"
+
+
+def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
+    found = comparison.alignment
+    offset = f"{found.offset_us / 1e6:.6f}"
+    if not comparison.aligned_by:
+        yield _GIVEN.get(language).format(offset=offset)
+    elif found.reason is None:
+        yield _FOUND.get(language).format(
+            offset=offset,
+            drift=f"{found.drift * 1e6:.2f}",
+            names=comparison.aligned_by,
+            quality=f"{found.quality:.3f}",
+        )
+        if abs(found.gain - 1.0) > _TOLD_GAIN:
+            yield _GAIN.get(language).format(gain=f"{found.gain:.5f}", bias=f"{found.bias:.4g}")
+
+
+def _row(one: Deviation, language: Language) -> tuple[str, ...]:
+    unit = one.pair.signal.unit
+    mark = "*" if one.pair.is_suggested else ""
+    return (
+        one.pair.signal.name,
+        f"{one.pair.column.name}{mark}",
+        str(one.samples),
+        f"{one.greatest:.4g} {unit}".rstrip(),
+        f"{one.greatest_us / 1e6:.6f} s",
+        f"{one.mean:.3g}",
+        f"{one.rms:.3g}",
+        f"{one.percentile:.3g}",
+    )
+
+
+def _remarks(comparison: Comparison, one: Deviation, language: Language) -> Iterator[str]:
+    if one.first_us is not None:
+        yield _LEAVES.get(language).format(
+            signal=one.pair.signal.name,
+            time=f"{one.first_us / 1e6:.6f}",
+            count=one.beyond,
+            samples=one.samples,
+        )
+        yield from _where(comparison.running_at(one.first_us), language)
+    elif one.greatest:
+        yield _FARTHEST.get(language).format(
+            signal=one.pair.signal.name, time=f"{one.greatest_us / 1e6:.6f}"
+        )
+        yield from _where(comparison.running_at(one.greatest_us), language)
+
+
+def _where(running: Running, language: Language) -> Iterator[str]:
+    if running.block is not None:
+        yield "  " + _AT_BLOCK.get(language).format(
+            file=running.block.file, line=running.block.line
+        )
+    if running.reaction is not None:
+        since = (running.time_us - running.reaction.time_us) / 1000.0
+        yield "  " + _REACTION.get(language).format(event=running.reaction, since=f"{since:g}")
+
+
+def comparison_document(comparison: Comparison) -> dict[str, Any]:
+    """Return the comparison as data."""
+    return {
+        "log": comparison.log.file,
+        "within": comparison.is_within,
+        "alignment": _alignment_document(comparison.alignment),
+        "signals": [_document(comparison, one) for one in comparison.deviations],
+    }
+
+
+def _alignment_document(found: Alignment) -> dict[str, Any]:
+    return {
+        "offset_us": found.offset_us,
+        "drift": found.drift,
+        "quality": found.quality,
+        "gain": found.gain,
+        "bias": found.bias,
+        "is_known": found.reason is None,
+    }
+
+
+def _document(comparison: Comparison, one: Deviation) -> dict[str, Any]:
+    at = one.greatest_us if one.first_us is None else one.first_us
+    running = comparison.running_at(at)
+    return {
+        "signal": one.pair.signal.name,
+        "column": one.pair.column.name,
+        "unit": one.pair.signal.unit,
+        "suggested": one.pair.is_suggested,
+        "samples": one.samples,
+        "greatest": one.greatest,
+        "greatest_us": one.greatest_us,
+        "mean": one.mean,
+        "rms": one.rms,
+        "percentile_99": one.percentile,
+        "first_us": one.first_us,
+        "beyond": one.beyond,
+        "block": _span(running.block),
+        "reaction": None if running.reaction is None else str(running.reaction),
+    }
+
+
+def _span(span: Span | None) -> dict[str, Any] | None:
+    return None if span is None else {"file": span.file, "line": span.line}

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Messages about a machine's log and its comparison with a run."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error, note, warning
+
+LOG_IN_OTHER_FORM = error(
+    902510,
+    en="{file} is a log in a form that is not read here",
+    de="{file} ist eine Aufzeichnung in einer Form, die hier nicht gelesen wird",
+    remedy_en="Export it as text: TC3ScopeExportTool.exe writes .csv from .svdx.",
+    remedy_de="Als Text exportieren: TC3ScopeExportTool.exe schreibt .csv aus .svdx.",
+)
+NO_TIME_IN_LOG = error(
+    902511,
+    en="{file} has no column that is known as one of times",
+    de="{file} hat keine Spalte, die als Zeit bekannt ist",
+    remedy_en='Name it in a mapping file: [log] time = "t", time_unit = "ms".',
+    remedy_de='In einer Zuordnungsdatei nennen: [log] time = "t", time_unit = "ms".',
+)
+NO_NAMES_IN_LOG = error(
+    902512,
+    en="{file}, line {line}: there is no row of names before the numbers",
+    de="{file}, Zeile {line}: Vor den Zahlen steht keine Zeile mit Namen",
+    remedy_en="Add a first line with the names of the columns.",
+    remedy_de="Eine erste Zeile mit den Namen der Spalten ergänzen.",
+    line=("the line", "die Zeile"),
+)
+NO_SIGNAL_IN_LOG = error(
+    902513,
+    en="{file} has no signals",
+    de="{file} hat keine Signale",
+    remedy_en="Check whether the export is complete.",
+    remedy_de="Prüfen, ob der Export vollständig ist.",
+)
+NO_NUMBER_IN_LOG = error(
+    902514,
+    en="'{text}' is no number",
+    de="'{text}' ist keine Zahl",
+    remedy_en="Say separator and decimal mark in a mapping file, or leave the column out of it.",
+    remedy_de="Trennzeichen und Dezimalzeichen in einer Zuordnungsdatei sagen oder die Spalte "
+    "weglassen.",
+    text=("the text", "der Text"),
+)
+COMMA_FOR_BOTH = error(
+    902515,
+    en="{file} has the comma as separator and as decimal mark: its columns cannot be told apart",
+    de="{file} hat das Komma als Trenn- und als Dezimalzeichen: Spalten sind nicht zu trennen",
+    remedy_en="Export it with a semicolon or a tab as separator.",
+    remedy_de="Mit Semikolon oder Tabulator als Trennzeichen exportieren.",
+)
+LOG_IS_EMPTY = error(
+    902516,
+    en="{file} has no samples of {name}",
+    de="{file} hat keine Werte von {name}",
+    remedy_en="Leave it out of the mapping, or record it.",
+    remedy_de="Das Signal aus der Zuordnung nehmen oder aufzeichnen.",
+)
+TIME_RUNS_BACK = error(
+    902517,
+    en="{file}: the time of {name} runs back after {time} s",
+    de="{file}: Die Zeit von {name} läuft nach {time} s zurück",
+    time=("the time", "die Zeit"),
+    remedy_en="Split the log there: it holds several recordings.",
+    remedy_de="Die Aufzeichnung dort teilen: Sie enthält mehrere.",
+)
+UNITS_DO_NOT_FIT = error(
+    902518,
+    en="{name} of the log is in {unit}, {signal} in {other}",
+    de="{name} der Aufzeichnung hat die Einheit {unit}, {signal} hat {other}",
+    remedy_en="Correct the mapping, or give a factor there.",
+    remedy_de="Die Zuordnung berichtigen oder dort einen Faktor angeben.",
+    signal=("the signal", "das Signal"),
+    unit=("the unit", "die Einheit"),
+    other=("its unit", "dessen Einheit"),
+)
+NOTHING_IS_MAPPED = error(
+    902519,
+    en="no column of {file} belongs to a signal: it has {columns}",
+    de="keine Spalte von {file} gehört zu einem Signal: Sie hat {columns}",
+    remedy_en='Write a mapping file: [signals] "X.ACS.ACT_POS" = "name in the log".',
+    remedy_de='Eine Zuordnungsdatei schreiben: [signals] "X.ACS.ACT_POS" = "Name im Log".',
+    columns=("its columns", "ihre Spalten"),
+)
+COLUMN_UNKNOWN = error(
+    902520,
+    en="{file} has no column '{name}'{hint}",
+    de="{file} hat keine Spalte '{name}'{hint}",
+    remedy_en="Correct the mapping.",
+    remedy_de="Die Zuordnung berichtigen.",
+    hint=("the nearest name", "der nächste Name"),
+)
+MAPPING_UNREADABLE = error(
+    902521,
+    en="{file} is no mapping of a log: {reason}",
+    de="{file} ist keine Zuordnung einer Aufzeichnung: {reason}",
+    remedy_en="docs/compare.md says what it may hold.",
+    remedy_de="docs/compare.md sagt, was darin stehen kann.",
+    reason=("what is wrong", "was falsch ist"),
+)
+NO_OVERLAP = error(
+    902522,
+    en="log and run have no time in common: the log lies {offset} s after the run",
+    de="Aufzeichnung und Lauf haben keine Zeit gemeinsam: Sie liegt {offset} s nach dem Lauf",
+    remedy_en="Give the right time with --offset, or leave it out.",
+    remedy_de="Mit --offset die richtige Zeit angeben oder die Angabe weglassen.",
+    offset=("the offset", "der Versatz"),
+)
+LOG_TEXT_CUT = error(
+    902523,
+    en="{file}, line {line} has more than a million characters",
+    de="{file}, Zeile {line} hat mehr als eine Million Zeichen",
+    remedy_en="Check whether this is a log.",
+    remedy_de="Prüfen, ob das eine Aufzeichnung ist.",
+    line=("the line", "die Zeile"),
+)
+SCALE_IN_LOG = note(
+    902524,
+    en="{name} has a scale in the log ({rows}); whether it is in the values the log does not say",
+    de="{name} hat im Log eine Skalierung ({rows}); ob sie in den Werten steckt, sagt es nicht",
+    remedy_en="If it is not, give factor and offset in a mapping file.",
+    remedy_de="Wenn nicht, Faktor und Versatz in einer Zuordnungsdatei angeben.",
+    rows=("the rows", "die Zeilen"),
+)
+EQUAL_STAMPS = note(
+    902525,
+    en="up to {count} samples of {name} share a stamp; they are spread over {time} ms",
+    de="bis zu {count} Werte von {name} haben denselben Zeitstempel; sie werden auf {time} ms "
+    "verteilt",
+    remedy_en="Record with a finer time.",
+    remedy_de="Mit feinerer Zeit aufzeichnen.",
+    time=("the time between two stamps", "die Zeit zwischen zwei Zeitstempeln"),
+    count=("the count", "die Anzahl"),
+)
+LOG_NOT_UTF8 = note(
+    902526,
+    en="{file} is no UTF-8; it is read as Windows-1252",
+    de="{file} ist kein UTF-8; die Datei wird als Windows-1252 gelesen",
+    remedy_en="Export it as UTF-8 if names look wrong.",
+    remedy_de="Als UTF-8 exportieren, wenn Namen falsch aussehen.",
+)
+NAMES_ALIKE = note(
+    902527,
+    en="{columns} all look like {signal}: none is compared",
+    de="{columns} sehen alle nach {signal} aus: keines wird verglichen",
+    remedy_en="Choose one in a mapping file.",
+    remedy_de="Eines in einer Zuordnungsdatei wählen.",
+    signal=("the signal", "das Signal"),
+    columns=("the columns", "die Spalten"),
+)
+TIMES_NOT_ALIGNED = warning(
+    902528,
+    en="the time of the log is taken as that of the run: {reason}",
+    de="die Zeit der Aufzeichnung gilt als die des Laufs: {reason}",
+    remedy_en="Give --offset, or record a signal that moves.",
+    remedy_de="--offset angeben oder ein Signal aufzeichnen, das sich bewegt.",
+    reason=("the reason", "der Grund"),
+)
+TOLERANCE_UNREADABLE = error(
+    902529,
+    en="'{text}' is no tolerance",
+    de="'{text}' ist keine Toleranz",
+    remedy_en="Write a number for all signals, or SIGNAL=NUMBER.",
+    remedy_de="Eine Zahl für alle Signale schreiben, oder SIGNAL=ZAHL.",
+    text=("the text", "der Text"),
+)

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt compare`` as a user meets it; the logs are runs of our own with known changes."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy
+import pytest
+
+from nctakt.cli import main
+from nctakt.run.controller import Controller
+
+PART = "N10 G01 X100 Y50 F6000\nN20 X0\nN30 G04 0.2\nN40 Y0 X30\nN50 X80 F3000\nM30\n"
+#: N40 begins after 1.226 + 1.025 + 0.2 s or so: what comes later than this is late in the log.
+LATE_FROM_S = 2.6
+
+
+@pytest.fixture(name="scope", autouse=True)
+def _scope(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A log of 2 ms that begins 1.2345 s before the run; Y is 3 ms late in the end."""
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text(PART, "utf-8")
+    trace = Controller().run("part.nc", signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]).trace
+    ours = numpy.arange(trace.ticks) * 0.001
+    stamps = numpy.arange(0.0, ours[-1] + 2.5, 0.002)
+    in_run = stamps - 1.2345
+    noise = numpy.random.default_rng(1).normal(0.0, 0.002, (2, len(stamps)))
+    x = numpy.interp(in_run, ours, trace["X.ACS.ACT_POS"]) + noise[0]
+    y = (
+        numpy.interp(in_run - 0.003 * (in_run > LATE_FROM_S), ours, trace["Y.ACS.ACT_POS"])
+        + noise[1]
+    )
+    rows = [
+        f"{1000 * t:.3f}\t{a / 1000:.9f}\t{b:.6f}".replace(".", ",")
+        for t, a, b in zip(stamps, x, y, strict=True)
+    ]
+    head = "Name\tcell\nFile\tD:\\a.csv\n\n\nName\tAxis X ActPos\tAxis Y ActPos\n"
+    head += "Unit\tm (Length)\tmm (Length)\n\n"
+    Path("scope.csv").write_text(head + "\n".join(rows) + "\nEOF\n", "utf-8")
+    return tmp_path
+
+
+def test_a_delay_is_found_with_its_block(capsys: pytest.CaptureFixture[str]) -> None:
+    """Y is late by 3 ms from N40 on, at up to 91 mm/s: 0.26 mm; X is within its noise."""
+    assert main(["compare", "scope.csv", "part.nc", "--tolerance", "0.05"]) == 1
+    text = capsys.readouterr().out
+    assert "the run begins 1.2345" in text
+    assert "X.ACS.ACT_POS  Axis X ActPos*" in text
+    assert "Y.ACS.ACT_POS leaves its tolerance first at 2." in text
+    assert "block in part.nc:4" in text
+    assert text.endswith("beyond the tolerances\n")
+
+
+def test_tolerances_mapping_and_data(capsys: pytest.CaptureFixture[str]) -> None:
+    """A tolerance for each signal; the mapping's counts; the figures as JSON."""
+    Path("map.toml").write_text(
+        '[signals]\n"X.ACS.ACT_POS" = "Axis X ActPos"\n'
+        '"Y.ACS.ACT_POS" = { log = "Axis Y ActPos", tolerance = 0.4 }\n',
+        "utf-8",
+    )
+    words = ["compare", "scope.csv", "part.nc", "--map", "map.toml", "--format", "json"]
+    assert main([*words, "--tolerance", "Y.ACS.ACT_POS=0.01", "--tolerance", "0.05"]) == 0
+    found = json.loads(capsys.readouterr().out)["comparison"]
+    assert found["within"] is True
+    assert found["alignment"]["offset_us"] == pytest.approx(1_234_500.0, abs=20.0)
+    x, y = found["signals"]
+    assert (x["signal"], x["suggested"], x["block"]["file"]) == ("X.ACS.ACT_POS", False, "part.nc")
+    assert abs(x["greatest"]) < 0.012
+    assert y["greatest"] == pytest.approx(0.26, abs=0.02)
+    assert y["first_us"] is None
+
+
+def test_our_own_trace_is_the_run(capsys: pytest.CaptureFixture[str]) -> None:
+    """Signals have their names, the offset is known: no deviation at all."""
+    signals = "X.ACS.ACT_POS,BLOCK"
+    assert main(["run", "part.nc", "--quiet", "--trace", "t.csv", "--signals", signals]) == 0
+    words = ["compare", "t.csv", "part.nc", "--offset", "0s", "--tolerance", "0", "--lang", "de"]
+    assert main(words) == 0
+    text = capsys.readouterr().out
+    assert "wie angegeben" in text
+    assert "innerhalb der Toleranzen" in text
+
+
+@pytest.mark.parametrize(
+    ("words", "number"),
+    [
+        (["--tolerance", "wide"], 902529),
+        (["--tolerance", "X.ACS.ACT_PO=1"], 900545),
+        (["--map", "unit.toml"], 902518),
+        (["--map", "column.toml"], 902520),
+        (["--map", "key.toml"], 902521),
+        (["--map", "part.nc"], 902521),
+        (["--offset", "1h"], 902522),
+    ],
+)
+def test_wrong_words(words: list[str], number: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """Each is told before the run, or with what is wrong in it."""
+    signal = '[signals]\n"X.ACS.ACT_POS" = '
+    Path("unit.toml").write_text(f'{signal}{{ log = "Axis X ActPos", unit = "bar" }}', "utf-8")
+    Path("column.toml").write_text(f'{signal}"Axis X ActPo"', "utf-8")
+    Path("key.toml").write_text(f'{signal}{{ log = "Axis X ActPos", scale = 2 }}', "utf-8")
+    assert main(["compare", "scope.csv", "part.nc", *words]) == 2
+    assert str(number) in capsys.readouterr().err
+
+
+def test_a_log_without_a_signal(capsys: pytest.CaptureFixture[str]) -> None:
+    """902519 names the columns; 902527 those that look alike."""
+    Path("other.csv").write_text("t,pressure,X act,X Istwert\n0,1,1,1\n1,2,2,2\n", "utf-8")
+    assert main(["compare", "other.csv", "part.nc"]) == 2
+    text = capsys.readouterr().err
+    assert "902519" in text
+    assert "902527" in text

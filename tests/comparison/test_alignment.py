@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+"""Offset and drift of a log (LG-701 … LG-704), and what deviations are."""
+
+from __future__ import annotations
+
+import numpy
+import pytest
+
+from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.deviations import deviation_of
+from nctakt.comparison.log import LogColumn, Samples
+from nctakt.comparison.mapping import Pair, suggestion
+from nctakt.comparison.units import factor_between
+from nctakt.trace.sinks import Signal
+
+COLUMN = LogColumn("a", "", 1, 0)
+
+
+def wandering(seconds: float, seed: int) -> Curve:
+    """A curve of 1 ms that moves to and fro without repeating itself."""
+    random = numpy.random.default_rng(seed)
+    targets = numpy.cumsum(random.uniform(-20.0, 20.0, int(seconds * 2) + 2))
+    return Curve(
+        1000.0, numpy.interp(numpy.arange(0, seconds, 0.001) * 2, range(len(targets)), targets)
+    )
+
+
+def logged(
+    curve: Curve, step_us: float, offset_us: float, drift: float, gain: float = 1.0
+) -> Samples:
+    """What a log of a curve holds, from a second before it to a second after it."""
+    stamps = numpy.arange(offset_us - 1e6, offset_us + curve.end_us * (1 + drift) + 1e6, step_us)
+    noise = numpy.random.default_rng(7).normal(0.0, 0.002, len(stamps))
+    return Samples(stamps, gain * curve.at((stamps - offset_us) / (1.0 + drift)) + noise)
+
+
+@pytest.mark.parametrize(("step_us", "gain"), [(2000.0, 1.0), (10_000.0, 1.0), (2000.0, 1.001)])
+def test_offset_and_drift_are_found(step_us: float, gain: float) -> None:
+    """LG-702: within 0.001 ms and 0.1 ppm of 40 ppm; gain is told and spoils neither."""
+    curve = wandering(120.0, 1)
+    found = align([(logged(curve, step_us, 12_345_678.0, 40e-6, gain), curve)])
+    assert found.reason is None
+    assert found.offset_us == pytest.approx(12_345_678.0, abs=5.0)
+    assert found.drift * 1e6 == pytest.approx(40.0, abs=0.1)
+    assert found.gain == pytest.approx(gain, abs=5e-5)
+
+
+def test_a_short_log_has_no_drift() -> None:
+    """LG-704: in 20 s a drift of some ppm cannot be known."""
+    curve = wandering(20.0, 2)
+    found = align([(logged(curve, 2000.0, -500_000.0, 0.0), curve)])
+    assert found.drift == 0.0
+    assert found.offset_us == pytest.approx(-500_000.0, abs=2.0)
+
+
+def test_what_cannot_be_aligned_says_why() -> None:
+    """LG-704: nothing moves, nothing fits, and two offsets fit equally well."""
+    still = Curve(1000.0, numpy.zeros(5000))
+    assert "nothing moves" in str(align([(logged(still, 2000.0, 0.0, 0.0), still)]).reason)
+    one, other = wandering(20.0, 3), wandering(20.0, 4)
+    assert "correlation" in str(align([(logged(one, 2000.0, 0.0, 0.0), other)]).reason)
+    move = numpy.interp(numpy.arange(4000), [0, 1000, 1200, 2000, 2200], [0, 0, 10, 10, 0])
+    twice = numpy.concatenate([move, move])
+    log = Samples(numpy.arange(8000) * 1000.0, twice)
+    assert "two offsets" in str(align([(log, Curve(1000.0, move))]).reason)
+
+
+def test_deviations_by_hand() -> None:
+    """Log minus run at the log's stamps; a single sample beyond is no exceedance (LG-706)."""
+    curve = Curve(1000.0, numpy.arange(6.0))
+    times = numpy.array([-500.0, 500.0, 1500.0, 2500.0, 3500.0, 4500.0, 9000.0])
+    values = numpy.array([9.0, 1.5, 1.5, 2.75, 3.75, 4.5, 9.0])
+    pair = Pair(Signal("X", "mm"), COLUMN, 1.0, 0.0, None, False)
+    found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), 0.2)
+    assert found is not None
+    assert (found.samples, found.greatest, found.greatest_us) == (5, 1.0, 500)
+    assert (found.first_us, found.beyond) == (2500, 2)
+    assert found.mean == pytest.approx(0.3)
+    assert found.rms == pytest.approx((1.125 / 5) ** 0.5)
+
+
+def test_edges_of_truths_may_jitter_by_a_sample() -> None:
+    """LG-706: the log sees the edge one sample late; two samples late count."""
+    curve = Curve(1000.0, numpy.array([0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 1.0]))
+    pair = Pair(Signal("B", "", integral=True), COLUMN, 1.0, 0.0, None, False)
+    times = numpy.arange(7) * 1000.0
+    for late, beyond in ((1, 0), (2, 2)):
+        values = (numpy.arange(7) >= 2 + late).astype(float)
+        found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), 0.0)
+        assert found is not None
+        assert found.beyond == beyond
+
+
+def test_names_that_look_like_a_signal() -> None:
+    """Words of both languages; quantities that a run does not have are none."""
+    axes = ["X", "Y", "A"]
+    for name, signal in (
+        ("Axis X ActPos", "X.ACS.ACT_POS"), ("MAIN.fbAxisX.SetPos", "X.ACS.CMD_POS"),
+        ("Y_Istwert", "Y.ACS.ACT_POS"), ("Y Sollposition", ""), ("X_act", "X.ACS.ACT_POS"),
+        ("Axis X ActVelo", ""), ("X following error pos", ""), ("Spindle Speed", "S.SPEED"),
+        ("path feed", "PATH.SPEED"), ("XY pos", ""), ("position", ""),
+    ):  # fmt: skip
+        assert suggestion(name, axes) == signal, name
+
+
+def test_units() -> None:
+    """How many of the signal's unit one of the log's is; the micro sign has two characters."""
+    assert factor_between("\u03bcm", "mm") == factor_between("µm", "mm") == pytest.approx(0.001)
+    assert factor_between("mm/min", "mm/s") == pytest.approx(1 / 60)
+    assert factor_between("rpm", "1/min") == 1.0
+    assert factor_between("bar", "mm") is None

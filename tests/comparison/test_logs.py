@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""Logs of machines: exports of TwinCAT Scope (LG-101 … 111), tables of anybody's (LG-301, 304)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.comparison.log import Log
+from nctakt.comparison.log_file import open_log
+from nctakt.files.access import FileAccess
+
+SCOPE = """Name\tcell_trace
+File\tD:\\log\\cell_trace.csv
+Starttime of export\t134000000000000000\tMontag, 18. August 2025\t16:13:20.000
+Endtime of export\t134000000000060000\tMontag, 18. August 2025\t16:13:20.006
+
+
+Name\tX_act\tX_cmd\tName\tM10
+SymbolComment\tof the X axis\t\tSymbolComment\t
+and its second line
+Data-Type\tREAL64\tREAL64\tData-Type\tBIT
+SampleTime[ms]\t0,5\t0,5\tSampleTime[ms]\t2
+Unit\tm (Length)\tmm (Length)\tUnit\t(None)
+Unit ScaleFactor\t1\t-10\tUnit ScaleFactor\t1
+
+0\t0\t0\t-1\t0
+0,5\t0,0125\t0,0131\t1\t1
+1\t0,0494\t0,0502\t \t\x20
+1,5\t0,05\t0,06
+EOF
+"""
+
+
+def opened(folder: Path, text: str | bytes, **said: str) -> Log:
+    """The log of a text."""
+    path = folder / "log.csv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode("utf-8"))
+    return open_log(path, FileAccess(), said)
+
+
+def samples(log: Log) -> dict[str, list[tuple[float, float]]]:
+    """Stamp in ms and value of each sample, by the names of the columns."""
+    read = log.read(log.columns)
+    return {
+        column.name: [
+            (round(float(time) / 1000.0, 6), float(value))
+            for time, value in zip(one.times, one.values, strict=True)
+        ]
+        for column, one in zip(log.columns, read, strict=True)
+    }
+
+
+def numbers(log: Log) -> list[int]:
+    """The numbers of the notes."""
+    return [note.message.id for note in log.notes]
+
+
+def test_an_export_is_several_tables_side_by_side(tmp_path: Path) -> None:
+    """LG-101 … 107: groups with own times; blanks and short rows are no samples."""
+    log = opened(tmp_path, SCOPE)
+    assert [(one.name, one.unit) for one in log.columns] == [
+        ("X_act", "m"), ("X_cmd", "mm"), ("M10", ""),
+    ]  # fmt: skip
+    assert samples(log) == {
+        "X_act": [(0.0, 0.0), (0.5, 0.0125), (1.0, 0.0494), (1.5, 0.05)],
+        "X_cmd": [(0.0, 0.0), (0.5, 0.0131), (1.0, 0.0502), (1.5, 0.06)],
+        "M10": [(-1.0, 0.0), (1.0, 1.0)],
+    }
+    assert numbers(log) == [902524]
+
+
+def test_the_decimal_mark_holds_for_data_only(tmp_path: Path) -> None:
+    """LG-108: with the comma as separator ``SampleTime[ms],0,2`` is longer than the names."""
+    text = "Name,a,b\nSampleTime[ms],0,2,0,2\nUnit,mm (Length),(None)\n\n0,0.5,1\n0.2,0.51,1\n"
+    log = opened(tmp_path, text)
+    assert [(one.name, one.unit) for one in log.columns] == [("a", "mm"), ("b", "")]
+    assert samples(log)["a"] == [(0.0, 0.5), (0.2, 0.51)]
+    with pytest.raises(Failure, match="902515"):
+        opened(tmp_path, "Name,a,b\n0,0,0,5,1\n0,2,0,51,1\n")
+
+
+def test_full_time_stamps_are_exact(tmp_path: Path) -> None:
+    """LG-109: FILETIME counts 100 ns; 20,000 of them are 2 ms."""
+    text = "Name;X\n134000000000000000;0,0125\n134000000000020000;0,0249\n"
+    assert samples(opened(tmp_path, text)) == {"X": [(0.0, 0.0125), (2.0, 0.0249)]}
+
+
+def test_a_table_with_names_and_times(tmp_path: Path) -> None:
+    """LG-304: separator, decimal mark and units by what stands there, or as is said."""
+    log = opened(tmp_path, "Zeit [s];Position X [mm];ok\n0,001;1,5;TRUE\n0,002;;FALSE\n")
+    assert [(one.name, one.unit) for one in log.columns] == [("Position X", "mm"), ("ok", "")]
+    assert samples(log) == {"Position X": [(1.0, 1.5)], "ok": [(1.0, 1.0), (2.0, 0.0)]}
+    log = opened(tmp_path, "c|x\n5|1\n7|2\n", separator="|", time="c", time_unit="us")
+    assert samples(log) == {"x": [(0.005, 1.0), (0.007, 2.0)]}
+
+
+def test_a_trace_of_our_own(tmp_path: Path) -> None:
+    """``tick,time_us,…,events``: signals only."""
+    log = opened(
+        tmp_path, "tick,time_us,X.ACS.ACT_POS,events\n0,0,1,\n1,1000,2,fired 1 <- -:1:1>\n"
+    )
+    assert samples(log) == {"X.ACS.ACT_POS": [(0.0, 1.0), (1.0, 2.0)]}
+
+
+def test_a_table_with_a_period(tmp_path: Path) -> None:
+    """LG-301: no stamps; the rows are as far apart as the first line says."""
+    log = opened(tmp_path, "# Sampling period is 2000000 ns\na;b\n1.0;2.0\n3.0;4.0\n")
+    assert samples(log)["b"] == [(0.0, 2.0), (2.0, 4.0)]
+
+
+def test_stamps_that_several_samples_share(tmp_path: Path) -> None:
+    """LG-703: spread evenly, and told; LG-107: what repeats time and value is one sample."""
+    log = opened(tmp_path, "t,x\n0,1\n0,2\n0.01,3\n0.01,4\n0.02,5\n0.02,5\n")
+    assert samples(log)["x"] == [(0.0, 1.0), (5.0, 2.0), (10.0, 3.0), (15.0, 4.0), (20.0, 5.0)]
+    assert numbers(log) == [902525]
+
+
+def test_encodings(tmp_path: Path) -> None:
+    """UTF-8 with a mark, UTF-16, and what Windows wrote, which is told."""
+    text = "t;Höhe [°]\n0;1\n"
+    for encoding, found in (("utf-8-sig", []), ("utf-16", []), ("cp1252", [902526])):
+        log = opened(tmp_path, text.encode(encoding))
+        assert [(one.name, one.unit) for one in log.columns] == [("Höhe", "°")]
+        assert numbers(log) == found
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [
+        ("", 902513),
+        ("Name\tX\n", 902516),
+        ("a,b\n1,2\n", 902511),
+        ("1,2\n3,4\n", 902512),
+        ("t,x\n0,1\n1,one\n", 902514),
+        ("t,x\n0,1\n2,1\n1,1\n", 902517),
+        ("t,x\n0,\n", 902516),
+        ("t,x\n0,nan\n1,inf\n", 902516),
+        ("t,x\n" + "1" * (1 << 20) + ",1\n", 902523),
+    ],
+)
+def test_what_is_no_log(tmp_path: Path, text: str, number: int) -> None:
+    """Each says what is wrong, with its file."""
+    with pytest.raises(Failure, match=str(number)):
+        samples(opened(tmp_path, text))
+
+
+def test_forms_that_are_not_read(tmp_path: Path) -> None:
+    """902510 says how to get one that is (LG-112)."""
+    path = tmp_path / "a.svdx"
+    path.write_bytes(b"\0\1")
+    with pytest.raises(Failure, match="902510"):
+        open_log(path, FileAccess())

@@ -43,7 +43,14 @@ class SpindlePolicy(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Always:
-    """Acknowledges everything, or nothing."""
+    """Acknowledges everything, or nothing.
+
+    >>> class Silent(Plc):
+    ...     acknowledge = NONE
+    >>> waits = Controller().run(NcText("m.nc", "M100\\nM30"), plc=Silent(), until="1 s")
+    >>> waits.state, Controller().run(NcText("m.nc", "M100\\nM30")).state
+    ('limit', 'ended')
+    """
 
     answer: bool
 

@@ -47,9 +47,11 @@ class Always:
 
     >>> class Silent(Plc):
     ...     acknowledge = NONE
-    >>> waits = Controller().run(NcText("m.nc", "M100\\nM30"), plc=Silent(), until="1 s")
-    >>> waits.state, Controller().run(NcText("m.nc", "M100\\nM30")).state
-    ('limit', 'ended')
+    >>> program = NcText("clamp.nc", "M111\\nG01 X1 F600\\nM30")
+    >>> Controller().run(program, plc=Silent(), until="1 s").state
+    'limit'
+    >>> Controller().run(program).state
+    'ended'
     """
 
     answer: bool

@@ -72,6 +72,16 @@ def test_tolerances_mapping_and_data(capsys: pytest.CaptureFixture[str]) -> None
     assert y["first_us"] is None
 
 
+def test_a_picture(capsys: pytest.CaptureFixture[str]) -> None:
+    """Both curves and their difference; another suffix is refused before the run."""
+    assert main(["compare", "scope.csv", "part.nc", "--plot", "both.svg", "--lang", "de"]) == 0
+    text = Path("both.svg").read_text("utf-8")
+    for word in ("Aufzeichnung", "Lauf", "Y.ACS.ACT_POS [mm]", "Zeit des Laufs in s"):
+        assert word in text
+    assert main(["compare", "scope.csv", "part.nc", "--plot", "both.html"]) == 2
+    assert "901090" in capsys.readouterr().err
+
+
 def test_our_own_trace_is_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     """Signals have their names, the offset is known: no deviation at all."""
     signals = "X.ACS.ACT_POS,BLOCK"

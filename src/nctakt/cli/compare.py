@@ -7,6 +7,7 @@ apart, and where. Exit code 1 if a signal leaves its tolerance.
 
 from __future__ import annotations
 
+import contextlib
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -30,6 +31,7 @@ from nctakt.cli.running import (
 from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.comparison import TOLERANCE_UNREADABLE
 
@@ -94,19 +96,24 @@ _CODES = (
         "Wann der Lauf in der Aufzeichnung beginnt [Vorgabe: über Korrelation gesucht].",
     ),
 )
-def command(
-    log: str, mapping: str | None, tolerances: tuple[str, ...], offset: str | None, **words: Any
-) -> int:
+@option(
+    "--plot",
+    "picture",
+    metavar="FILE",
+    group="files",
+    text=Text("Draw both curves: .svg or .png.", "Beide Kurven zeichnen: .svg oder .png."),
+)
+def command(log: str, picture: str | None, **words: Any) -> int:
     """Compare."""
-    return carry_out(
-        words, lambda options, access: _compare(options, access, log, mapping, tolerances, offset)
-    )
+    said = {name: words.pop(name) for name in ("mapping", "tolerances", "offset")}
+    return carry_out(words, lambda options, access: _compare(options, access, log, picture, **said))
 
 
 def _compare(
     options: Options,
     access: FileAccess,
     name: str,
+    picture: str | None,
     mapping: str | None,
     tolerances: tuple[str, ...],
     offset: str | None,
@@ -117,7 +124,10 @@ def _compare(
     from nctakt.comparison.log_file import open_log  # noqa: PLC0415
     from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
     from nctakt.lists.format.times import read_time  # noqa: PLC0415
+    from nctakt.plots.picture import check_drawing  # noqa: PLC0415
 
+    if picture is not None:
+        check_drawing(picture)
     limits = dict(_tolerance(text) for text in tolerances)
     said: MappingFile = MappingFile() if mapping is None else read_mapping(mapping, access)
     log = open_log(name, access, said.log)
@@ -131,14 +141,28 @@ def _compare(
     axes = [axis.name for axis in controller.machine.axes]
     pairs = pairs_of(log, list(signals.values()), axes, said.wishes)
     recorded = tuple(dict.fromkeys(pair.signal.name for pair in pairs))
-    run = run_programs(options, replace(request, signals=recorded), controller, is_drawn=True)
-    if run is None:
-        return EXIT_NC_ERROR
-    print_diagnostics(run.diagnostics, options.language, shown_from(options))
-    comparison = compare(log, run, pairs, limits, offset_us)
+    with contextlib.ExitStack() as files:
+        file = (
+            None if picture is None else files.enter_context(OutputFile(picture, "--plot", access))
+        )
+        run = run_programs(options, replace(request, signals=recorded), controller, is_drawn=True)
+        if run is None:
+            return EXIT_NC_ERROR
+        print_diagnostics(run.diagnostics, options.language, shown_from(options))
+        comparison = compare(log, run, pairs, limits, offset_us, is_drawn=file is not None)
+        if file is not None:
+            _draw(file, comparison, options)
     print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
     _show(options, comparison)
     return max(exit_code(options, run), EXIT_RAN if comparison.is_within else EXIT_NC_ERROR)
+
+
+def _draw(file: OutputFile, comparison: Comparison, options: Options) -> None:
+    from nctakt.comparison.picture import (  # noqa: PLC0415 - loads matplotlib
+        write_comparison_picture,
+    )
+
+    file.fill(lambda path: write_comparison_picture(comparison, path, options.language))
 
 
 def _tolerance(text: str) -> tuple[str, float]:

@@ -113,9 +113,9 @@ def _time(options: Options, access: FileAccess, names: dict[str, str], asks_what
     from nctakt.timing.what_if import what_if  # noqa: PLC0415 - the mode is chosen before
 
     if "--plot" in names:
-        from nctakt.timing.picture import check_time_picture  # noqa: PLC0415 - as above
+        from nctakt.plots.picture import check_drawing  # noqa: PLC0415 - as above
 
-        check_time_picture(names["--plot"])
+        check_drawing(names["--plot"])
     request = read_request(options, access)
     controller = start_controller(options, access)
 

@@ -67,11 +67,14 @@ def compare(
     pairs: Sequence[Pair],
     tolerances: Mapping[str, float],
     offset_us: float | None = None,
+    *,
+    is_drawn: bool = False,
 ) -> Comparison:
     """Return a log beside a run, in whose trace the signals of the pairs are.
 
     ``tolerances``: by the names of signals, "" for all others; ``offset_us``: where the run begins
-    in the log, ``None`` to find it. Raises ``Failure`` if they have no time in common (902522).
+    in the log, ``None`` to find it; ``is_drawn``: keep what a picture shows. Raises ``Failure`` if
+    they have no time in common (902522).
     """
     trace = run.trace
     assert trace is not None
@@ -99,7 +102,7 @@ def compare(
         limit = pair.tolerance
         if limit is None:
             limit = tolerances.get(pair.signal.name, tolerances.get(""))
-        deviation = deviation_of(pair, one, curve, alignment, limit)
+        deviation = deviation_of(pair, one, curve, alignment, limit, is_drawn=is_drawn)
         if deviation is not None:
             deviations.append(deviation)
     if not deviations:

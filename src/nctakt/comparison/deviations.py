@@ -17,13 +17,22 @@ from nctakt.comparison.log import Samples
 from nctakt.comparison.mapping import Pair
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Overlaid:
+    """Both sides of a pair at the log's stamps, as times of the run in µs, to be drawn."""
+
+    times: NDArray[numpy.float64]
+    values: NDArray[numpy.float64]
+    differences: NDArray[numpy.float64]
+
+
 @dataclass(frozen=True, slots=True)
 class Deviation:
     """How far a pair is apart; times are those of the run, in whole µs.
 
     ``samples``: those that lie within the run. ``first_us``: where it begins to be more than the
     tolerance for two samples or longer, ``None`` for nowhere or without a tolerance; ``beyond``:
-    how many samples are.
+    how many samples are; ``overlaid``: what a picture shows, if it is asked for.
     """
 
     pair: Pair
@@ -35,10 +44,18 @@ class Deviation:
     percentile: float
     first_us: int | None
     beyond: int
+    tolerance: float | None = None
+    overlaid: Overlaid | None = None
 
 
 def deviation_of(
-    pair: Pair, samples: Samples, curve: Curve, alignment: Alignment, tolerance: float | None
+    pair: Pair,
+    samples: Samples,
+    curve: Curve,
+    alignment: Alignment,
+    tolerance: float | None,
+    *,
+    is_drawn: bool = False,
 ) -> Deviation | None:
     """Return how far a pair is apart; ``None`` if no sample lies within the run."""
     times = alignment.run_times(samples.times)
@@ -69,6 +86,8 @@ def deviation_of(
         float(numpy.percentile(size, 99.0)),
         first,
         beyond,
+        tolerance,
+        Overlaid(inside, values, difference) if is_drawn else None,
     )
 
 

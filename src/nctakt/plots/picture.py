@@ -21,6 +21,7 @@ import numpy
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.pictures import WRONG_SUFFIX
 from nctakt.messages.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
 from nctakt.plots.lanes import Lane, joined
 from nctakt.plots.motion import thinned
@@ -66,6 +67,13 @@ def check_picture(path: str) -> None:
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
     if suffix != ".html" and importlib.util.find_spec("matplotlib") is None:
         raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot"))
+
+
+def check_drawing(path: str) -> None:
+    """Raise ``Failure`` for another suffix than a drawing's (901090) and without matplotlib."""
+    if Path(path).suffix.lower() not in (".svg", ".png"):
+        raise Failure(diagnostic(WRONG_SUFFIX, file=path, option="--plot", suffix=".svg / .png"))
+    check_picture(path)
 
 
 def write_picture(scene: Scene, path: Path, language: Language) -> None:

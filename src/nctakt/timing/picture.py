@@ -9,10 +9,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from nctakt.base.diagnostics import Language, Span, Text
-from nctakt.base.failure import Failure
-from nctakt.messages import diagnostic
-from nctakt.messages.pictures import WRONG_SUFFIX
-from nctakt.plots.picture import check_picture, new_sheet, picture_of, plain_look
+from nctakt.plots.picture import new_sheet, picture_of, plain_look
 from nctakt.plots.style import FEED, INK, RAPID
 from nctakt.results.summary import headline
 from nctakt.timing.entries import Purpose, TimeAccount
@@ -38,13 +35,6 @@ _COLOURS = {
     "commands": "#6b7280",
     "backward": "#8c564b",
 }
-
-
-def check_time_picture(path: str) -> None:
-    """Raise ``Failure`` for another suffix (901090) and without matplotlib (900634)."""
-    if Path(path).suffix.lower() not in (".svg", ".png"):
-        raise Failure(diagnostic(WRONG_SUFFIX, file=path, option="--plot", suffix=".svg / .png"))
-    check_picture(path)
 
 
 def write_time_picture(account: TimeAccount, path: Path, language: Language) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A cell's PLC: ``nctakt run examples/crossing.nc --plc examples/cell_plc.py``."""
 
-from nctakt import Plc, after, at, on, when
+from nctakt import Function, HliView, Plc, after, at, on, when
 
 
 class Cell(Plc):
@@ -11,13 +11,13 @@ class Cell(Plc):
     inputs = "cell_inputs.csv"
 
     @at("0.5s")
-    def slow_down(self, hli):
+    def slow_down(self, hli: HliView) -> None:
         hli.override_pct = 50
 
     @when("V.RTA.ACS.ACT_POS.X > 400")
-    def near_the_end(self, hli):
+    def near_the_end(self, hli: HliView) -> None:
         hli.override_pct = 20
 
     @on("M100")
-    def clamp(self, hli, function):
+    def clamp(self, hli: HliView, function: Function) -> None:
         hli.write("V.E.CONDITION", 1)

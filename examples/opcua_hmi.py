@@ -185,10 +185,11 @@ def page() -> None:
             ).props("label")
         with ui.card():
             ui.label("V.E variables").classes("text-lg")
-            name = ui.input("Name", value="VALUE")
+            variable = ui.input("Name", value="VALUE")
             value = ui.number("Value", value=1)
             ui.button(
-                "Write", on_click=lambda: machine.write(machine.variables[name.value], value.value)
+                "Write",
+                on_click=lambda: machine.write(machine.variables[variable.value], value.value),
             )
             variables = ui.label().classes("font-mono whitespace-pre")
     ui.label("Alarms").classes("text-lg")

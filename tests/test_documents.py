@@ -121,7 +121,7 @@ def test_the_python_of_the_readme_runs(
 def test_the_plc_of_the_documents_is_the_example_and_slows_the_path() -> None:
     """The class runs as it stands; the run takes longer than without it."""
     shown = fences("docs/plc.md", "python")[1]
-    assert text_of("examples/slow_plc.py").endswith(f'"""\n\n\n{shown}')
+    assert text_of("examples/slow_plc.py").endswith(f'"""\n\n{shown}')
     program = ROOT / "examples" / "crossing.nc"
     slow = Controller().run(program, plc=load_plc(ROOT / "examples" / "slow_plc.py"))
     assert slow.state == "ended"

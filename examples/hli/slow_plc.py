@@ -11,8 +11,8 @@ import sys
 from nctakt import Failure, hli
 
 
-def main(name):
-    seen = set()
+def main(name: str) -> None:
+    seen: set[int] = set()
     with hli.attach(name) as cell:
         for _ in cell.ticks():
             waiting = cell.functions()
@@ -29,4 +29,4 @@ def main(name):
 try:
     main(sys.argv[1])
 except Failure as failure:
-    sys.exit(failure)
+    sys.exit(str(failure))

@@ -5,19 +5,23 @@
 ``python examples/serve/watch.py``.
 """
 
+from datetime import datetime
+
 import pyads
+
+
+def note(handle: int, name: str, moment: datetime, value: int) -> None:
+    """Tell each change."""
+    print(moment.time(), name, value)
+
 
 plc = pyads.Connection("127.0.0.1.1.1", 851, "127.0.0.1")
 with plc:
     print("X stands at", plc.read_by_name("X.ACS.ACT_POS"), "mm")
 
-    @plc.notification(pyads.PLCTYPE_UDINT)
-    def note(handle, name, moment, value):
-        """Tell each change."""
-        print(moment.time(), name, value)
-
     attributes = pyads.NotificationAttrib(4, pyads.ADSTRANS_SERVERONCHA)
-    handles = plc.add_device_notification("V.E.COUNT", attributes, note)
+    listener = plc.notification(pyads.PLCTYPE_UDINT)(note)
+    handles = plc.add_device_notification("V.E.COUNT", attributes, listener)
     input("Enter holds the feed ")
     plc.write_by_name("HLI.FEED_HOLD", True, pyads.PLCTYPE_BOOL)
     input("Enter lets it go on ")

@@ -1,6 +1,6 @@
 """The clamp of the cell: it takes 50 ms, and says so in V.E.CONDITION."""
 
-from nctakt import Plc, after, on
+from nctakt import Function, HliView, Plc, after, on
 
 
 class Clamp(Plc):
@@ -9,5 +9,5 @@ class Clamp(Plc):
     acknowledge = after("50 ms")
 
     @on("M111")
-    def close(self, hli, function):
+    def close(self, hli: HliView, function: Function) -> None:
         hli.write("V.E.CONDITION", 1)

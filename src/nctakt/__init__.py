@@ -50,7 +50,8 @@ Scheduling lists (rtconf.lis)
 
 A time is a text with a unit (``"1.5 s"``, ``"20 ms"``, ``"1500us"``, ``"2 min"``, ``"1 h"``,
 ``"300 ticks"``), a number of seconds or a ``datetime.timedelta``; a name that ends in ``_us``
-holds microseconds. Tests with pytest use the fixtures ``machine``, ``controller`` and ``run_nc``.
+holds microseconds. Tests with pytest use the fixtures ``machine``, ``controller``, ``run_nc`` and
+``study``; ``RunNc`` and ``RunStudy`` are the types of the last two.
 
 These names, those of ``nctakt.plc`` (function blocks such as ``MC_MoveAbsolute``) and of
 ``nctakt.hli`` (the interface byte by byte) are public. Everything else is private to the project
@@ -75,7 +76,9 @@ if TYPE_CHECKING:
     from nctakt.run.stimuli import Stimulus
     from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
     from nctakt.session.session import Session
+    from nctakt.studies.fixture import RunStudy
     from nctakt.studies.study import Study
+    from nctakt.testing.queries import RunNc
 
 __all__ = [
     "ALL",
@@ -89,6 +92,8 @@ __all__ = [
     "NcText",
     "Plc",
     "Run",
+    "RunNc",
+    "RunStudy",
     "Session",
     "SpindleJob",
     "Stimulus",
@@ -118,6 +123,8 @@ _MODULES = {
     "NcText": "nctakt.run.program_loader",
     "Plc": "nctakt.plc.script",
     "Run": "nctakt.results.run",
+    "RunNc": "nctakt.testing.queries",
+    "RunStudy": "nctakt.studies.fixture",
     "Session": "nctakt.session.session",
     "SpindleJob": "nctakt.plc.public_types",
     "Stimulus": "nctakt.run.stimuli",

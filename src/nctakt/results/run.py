@@ -6,10 +6,11 @@ Plain records, the same for the same inputs: they hold no wall-clock time.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span
@@ -263,6 +264,12 @@ class Run:
     coverage: Coverage | None = None
     drawer: Callable[[], RunDrawer] | None = field(default=None, compare=False)
 
+    def __reduce__(self) -> tuple[Callable[[], Run], tuple[()]]:
+        values = {member.name: getattr(self, member.name) for member in fields(self)}
+        if self.drawer is not None:
+            values["drawer"] = self.drawer().detached(self)
+        return functools.partial(type(self), **values), ()
+
     @property
     def virtual_time_us(self) -> int:
         """The time of the run on the machine, in microseconds."""
@@ -394,11 +401,13 @@ class RecordedRun(Run):
 
     trace: Trace
 
-    def __getstate__(self) -> tuple[Any, ...]:
-        values = {member.name: getattr(self, member.name) for member in fields(self)}
-        if self.drawer is not None:
-            values["drawer"] = self.drawer().detached(self)
-        return tuple(values.values())
+
+@dataclass(frozen=True, slots=True, repr=False)
+class ExplainedRun(RecordedRun):
+    """The result of a run with the histories and counts of its conditions (``why``)."""
+
+    why: WhyReport = field(kw_only=True)
+    coverage: Coverage = field(kw_only=True)
 
 
 #: The kinds of events for outputs of functions: of realtime cycles, and of the main program.

@@ -24,7 +24,7 @@ from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
 from nctakt.messages.folders import UNKNOWN_CHANNEL
-from nctakt.results.run import RecordedRun, Run
+from nctakt.results.run import ExplainedRun, RecordedRun, Run
 from nctakt.results.step import Step
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine
@@ -32,7 +32,7 @@ from nctakt.run.bound_values import BoundValue
 from nctakt.run.inputs import IMAGE
 from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.options import (
-    KeywordsBesideTrace,
+    KeywordsOfAnyResult,
     RunKeywords,
     check_keywords,
     completed,
@@ -356,7 +356,19 @@ class Controller:
         *programs: str | Path | NcText,
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
         memory_trace: Literal[True] = True,
-        **options: Unpack[KeywordsBesideTrace],
+        why: Literal[True],
+        **options: Unpack[KeywordsOfAnyResult],
+    ) -> ExplainedRun: ...
+
+    @overload
+    def run(
+        self,
+        /,
+        *programs: str | Path | NcText,
+        channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
+        memory_trace: Literal[True] = True,
+        why: bool = False,
+        **options: Unpack[KeywordsOfAnyResult],
     ) -> RecordedRun: ...
 
     @overload
@@ -366,7 +378,8 @@ class Controller:
         *programs: str | Path | NcText,
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
         memory_trace: bool,
-        **options: Unpack[KeywordsBesideTrace],
+        why: bool = False,
+        **options: Unpack[KeywordsOfAnyResult],
     ) -> Run: ...
 
     @alone

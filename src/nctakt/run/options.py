@@ -69,13 +69,12 @@ class ProgramOptions(TypedDict, total=False):
     from_block: int | None
 
 
-class KeywordsBesideTrace(ProgramOptions, total=False):
-    """The options of ``Controller.run`` that its type of result does not depend on."""
+class KeywordsOfAnyResult(ProgramOptions, total=False):
+    """The options of ``Controller.run`` that the type of its result does not depend on."""
 
     plc: AnyPlc | type[AnyPlc] | None
     sinks: Sequence[Sink]
     record_writes: bool
-    why: bool
     blocks: bool
     condition_signals: bool
     stays: bool
@@ -86,10 +85,11 @@ class KeywordsBesideTrace(ProgramOptions, total=False):
     replay: Tape | None
 
 
-class RunKeywords(KeywordsBesideTrace, total=False):
+class RunKeywords(KeywordsOfAnyResult, total=False):
     """The options of ``Controller.run``."""
 
     memory_trace: bool
+    why: bool
 
 
 #: What accepts options: commands by their names, everything else with how messages call it.

@@ -19,7 +19,7 @@ from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import CycleResult, RecordedRun, Run, RunDrawer, RunState
+from nctakt.results.run import CycleResult, ExplainedRun, RecordedRun, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
 from nctakt.run.assembly import AssembledMachine, do_nothing
@@ -316,7 +316,9 @@ class ProgramRun:
             self._diagnostics += scheduled.findings()
         report, coverage = loop.recording.why(self._first_tick, self.texts)
         statistics = self._statistics
-        kind: type[Run] = Run if self._memory is None else RecordedRun
+        kind: type[Run] = Run
+        if self._memory is not None:
+            kind = RecordedRun if report is None or coverage is None else ExplainedRun
         return kind(
             programs=tuple(
                 program_loader.name_of(program)

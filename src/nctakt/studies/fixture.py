@@ -9,9 +9,8 @@ pytest loads it by its entry point, so nothing of nctakt is imported before a te
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import pytest
 
@@ -19,8 +18,21 @@ if TYPE_CHECKING:
     from nctakt.studies.study import StudyResult
 
 
+class RunStudy(Protocol):
+    """The fixture ``study`` of a test, for its annotation.
+
+    >>> def test_every_stop_comes_in_time(study: RunStudy) -> None:
+    ...     assert study("stop.toml")
+    """
+
+    def __call__(
+        self, file: str | Path | None = None, *, processes: int = 1, **entries: Any
+    ) -> StudyResult:
+        """Make the runs of a plan: a file beside the test, or its entries."""
+
+
 @pytest.fixture
-def study(request: pytest.FixtureRequest) -> Callable[..., StudyResult]:
+def study(request: pytest.FixtureRequest) -> RunStudy:
     """A function that makes the runs of a plan: a file beside the test, or its entries."""
     from nctakt.project.run_settings import DEFAULT_PLC  # noqa: PLC0415 - see above
     from nctakt.studies.study import Study  # noqa: PLC0415

@@ -8,7 +8,7 @@ needs it.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +17,7 @@ import pytest
 if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
-    from nctakt.testing.queries import NcRun
+    from nctakt.testing.queries import NcRun, RunNc
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -140,7 +140,7 @@ def controller(machine: Machine) -> Controller:
 
 
 @pytest.fixture
-def run_nc(controller: Controller, request: pytest.FixtureRequest) -> Callable[..., NcRun]:
+def run_nc(controller: Controller, request: pytest.FixtureRequest) -> RunNc:
     """A function that runs a program: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
     from nctakt.testing.coverage import note_coverage, session_coverage  # noqa: PLC0415 - see above
     from nctakt.testing.queries import run_program  # noqa: PLC0415

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Unpack
+from typing import Protocol, Unpack
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
@@ -33,6 +33,25 @@ from nctakt.trace.events import Event
 TEXT_NAME = "program.nc"
 
 _CYCLE_KINDS = ("M", "H")
+
+
+class RunNc(Protocol):
+    """The fixture ``run_nc`` of a test, for its annotation.
+
+    >>> def test_x_arrives(run_nc: RunNc) -> None:
+    ...     assert run_nc("part.nc").ended
+    """
+
+    def __call__(
+        self,
+        program: str | Path,
+        *,
+        plc: AnyPlc | type[AnyPlc] | str | Path | None = None,
+        why: bool = False,
+        limit_fails: bool | None = None,
+        **options: Unpack[ProgramOptions],
+    ) -> NcRun:
+        """Run a program: a file beside the test, or a text of several lines."""
 
 
 def run_program(

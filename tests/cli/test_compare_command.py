@@ -50,6 +50,7 @@ def test_a_delay_is_found_with_its_block(capsys: pytest.CaptureFixture[str]) -> 
     assert "X.ACS.ACT_POS  Axis X ActPos*" in text
     assert "Y.ACS.ACT_POS leaves its tolerance first at 2." in text
     assert "block in part.nc:4" in text
+    assert "from the block in part.nc:4 on" in text
     assert text.endswith("beyond the tolerances\n")
 
 

@@ -6,11 +6,14 @@ from __future__ import annotations
 import numpy
 import pytest
 
+from nctakt.base.diagnostics import Span
 from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.deviations import deviation_of
 from nctakt.comparison.log import LogColumn, Samples
 from nctakt.comparison.mapping import Pair, suggestion
 from nctakt.comparison.units import factor_between
+from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal
 
 COLUMN = LogColumn("a", "", 1, 0)
@@ -109,3 +112,25 @@ def test_units() -> None:
     assert factor_between("mm/min", "mm/s") == pytest.approx(1 / 60)
     assert factor_between("rpm", "1/min") == 1.0
     assert factor_between("bar", "mm") is None
+
+
+def test_where_a_log_becomes_late() -> None:
+    """LG-706: 3 ms from the second block on, 1 ms less from the third; a still one says nothing."""
+    ticks = numpy.arange(4000.0)
+    curve = Curve(1000.0, numpy.interp(ticks, [0, 1000, 1500, 4000], [0.0, 100.0, 100.0, 350.0]))
+    stamps = numpy.arange(0.0, 3.9e6, 2000.0)
+    late = numpy.select([stamps < 1e6, stamps < 2.5e6], [0.0, 3000.0], 2000.0)
+    noise = numpy.random.default_rng(5).normal(0.0, 0.001, len(stamps))
+    log = Samples(stamps, curve.at(stamps - late) + noise)
+    spans = [Span("part.nc", line, 1, 2) for line in (1, 2, 3, 4)]
+    begins = (0, 1_000_000, 1_500_000, 2_500_000)
+    blocks = [
+        Event(time // 1000, time, "block", "", span)
+        for time, span in zip(begins, spans, strict=True)
+    ]
+    gathered = BlockDelays(blocks)
+    gathered.add(log, curve, Alignment(0.0))
+    found = gathered.found()
+    assert [(one.block, round(one.jump_us / 100.0)) for one in found] == [
+        (spans[2], 30), (spans[3], -10),
+    ]  # fmt: skip

@@ -10,6 +10,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
 from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.mapping import Pair
@@ -42,6 +43,7 @@ class Comparison:
     alignment: Alignment
     aligned_by: str
     deviations: Sequence[Deviation]
+    delays: Sequence[Delay]
     diagnostics: Sequence[Diagnostic]
 
     @property
@@ -98,7 +100,10 @@ def compare(
     else:
         alignment, names = Alignment(offset_us), ""
     deviations = []
+    delays = BlockDelays(_events_of(run, "block"))
     for pair, one, curve in zip(pairs, samples, curves, strict=True):
+        if not pair.signal.integral:
+            delays.add(one, curve, alignment)
         limit = pair.tolerance
         if limit is None:
             limit = tolerances.get(pair.signal.name, tolerances.get(""))
@@ -107,7 +112,9 @@ def compare(
             deviations.append(deviation)
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
-    return Comparison(log, run, trace, alignment, names, deviations, [*log.notes, *found])
+    return Comparison(
+        log, run, trace, alignment, names, deviations, delays.found(), [*log.notes, *found]
+    )
 
 
 def _events_of(run: Run, kind: str) -> list[Event]:

@@ -47,10 +47,20 @@ _LEAVES = Text(
 _FARTHEST = Text("{signal} is farthest at {time} s", "{signal} ist am weitesten bei {time} s")
 _AT_BLOCK = Text("block in {file}:{line}", "Satz in {file}:{line}")
 _REACTION = Text("{event} {since} ms before", "{event} {since} ms davor")
+_LATER = Text(
+    "from the block in {file}:{line} on ({time} s) the log is {jump} ms later than before",
+    "vom Satz in {file}:{line} an ({time} s) ist die Aufzeichnung {jump} ms später als davor",
+)
+_EARLIER = Text(
+    "from the block in {file}:{line} on ({time} s) the log is {jump} ms earlier than before",
+    "vom Satz in {file}:{line} an ({time} s) ist die Aufzeichnung {jump} ms früher als davor",
+)
 _SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
 _WITHIN = Text("within the tolerances", "innerhalb der Toleranzen")
 _BEYOND = Text("beyond the tolerances", "außerhalb der Toleranzen")
 
+#: Places that are told where the log becomes later or earlier, at most.
+_MAX_DELAYS = 10
 #: A gain that is told: further from 1 than this.
 _TOLD_GAIN = 1e-4
 
@@ -63,6 +73,7 @@ def comparison_text(comparison: Comparison, program: str, language: Language) ->
     lines = [title, *_alignment(comparison, language), "", *plain_table(Table(heads, rows)), ""]
     for one in comparison.deviations:
         lines += _remarks(comparison, one, language)
+    lines += _delays(comparison, language)
     if any(one.pair.is_suggested for one in comparison.deviations):
         lines.append(f"* {_SUGGESTED.get(language)}")
     lines.append((_WITHIN if comparison.is_within else _BEYOND).get(language))
@@ -116,6 +127,21 @@ def _remarks(comparison: Comparison, one: Deviation, language: Language) -> Iter
         yield from _where(comparison.running_at(one.greatest_us), language)
 
 
+def _delays(comparison: Comparison, language: Language) -> Iterator[str]:
+    for one in comparison.delays[:_MAX_DELAYS]:
+        if one.block is not None:
+            yield (
+                (_LATER if one.jump_us > 0.0 else _EARLIER)
+                .get(language)
+                .format(
+                    file=one.block.file,
+                    line=one.block.line,
+                    time=f"{one.time_us / 1e6:.6f}",
+                    jump=f"{abs(one.jump_us) / 1e3:.2f}",
+                )
+            )
+
+
 def _where(running: Running, language: Language) -> Iterator[str]:
     if running.block is not None:
         yield "  " + _AT_BLOCK.get(language).format(
@@ -133,6 +159,14 @@ def comparison_document(comparison: Comparison) -> dict[str, Any]:
         "within": comparison.is_within,
         "alignment": _alignment_document(comparison.alignment),
         "signals": [_document(comparison, one) for one in comparison.deviations],
+        "delays": [
+            {
+                "block": _span(one.block),
+                "time_us": one.time_us,
+                "jump_us": one.jump_us,
+            }
+            for one in comparison.delays
+        ],
     }
 
 

@@ -30,6 +30,17 @@ def commands(parent: click.Group, *before: str) -> Iterator[list[str]]:
             yield from commands(command, *before, name)
 
 
+def command_of(words: list[str]) -> click.Command:
+    """The command of the words of a command line."""
+    command: click.Command = group
+    for word in words:
+        assert isinstance(command, click.Group)
+        found = command.get_command(click.Context(command), word)
+        assert found is not None
+        command = found
+    return command
+
+
 PART = """\
 #RT CYCLE [ID = 1 SCOPE = PROG]
 $IF EDGE V.E.TRIGGER == 1
@@ -62,6 +73,41 @@ def test_each_command_has_a_short_help_option_and_tells_its_exit_codes(
     assert "-h, --help" in text
     assert "Exit codes: 0 " in text
     assert " 2 wrong usage" in " ".join(text.split("Exit codes:")[1].split())
+
+
+@pytest.mark.parametrize(
+    "words",
+    ["--lang de --help", "schedule --help --lang de", "--lang de run --help"],
+)
+def test_help_is_german_wherever_the_language_stands(words: str, capsys: Captured) -> None:
+    """``--lang`` before a subcommand counts for the subcommand; values have German names."""
+    assert main(words.split()) == 0
+    text = capsys.readouterr().out
+    assert text.startswith("Aufruf: nctakt ")
+    assert "FILE" not in text
+    assert "FOLDER" not in text
+
+
+def test_a_language_before_the_subcommand_is_that_of_its_messages(
+    monkeypatch: pytest.MonkeyPatch, capsys: Captured
+) -> None:
+    """It wins over the environment; the subcommand's own wins over it."""
+    monkeypatch.setenv("NCTAKT_LANGUAGE", "en")
+    assert main(["--lang", "de", "run", "nowhere.nc"]) == 2
+    assert "Fehler 900500" in capsys.readouterr().err
+    assert main(["--lang", "de", "run", "nowhere.nc", "--lang", "en"]) == 2
+    assert "error 900500" in capsys.readouterr().err
+
+
+def test_an_option_has_the_same_words_everywhere() -> None:
+    """Values of the same kind have the same name, and no option shows click's own."""
+    shown = {
+        parameter.make_metavar(click.Context(group))
+        for words in commands(group)
+        for parameter in command_of(words).params
+        if isinstance(parameter, click.Option) and not parameter.is_flag
+    }
+    assert shown.isdisjoint({"INTEGER RANGE", "FLOAT RANGE", "INTEGER", "DIR", "PATH", "COUNT"})
 
 
 @pytest.mark.parametrize("command", ["run", "disassemble", "why"])

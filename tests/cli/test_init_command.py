@@ -46,6 +46,22 @@ def test_a_folder_becomes_a_project(cell: Path, capsys: Captured) -> None:
     assert main(["run", "programs/part.nc", "--plc", "default", "--quiet"]) == 0
 
 
+def test_the_first_test_takes_a_program_without_errors(cell: Path) -> None:
+    """A program that the machine cannot run comes first by name, and is no first test."""
+    (cell / "programs" / "b_wrong.nc").write_text("G01 Q1 F6000\nM30\n", "utf-8")
+    (cell / "programs" / "part.nc").rename(cell / "programs" / "c_part.nc")
+    assert main(["init", "--quiet"]) == 0
+    assert 'run_nc("programs/c_part.nc")' in (cell / "test_programs.py").read_text("utf-8")
+
+
+def test_a_plc_in_structured_text_is_found(cell: Path, capsys: Captured) -> None:
+    """Files without a project count as those of a project do; several are named as a comment."""
+    (cell / "gate.st").write_text("PROGRAM MAIN\nEND_PROGRAM\n", "utf-8")
+    assert main(["init"]) == 0
+    assert "PLCs: cell_plc.py, gate.st" in capsys.readouterr().out
+    assert '# plc = "cell_plc.py"' in (cell / "nctakt.toml").read_text("utf-8")
+
+
 @pytest.mark.parametrize("ci", CI_FILES)
 def test_a_file_for_ci(ci: str, cell: Path) -> None:
     """It checks the folder and runs the tests."""

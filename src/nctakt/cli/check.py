@@ -23,7 +23,7 @@ from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import read_standard_input
 from nctakt.cli.formats import as_github, as_json, as_text, closing_line
 from nctakt.cli.help import described, option
-from nctakt.cli.options import WATCH_OPTION, table_options
+from nctakt.cli.options import IGNORE_OPTION, STRICT_OPTION, WATCH_OPTION, table_options
 from nctakt.cli.sarif import as_sarif
 from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.cli.selection import Selection, read_selection
@@ -103,7 +103,7 @@ class Options:
     type=click.Choice(["text", "json", "github", "sarif"]),
     default="text",
     group="files",
-    text=Text("Format of the findings.", "Form der Befunde."),
+    text=Text("Format of the findings [default: text].", "Form der Befunde [Vorgabe: text]."),
 )
 @option(
     "--select",
@@ -111,18 +111,9 @@ class Options:
     multiple=True,
     text=Text("Report only these messages.", "Nur diese Meldungen ausgeben."),
 )
-@option(
-    "--ignore",
-    metavar="ID,...",
-    multiple=True,
-    text=Text("Do not report these messages.", "Diese Meldungen nicht ausgeben."),
-)
+@IGNORE_OPTION
 @with_options(*RTCONF_OPTIONS)
-@option(
-    "--strict",
-    is_flag=True,
-    text=Text("Treat warnings as errors.", "Warnungen wie Fehler behandeln."),
-)
+@STRICT_OPTION
 @option(
     "--effects",
     is_flag=True,

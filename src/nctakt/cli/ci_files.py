@@ -28,6 +28,9 @@ _GITLAB = f"""\
 # Checks lists and programs and runs the tests. path/to/nctakt: a checkout or a wheel of nctakt.
 nctakt:
   image: python:3.12
+  variables:
+    # The runner lets everybody write its files otherwise, and code of a PLC is not run then.
+    FF_DISABLE_UMASK_FOR_DOCKER_EXECUTOR: "true"
   script:
     - {_INSTALL}
     - nctakt check .

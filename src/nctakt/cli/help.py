@@ -8,6 +8,7 @@ language of ``--lang``, of ``NCTAKT_LANGUAGE`` or of the locale.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeVar, cast
 
@@ -42,6 +43,26 @@ _CODES_WITHOUT_FAILURE = Text(
     "nctakt selbst.",
 )
 _USAGE = Text("Usage: ", "Aufruf: ")
+_LANGUAGE = Text(
+    "Language of help, texts and messages.", "Sprache der Hilfe, der Texte und Meldungen."
+)
+#: What stands for a value in the usage and the options, in German.
+_GERMAN_VALUES: Mapping[str, str] = {
+    "ADDRESS": "ADRESSE",
+    "COMMAND": "BEFEHL",
+    "FILE": "DATEI",
+    "FOLDER": "ORDNER",
+    "OPTIONS": "OPTIONEN",
+    "PERCENT": "PROZENT",
+    "PROGRAM": "PROGRAMM",
+    "RECORDING": "AUFZEICHNUNG",
+    "TIME": "ZEIT",
+    "VALUE": "WERT",
+    "WORD": "WORT",
+}
+_VALUE = re.compile(rf"\b({'|'.join(_GERMAN_VALUES)})\b")
+#: Where a context keeps the language that a group's ``--lang`` names.
+_GIVEN_LANGUAGE = "nctakt.language"
 _EXAMPLES = Text("Examples", "Beispiele")
 #: What asks for help, of every command, also where it is called without the group.
 HELP_NAMES = ["-h", "--help"]
@@ -77,6 +98,13 @@ def shown_language(context: click.Context) -> Language:
     return "de" if context.find_root().obj == "de" else "en"
 
 
+def _with_values(pieces: str, context: click.Context) -> str:
+    """Return usage or an option with what stands for its values in the language of the help."""
+    if shown_language(context) == "en":
+        return pieces
+    return _VALUE.sub(lambda match: _GERMAN_VALUES[match[0]], pieces)
+
+
 class GroupedOption(click.Option):
     """An option with its group and its help in both languages."""
 
@@ -89,14 +117,34 @@ class GroupedOption(click.Option):
         record = super().get_help_record(ctx)
         if record is None:
             return None
-        return record[0], record[1].replace(self.texts.en, self.texts.get(shown_language(ctx)), 1)
+        text = record[1].replace(self.texts.en, self.texts.get(shown_language(ctx)), 1)
+        return _with_values(record[0], ctx), text
+
+
+class LanguageOption(GroupedOption):
+    """``--lang``: without it that of the group, else that of the environment."""
+
+    def __init__(self, *names: Any, **attributes: Any) -> None:
+        super().__init__(*names, **attributes, envvar=LANGUAGE_VARIABLE)
+
+    def resolve_envvar_value(self, ctx: click.Context) -> str | None:
+        return ctx.meta.get(_GIVEN_LANGUAGE) or super().resolve_envvar_value(ctx)
 
 
 def option(
     *names: str, text: Text, group: str = "command", **attributes: Any
 ) -> Callable[[_Command], _Command]:
     """Return the decorator of an option with its help in both languages."""
-    return click.option(*names, cls=GroupedOption, texts=text, group=group, **attributes)
+    cls = LanguageOption if "--lang" in names else GroupedOption
+    return click.option(*names, cls=cls, texts=text, group=group, **attributes)
+
+
+def _keep_language(
+    context: click.Context, _parameter: click.Parameter, language: str | None
+) -> None:
+    """Give the subcommands of a group the language that stands before them."""
+    if language is not None:
+        context.meta[_GIVEN_LANGUAGE] = language
 
 
 class _Shown(click.Command):
@@ -120,9 +168,8 @@ class _Shown(click.Command):
 
     def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         pieces = " ".join(self.collect_usage_pieces(ctx))
-        if shown_language(ctx) == "de":
-            pieces = pieces.replace("[OPTIONS]", "[OPTIONEN]").replace("COMMAND", "BEFEHL")
-        formatter.write_usage(ctx.command_path, pieces, _USAGE.get(shown_language(ctx)))
+        usage = _USAGE.get(shown_language(ctx))
+        formatter.write_usage(ctx.command_path, _with_values(pieces, ctx), usage)
 
     def format_help_text(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         formatter.write_paragraph()
@@ -165,7 +212,19 @@ class ShownCommand(_Shown):
 
 
 class ShownGroup(_Shown, click.Group):
-    """A group of commands whose help is in both languages."""
+    """A group of commands whose help is in both languages; ``--lang`` is for all of them."""
+
+    def __init__(self, *words: Any, **attributes: Any) -> None:
+        super().__init__(*words, **attributes)
+        language = GroupedOption(
+            ["--lang"],
+            texts=_LANGUAGE,
+            group="general",
+            type=click.Choice(["en", "de"]),
+            expose_value=False,
+            callback=_keep_language,
+        )
+        self.params.append(language)
 
     def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         _Shown.format_options(self, ctx, formatter)

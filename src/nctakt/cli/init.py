@@ -2,7 +2,8 @@
 """``nctakt init``: a project file, a first test and a CI file for a folder that has lists.
 
 In: a folder. Out: what was found below it (standard output), and the files; one that is there
-already stays as it is. Nobody's code is run: PLCs in Python are found by reading them.
+already stays as it is. The first test takes a program without errors. Nobody's code is run: PLCs
+in Python are found by reading them.
 """
 
 from __future__ import annotations
@@ -15,9 +16,10 @@ from pathlib import Path
 import click
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Language, Text
+from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.checking.inputs import gather
+from nctakt.checking.python_check import check
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.ci_files import CI_FILES
 from nctakt.cli.help import described, option
@@ -29,10 +31,11 @@ from nctakt.messages.files import FILE_MISSING, FILE_NOT_WRITABLE
 from nctakt.messages.project import FILE_KEPT, NO_LISTS_OR_PROGRAMS
 from nctakt.project.project_file import OWN_NAME
 from nctakt.run.options import BY_NAME
-from nctakt.st.files.project import PROJECT_SUFFIXES
 
 #: Maximum number of names in a line.
 _MAX_NAMED = 5
+#: Maximum number of programs that are checked until one has no errors.
+_MAX_CHECKED = 20
 _END = re.compile(rb"\bM0*(?:2|30)\b", re.IGNORECASE)
 _FOUND = {
     "machines": Text("machines", "Maschinen"),
@@ -131,21 +134,25 @@ def _content(folder: Path) -> _Content:
     def names(paths: Sequence[Path]) -> tuple[str, ...]:
         return tuple(sorted({path.relative_to(folder).as_posix() for path in paths}))
 
-    plcs = [
-        path
-        for one in found.plc
-        for path in one.paths
-        if path.suffix.casefold() in PROJECT_SUFFIXES
-    ]
+    plcs = [path for one in found.plc for path in one.paths]
     plcs += [path for path in _python_files(folder) if _is_plc(path)]
+    machines = names([path for path, _ in found.machines])
     programs = names(found.programs)
-    ended = (name for name in programs if _END.search(FileAccess().read_bytes(folder / name)))
-    return _Content(
-        names([path for path, _ in found.machines]),
-        programs,
-        names(plcs),
-        next(ended, programs[0] if programs else ""),
-    )
+    return _Content(machines, programs, names(plcs), _main_program(folder, programs, machines))
+
+
+def _main_program(folder: Path, programs: Sequence[str], machines: Sequence[str]) -> str:
+    """Return the first program with M2 or M30 and without errors, else the first with M2 or M30.
+
+    A machine that is the only one counts for all programs, as the project file says then.
+    """
+    ends = [name for name in programs if _END.search(FileAccess().read_bytes(folder / name))]
+    machine = folder / machines[0] if len(machines) == 1 else None
+    for name in ends[:_MAX_CHECKED]:
+        findings = check(folder / name, machine=machine)
+        if all(one.severity is not Severity.ERROR for one in findings):
+            return name
+    return next(iter(ends or programs), "")
 
 
 def _python_files(folder: Path) -> Iterator[Path]:

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 import click
 
 from nctakt.base.diagnostics import Language, Text
-from nctakt.cli.help import LANGUAGE_VARIABLE, option
+from nctakt.cli.help import option
 from nctakt.project.trust import trusting
 from nctakt.run.option_kinds import (
     Assignments,
@@ -65,8 +65,6 @@ def table_option(row: RunOption) -> Callable[[_Command], _Command]:
     attributes = _attributes(row.kind)
     if "is_flag" not in attributes and not getattr(row.kind, "choices", ()):
         attributes["metavar"] = row.metavar or row.kind.metavar
-    if row.name == "language":
-        attributes["envvar"] = LANGUAGE_VARIABLE
     return option(row.option, row.word, text=row.help, group=row.group, **attributes)
 
 
@@ -88,10 +86,7 @@ def language_option(default: Language) -> Callable[[_Command], _Command]:
         f"Sprache der Texte und Meldungen [Vorgabe: {default}].",
     )
     choice = click.Choice(["en", "de"])
-    return option(
-        "--lang", "language", text=text, group="general", type=choice, default=default,
-        envvar=LANGUAGE_VARIABLE,
-    )  # fmt: skip
+    return option("--lang", "language", text=text, group="general", type=choice, default=default)
 
 
 def split_words(words: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -149,6 +144,17 @@ FORMAT_OPTION = option(
         "Text, or all results as one JSON object [default: text].",
         "Text, oder alle Ergebnisse als ein JSON-Objekt [Vorgabe: text].",
     ),
+)
+IGNORE_OPTION = option(
+    "--ignore",
+    metavar="ID,...",
+    multiple=True,
+    text=Text("Do not report these messages.", "Diese Meldungen nicht ausgeben."),
+)
+STRICT_OPTION = option(
+    "--strict",
+    is_flag=True,
+    text=Text("Exit code 1 for warnings, too.", "Rückgabewert 1 auch bei Warnungen."),
 )
 PACE_OPTION = option(
     "--pace",

@@ -66,7 +66,7 @@ if TYPE_CHECKING:
     "--plot",
     metavar="FILE",
     text=Text(
-        "Draw both schedules (.svg, .png, .html).", "Beide Abläufe zeichnen (.svg, .png, .html)."
+        "Draw both schedules: .html, .svg or .png.", "Beide Abläufe zeichnen: .html, .svg, .png."
     ),
     group="files",
 )

@@ -69,6 +69,7 @@ _STANDARD_RULES = {"overflow": "skip", "calls": "block", "suspension": "ticks"}
 @option(
     "--cpu-base",
     type=click.IntRange(0, 1),
+    metavar="N",
     default=1,
     text=Text("Number of the first CPU.", "Nummer der ersten CPU."),
 )

@@ -25,7 +25,13 @@ from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.file_options import file_access
 from nctakt.cli.formats import diagnostics_as_json
 from nctakt.cli.help import option
-from nctakt.cli.options import language_option, table_option
+from nctakt.cli.options import (
+    FORMAT_OPTION,
+    IGNORE_OPTION,
+    STRICT_OPTION,
+    language_option,
+    table_option,
+)
 from nctakt.cli.selection import read_selection
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
@@ -124,29 +130,9 @@ LIST_OPTIONS = (
             "Fehlende Werte sind Warnungen, keine Fehler.",
         ),
     ),
-    option(
-        "--ignore",
-        metavar="ID,...",
-        multiple=True,
-        text=Text("Do not report these messages.", "Diese Meldungen nicht ausgeben."),
-        group="general",
-    ),
-    option(
-        "--strict",
-        is_flag=True,
-        text=Text("Exit code 1 for warnings.", "Rückgabewert 1 bei Warnungen."),
-        group="general",
-    ),
-    option(
-        "--format",
-        type=click.Choice(["text", "json"]),
-        default="text",
-        text=Text(
-            "Tables and findings as text, or one object with both.",
-            "Tabellen und Befunde als Text oder als ein Objekt.",
-        ),
-        group="files",
-    ),
+    IGNORE_OPTION,
+    STRICT_OPTION,
+    FORMAT_OPTION,
     language_option("en"),
     table_option(BY_NAME["quiet"]),
     table_option(BY_NAME["confine"]),
@@ -188,6 +174,7 @@ MODEL_OPTIONS = (
     option(
         "--cpu-base",
         type=click.IntRange(0, 1),
+        metavar="N",
         default=1,
         text=Text("Number of the first CPU.", "Nummer der ersten CPU."),
     ),
@@ -215,7 +202,7 @@ OUTPUT_OPTIONS = (
         "--plot",
         metavar="FILE",
         text=Text(
-            "Draw the schedule (.svg, .png, .html).", "Den Ablauf zeichnen (.svg, .png, .html)."
+            "Draw the schedule: .html, .svg or .png.", "Den Ablauf zeichnen: .html, .svg oder .png."
         ),
         group="files",
     ),
@@ -223,8 +210,8 @@ OUTPUT_OPTIONS = (
         "--vcd",
         metavar="FILE",
         text=Text(
-            "Write an oscilloscope trace for GTKWave.",
-            "Eine Oszilloskopaufzeichnung für GTKWave schreiben.",
+            "Write the threads for GTKWave (.vcd).",
+            "Die Threads für GTKWave schreiben (.vcd).",
         ),
         group="files",
     ),
@@ -232,8 +219,8 @@ OUTPUT_OPTIONS = (
         "--perfetto",
         metavar="FILE",
         text=Text(
-            "Write a trace for ui.perfetto.dev (JSON).",
-            "Eine Aufzeichnung für ui.perfetto.dev schreiben (JSON).",
+            "Write the same for Perfetto (.json).",
+            "Dasselbe für Perfetto schreiben (.json).",
         ),
         group="files",
     ),
@@ -355,7 +342,7 @@ def publish(
     listed = [finding for finding in listed if selection.includes(finding)]
     further = [finding for finding in further if selection.includes(finding)]
     shown = _shown((*listed, *further), words)
-    if words["format"] == "json":
+    if words["form"] == "json":
         diagnostics = diagnostics_as_json(shown, words["file"], words["language"])
         result = {"nctakt": __version__, **document, "diagnostics": diagnostics}
         click.echo(json.dumps(result, indent=2))

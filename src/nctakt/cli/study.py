@@ -107,7 +107,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     "-j",
     "--processes",
     type=click.IntRange(1),
-    metavar="COUNT",
+    metavar="N",
     text=Text(
         "How many processes make runs [default: one per core].",
         "Wie viele Prozesse Läufe machen [Vorgabe: einer je Kern].",
@@ -132,13 +132,13 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
 @option(
     "--sample",
     type=click.IntRange(1),
-    metavar="COUNT",
+    metavar="N",
     text=Text("Take points by chance.", "Punkte zufällig wählen."),
 )
 @option(
     "--only",
     type=click.IntRange(0),
-    metavar="NUMBER",
+    metavar="N",
     text=Text("Make one run, from 0.", "Einen Lauf machen, ab 0."),
 )
 @option(

@@ -93,7 +93,7 @@ def test_a_program_without_mistakes(check: Check) -> None:
     assert checked.code == 0
     assert checked.out == (
         "note 900585: programs are checked for the demo machine\n"
-        "  remedy: --machine DIR checks them for yours.\n"
+        "  remedy: --machine FOLDER checks them for yours.\n"
         "1 file: 0 errors, 0 warnings, 0 notes\n"
     )
 

@@ -56,7 +56,7 @@ def test_a_run_that_ends_its_process_is_told(tmp_path: Path) -> None:
     """The run gets a row that says so, all others theirs."""
     done = study(tmp_path, count=20, plc=True).run(processes=2)
     assert [row["run"] for row in done.rows if row["verdict"] == "crashed"] == [12]
-    assert done.counts["held"] == 19
+    assert done.counts["passed"] == 19
 
 
 @pytest.mark.nightly
@@ -121,7 +121,7 @@ def test_a_plc_reads_and_prints_what_it_likes(
     text = "        print('x' * 9000)\n        assert os.read(0, 1) == b''\n"
     cell = PLC.replace("        if hli", f"{text}        if hli")
     (tmp_path / "cell.py").write_text(f"{cell}\nprint('x' * 9000, flush=True)\n")
-    assert plan.run(processes=2).counts["held"] == 6
+    assert plan.run(processes=2).counts["passed"] == 6
 
 
 def test_blocks_are_as_long_as_they_should_be() -> None:

@@ -70,7 +70,7 @@ def test_a_broken_run_is_shown_by_its_command(vary: dict[str, Any], capsys: Capt
         **({"rtconf": "rtconf.lis"} if is_scheduled else {}),
     )
     for row in study.run().rows:
-        assert row["verdict"] == "broken"
+        assert row["verdict"] == "failed"
         number = int(row["run"] or 0)
         commands = {study.command(number), study.record(number, f"tapes/{number}.tape")} - {None}
         for command in commands:

@@ -58,7 +58,7 @@ def test_the_page_stands_alone(plan: Path) -> None:
     text = page.read_text("utf-8")
     for svg in re.findall(r"<svg.*?</svg>", text):
         ElementTree.fromstring(svg)
-    for heading in ("Measures", "Pairs of inputs", "Sensitivities", "Runs that did not hold"):
+    for heading in ("Measures", "Pairs of inputs", "Sensitivities", "Failed runs"):
         assert f"<h2>{heading}</h2>" in text
     assert "<script" not in text
     assert "http" not in text
@@ -95,7 +95,7 @@ def test_what_matters_is_on_top() -> None:
 
 
 def test_a_study_is_a_test(pytester: pytest.Pytester, plan: Path) -> None:
-    """It fails with the counts and the first broken run."""
+    """It fails with the counts and the first failed run."""
     (pytester.path / "part.nc").write_text((plan.parent / "part.nc").read_text())
     (pytester.path / "plan.toml").write_text(PLAN)
     pytester.makepyfile('def test_it(study):\n    assert study("plan.toml")\n')
@@ -113,7 +113,7 @@ def test_rows_of_a_file_are_read_again_and_again(tmp_path: Path, name: str) -> N
     if name.endswith("parquet"):
         pytest.importorskip("pyarrow")
     made: list[Row] = [
-        {"run": number, "end": number / 8, "verdict": "held", "digest": f"d{number}"}
+        {"run": number, "end": number / 8, "verdict": "passed", "digest": f"d{number}"}
         for number in range(50)
     ]
     write_rows(made, list(made[0]), tmp_path / name)
@@ -124,6 +124,15 @@ def test_rows_of_a_file_are_read_again_and_again(tmp_path: Path, name: str) -> N
     with pytest.raises(Failure) as raised:
         read_rows(tmp_path / name)
     assert raised.value.diagnostics[0].id == 900503
+
+
+def test_verdicts_of_earlier_versions_are_read(tmp_path: Path) -> None:
+    """``held`` and ``broken`` are ``passed`` and ``failed``; no other row changes."""
+    earlier = ("held", "broken", "crashed")
+    lines = [f'{{"run": {number}, "verdict": "{word}"}}' for number, word in enumerate(earlier)]
+    (tmp_path / "rows.jsonl").write_text("\n".join(lines), "utf-8")
+    rows = read_rows(tmp_path / "rows.jsonl")
+    assert [row["verdict"] for row in rows] == ["passed", "failed", "crashed"]
 
 
 def test_rows_are_read_from_a_file_only(tmp_path: Path) -> None:

@@ -40,7 +40,7 @@ def rows_of(count: int) -> list[Row]:
     text: list[Row] = [
         {
             "run": number, "V.E.VALUE": number, "end": number / 7, "state": "ended", "ticks": 5,
-            "verdict": "held", "broken": "", "seed": 0, "digest": f"{number:x}",
+            "verdict": "passed", "broken": "", "seed": 0, "digest": f"{number:x}",
         }
         for number in range(count)
     ]  # fmt: skip
@@ -76,7 +76,7 @@ def test_rows_are_sorted_in_parts(
     write_rows(stored, columns, Path(name))
     assert Path(name).read_bytes() == whole
     result = StudyResult(study.plan, stored)
-    assert result.counts["held"] == 300
+    assert result.counts["passed"] == 300
     assert "300 runs" in result.report()
     store.remove()
     assert not list(Path().glob("x.rows*"))
@@ -122,7 +122,7 @@ def test_a_full_disk_keeps_what_is_finished(
     assert not Path("rows.csv.rows").exists()
 
 
-@pytest.mark.parametrize("line", ["5", '{"a": 1}', "nonsense", '{"run": "x", "verdict": "held"}'])
+@pytest.mark.parametrize("line", ["5", '{"a": 1}', "nonsense", '{"run": "x", "verdict": "passed"}'])
 def test_damaged_rows_are_told(study: Study, line: str) -> None:
     """A whole line that is no row (900503)."""
     RowStore(Path("x.rows"), study.plan, resumes=False).close()
@@ -147,7 +147,7 @@ def test_more_runs_than_anybody_counts(study: Study, capsys: pytest.CaptureFixtu
 def test_a_file_of_the_user_with_the_name_of_the_rows_stays(study: Study, resumes: bool) -> None:
     """It is no rows of a study (902023); nor is a file touched that has the name of a part."""
     path = Path("out.csv.rows")
-    for text in ("mine\n", "", '{"run": 1, "verdict": "held"}\n'):
+    for text in ("mine\n", "", '{"run": 1, "verdict": "passed"}\n'):
         path.write_text(text, "utf-8")
         with pytest.raises(Failure) as raised:
             RowStore(path, study.plan, resumes=resumes)

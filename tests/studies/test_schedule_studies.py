@@ -159,7 +159,7 @@ def test_the_command(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     )
     words = ["study", "plan.toml", "--out", "rows.csv", "--report", "page.html", "--quiet"]
     assert main(words) == 1
-    assert "1 held, 1 broken" in capsys.readouterr().out
+    assert "1 passed, 1 failed" in capsys.readouterr().out
     assert "error 900630" in (folder / "rows.csv").read_text()
     assert main(["study", "report", "plan.toml", "rows.csv"]) == 0
 

@@ -61,7 +61,7 @@ def test_a_grid_finds_the_first_late_tick(program: Path) -> None:
     done = study(program, **{"from": "540 ms", "to": "560 ms", "step": "1 tick"}).run()
     assert len(done) == 21
     assert done.broken[0]["stop"] == FIRST_LATE
-    assert [row["verdict"] for row in done.rows] == ["held"] * 11 + ["broken"] * 10
+    assert [row["verdict"] for row in done.rows] == ["passed"] * 11 + ["failed"] * 10
     assert done.rows[10]["rest"] == pytest.approx(55.0)
 
 
@@ -131,10 +131,10 @@ def test_expectations_bound_a_search(program: Path) -> None:
     plan = study(program, **{"from": "500 ms", "to": "560 ms", "step": "1 tick"})
     answer = search(plan.bench, Goal("maximize", "rest", 61))  # each point of the grid
     best, beyond = answer.rows
-    assert (best["stop"], best["verdict"], answer.finding) == (0.55, "held", None)
+    assert (best["stop"], best["verdict"], answer.finding) == (0.55, "passed", None)
     assert beyond["stop"] == 0.56
     assert beyond["rest"] == pytest.approx(56.0)
-    assert beyond["verdict"] == "broken"
+    assert beyond["verdict"] == "failed"
 
 
 def test_a_search_without_a_run_that_passes_says_so(program: Path) -> None:

@@ -37,12 +37,12 @@ def plan(tmp_path: Path) -> Path:
 
 
 def test_the_summary_names_the_broken_runs(plan: Path, capsys: Captured) -> None:
-    """Counts, the span of the measure, each broken run with its command; exit code 1."""
+    """Counts, the span of the measure, each failed run with its command; exit code 1."""
     assert main(["study", str(plan), "--quiet"]) == 1
     lines = capsys.readouterr().out.splitlines()
-    assert lines[0] == f"{plan}: 6 runs: 4 held, 2 broken"
+    assert lines[0] == f"{plan}: 6 runs: 4 passed, 2 failed"
     assert lines[1] == "  end  minimum 1  maximum 6"
-    assert lines[2] == "4: V.E.VALUE = 5: broken: X at end < 4.5 (5)"
+    assert lines[2] == "4: V.E.VALUE = 5: failed: X at end < 4.5 (5)"
     assert lines[3] == f"    nctakt run {plan.with_name('part.nc')} --set V.E.VALUE=5"
     assert main(["study", str(plan), "--only", "2", "--quiet"]) == 0
 
@@ -179,7 +179,7 @@ def test_an_error_that_nobody_expects_breaks(plan: Path, capsys: Captured) -> No
         PLAN.replace("to = 6", "to = 100001\nstep = 100000").replace("\nstep = 1\n", "\n")
     )
     assert main(["study", str(plan), "--quiet"]) == 1
-    assert "1 held, 1 broken" in capsys.readouterr().out
+    assert "1 passed, 1 failed" in capsys.readouterr().out
     plan.write_text(plan.read_text().replace("X at end < 4.5", "count of error 120000 = 0"))
     assert main(["study", str(plan), "--quiet"]) == 0
 
@@ -189,9 +189,9 @@ def test_answers_come_with_their_commands(plan: Path, capsys: Captured) -> None:
     plan.write_text(PLAN + '[[find]]\nboundary = "V.E.VALUE"\n')
     assert main(["study", str(plan), "--quiet", "--lang", "de"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[1].endswith("V.E.VALUE = 4, end = 4: erfüllt")
+    assert lines[1].endswith("V.E.VALUE = 4, end = 4: bestanden")
     assert lines[2] == f"    nctakt run {plan.with_name('part.nc')} --set V.E.VALUE=4"
-    assert lines[3].endswith("V.E.VALUE = 5, end = 5: verletzt: X at end < 4.5 (5)")
+    assert lines[3].endswith("V.E.VALUE = 5, end = 5: nicht bestanden: X at end < 4.5 (5)")
     folder = plan.with_name("tapes")
     assert main(["study", str(plan), "--quiet", "--record", str(folder)]) == 0
     assert len(list(folder.glob("boundary-V.E.VALUE-*.tape"))) == 2

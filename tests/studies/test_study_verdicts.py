@@ -54,14 +54,14 @@ def test_a_margin_of_whole_microseconds(program: str, margin_ms: int) -> None:
     plan = study(program, measure=MARGIN, expect=[f"margin > {margin_ms} ms"],
                  find=[{"boundary": "at"}])  # fmt: skip
     held, broken = plan.find()[0].rows
-    assert (held["verdict"], broken["verdict"]) == ("held", "broken")
+    assert (held["verdict"], broken["verdict"]) == ("passed", "failed")
     assert (held["at"], broken["at"]) == tuple(
         (END_MS - margin_ms - over) / 1000 for over in (1, 0)
     )
     assert broken["margin"] == margin_ms / 1000
     for text in (f"margin = {margin_ms} ms", f"margin = {margin_ms / 1000}"):
         rows = study(program, measure=MARGIN, expect=[text]).run().rows
-        assert [row["at"] for row in rows if row["verdict"] == "held"] == [broken["at"]]
+        assert [row["at"] for row in rows if row["verdict"] == "passed"] == [broken["at"]]
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_what_is_computed_of_times_is_exact(program: str, text: str) -> None:
     Path("late.py").write_text("def late(run):\n    return run.m_function(100).at\n", "utf-8")
     measure = {"called": "python late.py:late"}
     rows = study(program, measure=measure, expect=[text]).run().rows
-    held = [row["at"] for row in rows if row["verdict"] == "held"]
+    held = [row["at"] for row in rows if row["verdict"] == "passed"]
     assert held[-1] == (END_MS - 21) / 1000
     assert len(held) == END_MS - 21 - 150 + 1
 
@@ -115,12 +115,12 @@ vary = [{time_of = "V.E.TRIGGER = 1", name = "at", from = "150 ms", to = "195 ms
     Path("plan.toml").write_text(plan.replace("LIMIT", "20"), "utf-8")
     assert main(["study", "plan.toml"]) == 0
     lines = capsys.readouterr().out.splitlines()
-    assert lines[1].endswith("margin = 0.021: held")
-    assert lines[3].endswith("margin = 0.006: broken: margin > 20 ms (0.006)")
+    assert lines[1].endswith("margin = 0.021: passed")
+    assert lines[3].endswith("margin = 0.006: failed: margin > 20 ms (0.006)")
     Path("plan.toml").write_text(plan.replace("LIMIT", "200"), "utf-8")
     assert main(["study", "plan.toml"]) == 1
     shown = capsys.readouterr()
-    assert "margin = 0.006: broken: margin > 200 ms (0.006)" in shown.out
+    assert "margin = 0.006: failed: margin > 200 ms (0.006)" in shown.out
     assert "error 901940: " in shown.err
 
 
@@ -212,7 +212,7 @@ def test_an_unchanged_run_that_is_broken_already(program: str, capsys: Captured)
     shown = capsys.readouterr()
     first = shown.err.splitlines()[0]
     assert first == (
-        "warning 901942: the run without any injection is broken already: duration < 0.1 (0.201)"
+        "warning 901942: the run without any injection fails already: duration < 0.1 (0.201)"
     )
     assert main([*words, "--expect", "V.E.TRIGGER > 0 within 5 ms", "--quiet"]) == 0
     assert "901942" not in capsys.readouterr().err

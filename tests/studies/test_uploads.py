@@ -135,7 +135,7 @@ def test_a_worker_in_another_folder_makes_the_same_rows(
     (tmp_path / "own/deep.py").write_text("from wheeled import number\n")
     expected = own.run()
     assert expected.column("both") == [4.5, 4.5, None, 4.5, 4.5, 4.5]
-    assert expected.counts == {"held": 5, "broken": 0, "failed": 1, "crashed": 0}
+    assert expected.counts == {"passed": 5, "failed": 0, "refused": 1, "crashed": 0}
     with pytest.raises(Failure) as raised:
         own.run(executor=lambda p, n: rows_of_cluster(p, n, address))
     assert raised.value.diagnostics[0].id == 901485
@@ -144,4 +144,4 @@ def test_a_worker_in_another_folder_makes_the_same_rows(
     assert made.rows == expected.rows
     (tmp_path / "own/gauge.py").write_text("def look(hli):\n    pass\n")
     changed = own.run(executor=lambda p, n: rows_of_cluster(p, n, address, wheels))
-    assert changed.counts["held"] == 6
+    assert changed.counts["passed"] == 6

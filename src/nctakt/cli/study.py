@@ -2,7 +2,7 @@
 """``nctakt study``: many runs of one program, each measured and checked.
 
 In: a plan (TOML), or a program with ``--each-tick`` and ``--expect``. Out: on standard output how
-many runs met the expectations, the span of each measure, the broken runs with the command that
+many runs met the expectations, the span of each measure, the failed runs with the command that
 makes each of them, the strip of an each-tick study; with ``--out`` a file with a row per run. Exit
 codes: 0 all runs met all expectations, 1 some did not or Ctrl-C, 2 wrong usage.
 """
@@ -146,7 +146,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     metavar="FOLDER",
     group="files",
     text=Text(
-        "Write a tape of each broken run, at most 100, for replay.",
+        "Write a tape of each failed run, at most 100, for nctakt replay.",
         "Ein Band jedes nicht bestandenen Laufs schreiben, höchstens 100, für replay.",
     ),
 )
@@ -162,7 +162,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     "--shrink",
     is_flag=True,
     text=Text(
-        "Find the smallest change that breaks a run.",
+        "Find the smallest change that makes a run fail.",
         "Die kleinste Änderung finden, mit der ein Lauf nicht besteht.",
     ),
 )
@@ -271,7 +271,7 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
 
 
 def _tell_unchanged(study: Study, words: dict[str, Any]) -> None:
-    """Warn of an unchanged run that is broken already (901942)."""
+    """Warn of an unchanged run that fails already (901942)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
 

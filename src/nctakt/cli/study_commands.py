@@ -2,7 +2,7 @@
 """The command that shows a run of a study: ``nctakt run``, a replay, or the study's own words.
 
 In: a study and its rows. Out: a command for each number of a run; with ``--record`` the tapes of
-the broken runs.
+the failed runs.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.run.options import accepted_by, command_words
-from nctakt.studies.bench import BROKEN
+from nctakt.studies.bench import FAILED
 from nctakt.studies.study import Study, StudyResult
 
 #: The most tapes of one study.
@@ -27,7 +27,7 @@ _OPTIONS = ("each_tick", "sample")
 def commands_of(
     study: Study, result: StudyResult, file: str, words: dict[str, Any]
 ) -> Callable[[int], str]:
-    """Return the command of each run; write tapes of the broken ones with ``--record``.
+    """Return the command of each run; write tapes of the failed ones with ``--record``.
 
     Raises ``Failure`` for files that cannot be written.
     """
@@ -45,7 +45,7 @@ def commands_of(
 
 def _numbers(result: StudyResult) -> Iterator[int]:
     """Yield the numbers of the runs that have a tape."""
-    broken = (int(row["run"] or 0) for row in result.rows if row["verdict"] == BROKEN)
+    broken = (int(row["run"] or 0) for row in result.rows if row["verdict"] == FAILED)
     return itertools.islice(broken, MAX_TAPES)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The progress of a study on a terminal: rate, broken runs so far, remaining time."""
+"""The progress of a study on a terminal: rate, failed runs so far, remaining time."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ LONG_S = 3600.0
 MAX_COUNTED = 10**30
 
 _LINES = {
-    "en": "{} of {} runs, {} per second, {} broken, {} left",
-    "de": "{0} von {1} Läufen, {2} je Sekunde, {3} verletzt, noch {4}",
+    "en": "{} of {} runs, {} per second, {} failed, {} left",
+    "de": "{0} von {1} Läufen, {2} je Sekunde, {3} nicht bestanden, noch {4}",
 }
 
 #: Wall-clock time between two lines, in seconds.

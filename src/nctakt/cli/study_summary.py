@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The result of a study as text: verdicts, spans of the measures, broken runs, strip."""
+"""The result of a study as text: verdicts, spans of the measures, failed runs, strip."""
 
 from __future__ import annotations
 
@@ -10,27 +10,27 @@ from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
-from nctakt.studies.bench import FAILED, HELD, Row
+from nctakt.studies.bench import CRASHED, FAILED, PASSED, REFUSED, Row
 from nctakt.studies.each_tick import strip
 from nctakt.studies.measures import as_text
 from nctakt.studies.search import Answer
 from nctakt.studies.study import Study, StudyResult
 from nctakt.studies.verdicts import share_text
 
-#: Broken runs that are shown.
+#: Failed runs that are shown.
 MAX_SHOWN = 10
 
 _TEXTS = {
-    "en": ("runs", "minimum", "maximum", "without a value", "more broken runs"),
-    "de": ("Läufe", "Minimum", "Maximum", "ohne Wert", "weitere verletzte Läufe"),
+    "en": ("runs", "minimum", "maximum", "without a value", "more failed runs"),
+    "de": ("Läufe", "Minimum", "Maximum", "ohne Wert", "weitere nicht bestandene Läufe"),
 }
 _VERDICTS = {
-    "en": {"held": "held", "broken": "broken", "failed": "failed", "crashed": "crashed"},
+    "en": {word: word for word in (PASSED, FAILED, REFUSED, CRASHED)},
     "de": {
-        "held": "erfüllt",
-        "broken": "verletzt",
-        "failed": "fehlgeschlagen",
-        "crashed": "abgestürzt",
+        PASSED: "bestanden",
+        FAILED: "nicht bestanden",
+        REFUSED: "nicht möglich",
+        CRASHED: "abgestürzt",
     },
 }
 
@@ -52,7 +52,7 @@ def summary(
     counts = ", ".join(f"{count} {names[name]}" for name, count in verdicts.items() if count)
     yield f"{file}: {len(result)} {runs}: {counts}"
     if len(result) and study.plan.method in ("random", "latin", "sobol"):
-        yield f"  {names[HELD]}: {share_text(verdicts[HELD], len(result))}"
+        yield f"  {names[PASSED]}: {share_text(verdicts[PASSED], len(result))}"
     for name, span in spans_of(result).items():
         line = f"  {name}"
         if span.low is not None and span.high is not None:
@@ -72,7 +72,7 @@ def summary(
         number = row["run"]
         assert isinstance(number, int)
         yield f"    {command(number)}"
-    left = len(result) - verdicts[HELD] - MAX_SHOWN
+    left = len(result) - verdicts[PASSED] - MAX_SHOWN
     if left > 0:
         yield f"… {left} {more}"
 
@@ -114,14 +114,14 @@ def answer_lines(
     for number, (row, point) in enumerate(zip(answer.rows, answer.points, strict=True)):
         yield f"  {_values(study, row, language)}"
         command = study.command(point)
-        if folder is not None and row["verdict"] != FAILED:
+        if folder is not None and row["verdict"] != REFUSED:
             name = f"{answer.goal.word}-{answer.goal.measure}-{number}.tape"
             command = study.record(point, Path(folder) / re.sub(r"[^\w.-]", "_", name))
         yield f"    {command or shlex.join(['nctakt', 'study', file, '--record', 'tapes'])}"
 
 
 def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Iterator[str]:
-    """Yield the smallest change that breaks as the first broken run does."""
+    """Yield the smallest change that fails as the first failed run does."""
     number = result.first_broken(1)[0]["run"]
     assert isinstance(number, int)
     answer = study.shrink(number)

@@ -75,8 +75,8 @@ CHECKED_FOR_MACHINE_OF_FILE = note(
     900815,
     en="programs are checked for the machine of {file}",
     de="Programme werden für die Maschine von {file} geprüft",
-    remedy_en="--machine DIR checks them for another one.",
-    remedy_de="--machine DIR prüft sie für eine andere.",
+    remedy_en="--machine FOLDER checks them for another one.",
+    remedy_de="--machine FOLDER prüft sie für eine andere.",
     file=(
         "the start-up list that lies in their folder, or above it",
         "die Hochlaufliste in ihrem Ordner oder darüber",

@@ -158,8 +158,8 @@ NAMES_OF_DEMO_MACHINE = note(
     901006,
     en="the names are looked up on the built-in demo machine",
     de="die Namen werden an der eingebauten Demo-Maschine gesucht",
-    remedy_en="--machine DIR takes your own machine; in Python it is Controller(DIR).",
-    remedy_de="--machine DIR nimmt die eigene Maschine; in Python ist es Controller(DIR).",
+    remedy_en="--machine FOLDER takes your own machine; in Python it is Controller(FOLDER).",
+    remedy_de="--machine FOLDER nimmt die eigene Maschine; in Python ist es Controller(FOLDER).",
     cause_en="Variables, axes, spindles, M and H functions come from the lists of a machine.",
     cause_de="Variablen, Achsen, Spindeln, M- und H-Funktionen stammen aus den Listen einer "
     "Maschine.",

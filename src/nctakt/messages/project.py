@@ -67,8 +67,8 @@ MACHINE_OF_SETTING = note(
     901064,
     en="the machine is {machine}, as {source} says",
     de="die Maschine ist {machine}, wie {source} es angibt",
-    remedy_en="--machine DIR takes another one, --machine demo the built-in one.",
-    remedy_de="--machine DIR nimmt eine andere, --machine demo die eingebaute.",
+    remedy_en="--machine FOLDER takes another one, --machine demo the built-in one.",
+    remedy_de="--machine FOLDER nimmt eine andere, --machine demo die eingebaute.",
     machine=("the folder with its lists", "der Ordner mit ihren Listen"),
     source=(
         "the project file or the environment variable",
@@ -79,8 +79,8 @@ RUN_ON_MACHINE_OF_FILE = note(
     900816,
     en="the program runs on the machine of {file}",
     de="das Programm läuft auf der Maschine von {file}",
-    remedy_en="--machine DIR takes another one, --machine demo the built-in one.",
-    remedy_de="--machine DIR nimmt eine andere, --machine demo die eingebaute.",
+    remedy_en="--machine FOLDER takes another one, --machine demo the built-in one.",
+    remedy_de="--machine FOLDER nimmt eine andere, --machine demo die eingebaute.",
     file=(
         "the start-up list in whose folder the program lies",
         "die Hochlaufliste, in deren Ordner das Programm liegt",
@@ -91,8 +91,8 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
     en="the programs belong to different machines: {first} runs on {machine}, {second} on {other}",
     de="die Programme gehören zu verschiedenen Maschinen: {first} läuft auf {machine}, {second} "
     "auf {other}",
-    remedy_en="Name the machine for all of them: --machine DIR",
-    remedy_de="Die Maschine für alle angeben: --machine DIR",
+    remedy_en="Name the machine for all of them: --machine FOLDER",
+    remedy_de="Die Maschine für alle angeben: --machine FOLDER",
     first=("the first program", "das erste Programm"),
     machine=("its machine", "seine Maschine"),
     second=("another program", "ein anderes Programm"),

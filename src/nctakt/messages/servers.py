@@ -113,7 +113,7 @@ PAGE_WITHOUT_PROGRAM = error(
 )
 TOO_FEW_DESCRIPTORS = error(
     902041,
-    en="the doors may need {needed} file descriptors, and the system permits {limit}",
+    en="the protocols may need {needed} file descriptors, and the system permits {limit}",
     de="die Protokolle können {needed} Dateideskriptoren brauchen, das System erlaubt {limit}",
     remedy_en="Permit more (ulimit -Hn {needed}), or serve fewer protocols.",
     remedy_de="Mehr erlauben (ulimit -Hn {needed}) oder weniger Protokolle bedienen.",

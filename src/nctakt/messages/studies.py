@@ -207,8 +207,8 @@ NO_EFFECT_SHOWN = warning(
 )
 UNCHANGED_RUN_BROKEN = warning(
     901942,
-    en="the run without any injection is broken already: {broken}",
-    de="schon der Lauf ohne jeden Eingriff ist verletzt: {broken}",
+    en="the run without any injection fails already: {broken}",
+    de="schon der Lauf ohne jeden Eingriff ist nicht bestanden: {broken}",
     remedy_en="Correct program or expectation first: each injection would show the same.",
     remedy_de="Zuerst Programm oder Erwartung berichtigen: jeder Eingriff würde dasselbe zeigen.",
     broken=("what does not hold", "was verletzt ist"),

@@ -41,7 +41,7 @@ TAPE_NAMES_OUTSIDE = error(
     902024,
     en="the tape names files outside of {folders}: {files}",
     de="die Aufzeichnung nennt Dateien außerhalb von {folders}: {files}",
-    remedy_en="If you trust the tape, name the folder whose files it may have read: --root DIR",
+    remedy_en="If you trust the tape, name the folder whose files it may have read: --root FOLDER",
     remedy_de="Wenn Sie der Aufzeichnung vertrauen, den Ordner nennen, dessen Dateien sie lesen "
     "darf: --root ORDNER",
     cause_en="A tape may come from anywhere; it reaches the files of its own folder.",

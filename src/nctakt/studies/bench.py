@@ -52,8 +52,10 @@ Parameters = tuple[tuple[tuple[str, str], float | str], ...]
 #: A row of the results: name -> number, text or ``None``.
 Row = dict[str, float | int | str | None]
 
-#: Verdicts of a run: all expectations met, one of them not, no run at all.
-HELD, BROKEN, FAILED, CRASHED = "held", "broken", "failed", "crashed"
+#: Verdicts of a run: all expectations met, one of them not, not possible, process died.
+PASSED, FAILED, REFUSED, CRASHED = "passed", "failed", "refused", "crashed"
+#: Verdicts in files of earlier versions, whose ``failed`` was a run that is not possible.
+EARLIER_VERDICTS = {"held": PASSED, "broken": FAILED}
 
 
 #: The state of a run that was left as soon as its expectations were decided.
@@ -169,7 +171,7 @@ class Bench:
             row |= {measure.name: None for measure in self.plan.measures}
             heads = (_without_folder(one).headline().splitlines() for one in failure.diagnostics)
             texts = "; ".join(dict.fromkeys(head[0] for head in heads))
-            return row | {"verdict": FAILED, "broken": texts, "seed": self.plan.seed, "digest": ""}
+            return row | {"verdict": REFUSED, "broken": texts, "seed": self.plan.seed, "digest": ""}
         return row | self.judge(finished)
 
     def row_head(self, index: int, point: Sequence[Value]) -> Row:
@@ -189,7 +191,7 @@ class Bench:
         return row | {
             "state": DECIDED if outcome.run.state == "interrupted" else outcome.run.state,
             "ticks": outcome.run.ticks,
-            "verdict": BROKEN if broken else HELD,
+            "verdict": FAILED if broken else PASSED,
             "broken": "; ".join(broken),
             "seed": plan.seed,
             "digest": finished.digest,

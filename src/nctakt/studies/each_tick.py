@@ -18,7 +18,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import NOT_AN_INJECTION
-from nctakt.studies.bench import HELD, Bench, Row
+from nctakt.studies.bench import PASSED, Bench, Row
 from nctakt.studies.dimension import END_OF_RUN, Dimension
 from nctakt.studies.inputs import RunInputs
 from nctakt.studies.plan import Plan
@@ -26,12 +26,12 @@ from nctakt.studies.units import REACTION
 
 _INJECTION = re.compile(r"(?P<assignment>.*=.*?)(?:\s+for\s+(?P<time>\S.*))?")
 
-#: Marks of a strip: all ticks of it held, some did not, none did.
+#: Marks of a strip: all ticks of it passed, some failed, all failed.
 MARKS = ("·", "x", "X")
 
 _HEADS = {
-    "en": "  line  from          to            held   longest reaction",
-    "de": " Zeile  von           bis           erfüllt   längste Reaktion",
+    "en": "  line  from          to            passed longest reaction",
+    "de": " Zeile  von           bis           bestanden längste Reaktion",
 }
 
 #: Characters of a strip.
@@ -122,7 +122,7 @@ class _Block:
 
     def add(self, row: Row) -> None:
         """Add an injection."""
-        self.held.append(row["verdict"] == HELD)
+        self.held.append(row["verdict"] == PASSED)
         time_s = row.get(REACTION)
         if isinstance(time_s, float):
             self.longest_s = max(time_s, self.longest_s or 0.0)

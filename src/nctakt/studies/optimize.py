@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import EXTRA_MISSING
-from nctakt.studies.bench import HELD, Row
+from nctakt.studies.bench import PASSED, Row
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.plan import Goal, Plan
 
@@ -54,7 +54,7 @@ def optimize(
     def ranked(numbers: Sequence[float]) -> Rank:
         row = make([dimension_value(one, n) for one, n in zip(dimensions, numbers, strict=True)])
         values = objective_values(goal, row) or (math.inf,) * len(goal.objectives)
-        return (float(row["verdict"] != HELD), *values)
+        return (float(row["verdict"] != PASSED), *values)
 
     if 0 < math.prod(one.count for one in dimensions) <= goal.budget:
         for numbers in itertools.product(*(range(one.count) for one in dimensions)):

@@ -3,7 +3,7 @@
 
 In: a plan and its rows. Out: the page in English or German: verdicts, a histogram of each measure,
 each measure over each input, heat maps over pairs of inputs, the strip of an each-tick study,
-sensitivities, the broken runs with the commands that show them.
+sensitivities, the failed runs with the commands that show them.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT
 from nctakt.studies import charts
-from nctakt.studies.bench import HELD, Row
+from nctakt.studies.bench import PASSED, Row
 from nctakt.studies.each_tick import Nominal
 from nctakt.studies.effects import without_effect
 from nctakt.studies.measures import as_text
@@ -27,7 +27,7 @@ from nctakt.studies.plan import Plan
 from nctakt.studies.units import REACTION
 from nctakt.studies.verdicts import limits_of, share_text
 
-#: Broken runs in the table of the report, pictures of one kind.
+#: Failed runs in the table of the report, pictures of one kind.
 MAX_ROWS, MAX_PICTURES = 200, 24
 
 #: Runs from which on sensitivities are estimated.
@@ -42,8 +42,8 @@ figure { margin: 0; padding: 8px; border: 1px solid #d8dee6; border-radius: 6px 
 figcaption { font-size: 13px; color: #52606d }
 svg text { font: 11px system-ui, sans-serif; fill: #333 }
 table { border-collapse: collapse; font-size: 13px } td, th { padding: 3px 10px; text-align: left;
-  border-bottom: 1px solid #e3e8ee } .broken { color: #c0392b } code { font-size: 12px }
-.held { color: #2f6f9f }
+  border-bottom: 1px solid #e3e8ee } .failed { color: #c0392b } code { font-size: 12px }
+.passed { color: #2f6f9f }
 """
 
 
@@ -54,13 +54,14 @@ _TEXTS = {
     "en": {
         "title": "Study of {}", "each_tick": "Each tick", "measures": "Measures",
         "scatters": "Measures over inputs", "pairs": "Pairs of inputs",
-        "sensitivities": "Sensitivities", "runs": "runs", "held": "{} held", "broken": "{} did not",
+        "sensitivities": "Sensitivities", "runs": "runs",
+        "passed": "{} passed", "failed": "{} failed",
         "in_unit": "{} in {}",
-        "strip": "red: the expectations did not hold for an injection then; above: lines",
+        "strip": "red: the run with an injection then failed; above: lines",
         "without": "{} without", "over": "{} over {}", "mean": "mean of {} over {} and {}",
-        "depends": "how much {} depends on each input", "table": "Runs that did not hold",
+        "depends": "how much {} depends on each input", "table": "Failed runs",
         "more": "… and {} more", "sample": "Pictures of {} of the runs, evenly spread.",
-        "run": "run", "reason": "broken", "command": "shown by",
+        "run": "run", "reason": "not met", "command": "shown by",
         "verdict_map": "passed (blue) and failed (red) over {} and {}",
         "verdict_maps": "Passed and failed over two inputs",
         "extremes": "Least and greatest values", "least": "least {}", "greatest": "greatest {}",
@@ -70,16 +71,16 @@ _TEXTS = {
     "de": {
         "title": "Studie von {}", "each_tick": "Jeder Takt", "measures": "Messgrößen",
         "scatters": "Messgrößen über Eingängen", "pairs": "Paare von Eingängen",
-        "sensitivities": "Empfindlichkeiten", "runs": "Läufe", "held": "{} erfüllt",
-        "broken": "{} nicht",
-        "strip": "rot: Erwartungen bei einem Eingriff dann nicht erfüllt; darüber: Zeilen",
+        "sensitivities": "Empfindlichkeiten", "runs": "Läufe", "passed": "{} bestanden",
+        "failed": "{} nicht bestanden",
+        "strip": "rot: der Lauf mit einem Eingriff dann nicht bestanden; darüber: Zeilen",
         "in_unit": "{} in {}", "without": "{} ohne", "over": "{} über {}",
         "mean": "Mittelwert von {} über {} und {}",
-        "depends": "wie stark {} von jedem Eingang abhängt", "table": "Nicht erfüllte Läufe",
+        "depends": "wie stark {} von jedem Eingang abhängt", "table": "Nicht bestandene Läufe",
         "more": "… und {} weitere", "sample": "Bilder aus {} der Läufe, gleichmäßig verteilt.",
-        "run": "Lauf", "reason": "verletzt", "command": "zu sehen mit",
-        "verdict_map": "erfüllt (blau) und verletzt (rot) über {} und {}",
-        "verdict_maps": "Erfüllt und verletzt über zwei Eingängen",
+        "run": "Lauf", "reason": "nicht erfüllt", "command": "zu sehen mit",
+        "verdict_map": "bestanden (blau) und nicht (rot) über {} und {}",
+        "verdict_maps": "Bestanden und nicht bestanden über zwei Eingängen",
         "extremes": "Kleinste und größte Werte", "least": "kleinstes {}",
         "greatest": "größtes {}", "which": "welches", "verdict": "Urteil",
         "PAWN, median": "PAWN, Median", "rank correlation": "Rangkorrelation",
@@ -132,7 +133,7 @@ class _Report:
         self._rows: list[Row] = []
         step = -(-len(rows) // MAX_RUNS)
         for number, row in enumerate(rows):
-            is_held = row["verdict"] == HELD
+            is_held = row["verdict"] == PASSED
             self._held += is_held
             if not is_held and len(self._broken) < MAX_ROWS:
                 self._broken.append(row)
@@ -170,10 +171,10 @@ class _Report:
 
     def _verdicts(self) -> str:
         expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)
-        held = self._text("held", self._held)
+        held = self._text("passed", self._held)
         if self._count:
             held += f", {share_text(self._held, self._count)}"
-        broken = self._text("broken", self._count - self._held)
+        broken = self._text("failed", self._count - self._held)
         dead = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in self._dead]
         warnings = "".join(f"<p>{escape(one.text(self._language))}</p>" for one in dead)
         rest = ""
@@ -181,7 +182,7 @@ class _Report:
             rest = f"<p>{self._text('sample', len(self._rows))}</p>"
         return (
             f"<p>{self._count} {self._text('runs')}: "
-            f'<span class="held">{held}</span>, <span class="broken">{broken}</span>.</p>'
+            f'<span class="passed">{held}</span>, <span class="failed">{broken}</span>.</p>'
             f"<ul>{expected}</ul>{rest}{warnings}"
         )
 
@@ -315,7 +316,7 @@ def _column(rows: Sequence[Row], name: str) -> list[float]:
 
 
 def _held(rows: Sequence[Row]) -> list[bool]:
-    return [row["verdict"] == HELD for row in rows]
+    return [row["verdict"] == PASSED for row in rows]
 
 
 def sensitivities(

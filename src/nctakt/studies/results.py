@@ -22,7 +22,7 @@ from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
-from nctakt.studies.bench import Row
+from nctakt.studies.bench import EARLIER_VERDICTS, Row
 from nctakt.trace.arrow import field, load_pyarrow
 
 if TYPE_CHECKING:
@@ -140,12 +140,13 @@ def unreadable(path: Path, error: Exception) -> Failure:
 
 
 def checked_row(row: Any) -> Row:
-    """Return a row; raises ``ValueError`` for what is none."""
+    """Return a row in the words of this version; raises ``ValueError`` for what is none."""
     if not isinstance(row, dict) or not isinstance(row.get("verdict"), str):
         raise ValueError("not a row of a study")
     if not isinstance(row.get("run"), int | float):
         raise ValueError("a row without its run")
-    return row
+    verdict = EARLIER_VERDICTS.get(row["verdict"])
+    return row if verdict is None else row | {"verdict": verdict}
 
 
 def _rows_of(file: IO[bytes], suffix: str) -> Iterator[Any]:

@@ -11,7 +11,7 @@ import json
 from collections.abc import Iterable
 from functools import cached_property
 
-from nctakt.studies.bench import CRASHED, HELD, Row
+from nctakt.studies.bench import CRASHED, PASSED, Row
 
 _encode = json.JSONEncoder(ensure_ascii=False).encode
 
@@ -25,7 +25,7 @@ class RowBlock:
     def __init__(self, rows: Iterable[Row]) -> None:
         self.rows = list(rows)
         self.numbers = tuple(int(row["run"] or 0) for row in self.rows)
-        self.broken = sum(row["verdict"] != HELD for row in self.rows)
+        self.broken = sum(row["verdict"] != PASSED for row in self.rows)
         self.crashed = tuple(
             number
             for number, row in zip(self.numbers, self.rows, strict=True)

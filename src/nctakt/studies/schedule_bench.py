@@ -17,7 +17,7 @@ from nctakt.schedule.findings import simulation_findings
 from nctakt.schedule.open_schedule import cycles_within
 from nctakt.schedule.simulate import simulate
 from nctakt.studies.begun_run import FinishedRun
-from nctakt.studies.bench import BROKEN, HELD, Bench, Row
+from nctakt.studies.bench import FAILED, PASSED, Bench, Row
 from nctakt.studies.changed_schedule import ScheduleChanges, ScheduleFiles
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.inputs import RunInputs, inputs_of
@@ -99,7 +99,7 @@ class ScheduleBench(Bench):
         return measured | {
             "state": SIMULATED,
             "ticks": outcome.simulation.cycles,
-            "verdict": BROKEN if broken else HELD,
+            "verdict": FAILED if broken else PASSED,
             "broken": "; ".join(broken),
             "seed": plan.seed,
             "digest": finished.digest,

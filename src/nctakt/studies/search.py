@@ -19,7 +19,7 @@ from nctakt.messages.studies import (
     NO_BOUNDARY,
     NOTHING_MEASURED,
 )
-from nctakt.studies.bench import HELD, Bench, Row
+from nctakt.studies.bench import PASSED, Bench, Row
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.effects import without_effect
 from nctakt.studies.optimize import MAX_HALVINGS, objective_values, optimize
@@ -100,8 +100,8 @@ def _best(goal: Goal, runs: Runs) -> Answer:
         nothing = diagnostic(NOTHING_MEASURED, measure=names, count=runs.count)
         point, row = runs.tried[0]
         return Answer(goal, (row,), (point,), runs.count, nothing)
-    held = [one for one in measured if one[1]["verdict"] == HELD]
-    others = [one for one in measured if one[1]["verdict"] != HELD]
+    held = [one for one in measured if one[1]["verdict"] == PASSED]
+    others = [one for one in measured if one[1]["verdict"] != PASSED]
     shown = pareto_set(held)
     if len(goal.objectives) == 1:
         shown = shown[:1]
@@ -145,15 +145,15 @@ def _boundary(bench: Bench, goal: Goal, runs: Runs) -> Answer:
     low, high = 0, dimension.count - 1 if dimension.count else 1 << MAX_HALVINGS
     last = high
     at_low, at_high = row_at(low), row_at(high)
-    holds_at_low = at_low["verdict"] == HELD
-    if holds_at_low == (at_high["verdict"] == HELD):
+    holds_at_low = at_low["verdict"] == PASSED
+    if holds_at_low == (at_high["verdict"] == PASSED):
         found = diagnostic(NO_BOUNDARY, low=at_low[dimension.name], high=at_high[dimension.name])
         ends = (point_at(low), point_at(high))
         return Answer(goal, (at_low, at_high), ends, runs.count, found)
     while high - low > 1:
         middle = (low + high) // 2
         row = row_at(middle)
-        if (row["verdict"] == HELD) == holds_at_low:
+        if (row["verdict"] == PASSED) == holds_at_low:
             low, at_low = middle, row
         else:
             high, at_high = middle, row
@@ -192,7 +192,7 @@ def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> An
 
         def breaks(value: Value, index: int = index) -> bool:
             row = runs.row([*current[:index], value, *current[index + 1 :]])
-            return row["verdict"] != HELD
+            return row["verdict"] != PASSED
 
         current[index] = _nearest_broken(current[index], nominal[index], dimension, breaks)
         smallest = runs.row(current)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.base.plain_values import plain_data
-from nctakt.studies.bench import BROKEN, CRASHED, FAILED, HELD, Bench, Row, columns_of
+from nctakt.studies.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
 from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.effects import without_effect, without_shown_effect
@@ -85,15 +85,15 @@ class StudyResult:
         return self.plan, list(self.rows), self.nominal, dict(self.units)
 
     def __bool__(self) -> bool:
-        return all(row["verdict"] == HELD for row in self.rows)
+        return all(row["verdict"] == PASSED for row in self.rows)
 
     def __len__(self) -> int:
         return len(self.rows)
 
     @property
     def counts(self) -> dict[str, int]:
-        """The number of runs by their verdict: held, broken, failed, crashed."""
-        counts = dict.fromkeys((HELD, BROKEN, FAILED, CRASHED), 0)
+        """The number of runs by their verdict: passed, failed, refused, crashed."""
+        counts = dict.fromkeys((PASSED, FAILED, REFUSED, CRASHED), 0)
         for row in self.rows:
             counts[str(row["verdict"])] += 1
         return counts
@@ -105,12 +105,12 @@ class StudyResult:
 
     def first_broken(self, count: int) -> list[Row]:
         """Return the first rows of the runs that did not meet all expectations, at most so many."""
-        return list(itertools.islice((r for r in self.rows if r["verdict"] != HELD), count))
+        return list(itertools.islice((r for r in self.rows if r["verdict"] != PASSED), count))
 
     @property
     def broken(self) -> list[Row]:
         """The rows of the runs that did not meet all expectations."""
-        return [row for row in self.rows if row["verdict"] != HELD]
+        return [row for row in self.rows if row["verdict"] != PASSED]
 
     def column(self, name: str) -> list[Any]:
         """Return the values of an input or a measure, run by run."""
@@ -167,7 +167,7 @@ class Study:
     ...     expect=["time < 1.5 s"],
     ... )
     >>> [(row["HLI.OVERRIDE"], row["time"], row["verdict"]) for row in study.run().rows]
-    [(50, 2.014, 'broken'), (100, 1.026, 'held')]
+    [(50, 2.014, 'failed'), (100, 1.026, 'passed')]
     """
 
     def __init__(

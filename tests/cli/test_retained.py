@@ -42,7 +42,7 @@ def _run(*words: str) -> int:
 
 
 def test_values_go_on_in_the_next_run(cell: Path) -> None:
-    """Ten cycles a run; what is neither RETAIN nor PERSISTENT begins anew; a tape has them."""
+    """ST-406: ten cycles a run; all but RETAIN and PERSISTENT begins anew; a tape has them."""
     assert _run("--retain", "kept.json") == 0
     first = {
         "gTotal": 5.0,

@@ -353,9 +353,27 @@ NC_TASK = """<TcPlcObject><Task Name="T"><CycleTime>1000</CycleTime><Priority>20
 <PouCall><Name>MAIN</Name></PouCall></Task></TcPlcObject>"""
 
 
-def nc_axis(folder: Path) -> Path:
+BUFFERED_AXIS = """PROGRAM MAIN
+VAR
+    axLoader : AXIS_REF;
+    fbPower : MC_Power;
+    fbOut, fbBack, fbMore : MC_MoveAbsolute;
+    n, nOut, nBack : UDINT;
+END_VAR"""
+BUFFERED_BODY = """fbPower(Axis := axLoader, Enable := TRUE);
+fbOut(Axis := axLoader, Execute := n >= 5, Position := 20.0, Velocity := 100.0);
+fbBack(Axis := axLoader, Execute := n >= {second}, Position := 0.0, Velocity := 100.0,
+    BufferMode := MC_BufferMode.{mode});
+fbMore(Axis := axLoader, Execute := n >= 12, Position := 5.0, Velocity := 100.0,
+    BufferMode := MC_BufferMode.MC_Buffered);
+IF fbOut.Done AND nOut = 0 THEN nOut := n; END_IF
+IF fbBack.Done AND nBack = 0 THEN nBack := n; END_IF
+n := n + 1;"""
+
+
+def nc_axis(folder: Path, variables: str = NC_AXIS, body: str = NC_BODY) -> Path:
     """A project whose axes are those of Tc2_MC2, in mm and mm/s."""
-    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", NC_AXIS, NC_BODY), "utf-8")
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
     (folder / "T.TcTTO").write_text(NC_TASK, "utf-8")
     (folder / "Cell.plcproj").write_text(NC_PROJECT, "utf-8")
     return folder / "Cell.plcproj"
@@ -374,6 +392,37 @@ def test_a_stop_aborts_a_motion_of_the_other_library(tmp_path: Path) -> None:
     assert found[1:3] == [True, True]
     assert found[3] == 10.0
     assert found[0] in (130, 131)
+
+
+def test_a_buffered_command_waits_for_the_first_one(tmp_path: Path) -> None:
+    """ST-745: 225 increments out, then 225 back: 5 + 225 = 230, 455; a third one has no place."""
+    body = BUFFERED_BODY.format(second=10, mode="MC_Buffered")
+    plc = load_structured(nc_axis(tmp_path, BUFFERED_AXIS, body), {"MAIN.axLoader": "A"})
+    run_nc(plc, "N10 G04 1\nM30", 460, [])
+    assert values_in_main(plc, "nOut", "nBack") == [230, 455]
+    assert values_in_main(plc, "fbMore.Error", "fbMore.ErrorID") == [True, 1704]
+
+
+def test_an_aborting_command_takes_the_place_of_the_first_one(tmp_path: Path) -> None:
+    """ST-745: the first command is aborted, the axis goes back to where the second one leads."""
+    body = BUFFERED_BODY.format(second=10, mode="MC_Aborting").replace("n >= 12", "FALSE")
+    plc = load_structured(nc_axis(tmp_path, BUFFERED_AXIS, body), {"MAIN.axLoader": "A"})
+    a = run_nc(plc, "N10 G04 1\nM30", 200, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"]
+    assert values_in_main(plc, "fbOut.CommandAborted", "fbOut.Done") == [True, False]
+    assert values_in_main(plc, "fbBack.Done") == [True]
+    assert round(float(a[199]), 6) == 0.0
+
+
+def test_a_reset_does_not_touch_the_plc(tmp_path: Path) -> None:
+    """ST-810: its cycles and values go on, one in each tick."""
+    plc = loaded(tmp_path, "PROGRAM MAIN VAR n : UDINT; END_VAR n := n + 1; END_PROGRAM")
+    controller = Controller()
+    controller.start(NcText("part.nc", "G04 10\nM30"), plc=plc)
+    controller.step(20)
+    controller.reset()
+    assert plc.read("MAIN.n") == controller.tick
+    controller.step(5)
+    assert plc.read("MAIN.n") == controller.tick
 
 
 def test_the_project_file_names_axes(tmp_path: Path) -> None:

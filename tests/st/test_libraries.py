@@ -61,6 +61,19 @@ def test_a_library_with_sources_is_checked_and_runs(folder: Path) -> None:
     assert [plc.read(f"MAIN.{name}") for name in ("n", "m")] == [7, 7]
 
 
+def test_what_reaches_outside_is_refused_without_a_stub(folder: Path) -> None:
+    """ST-724: FB_FileOpen is refused by name; with a stub of the user it runs."""
+    declared = "PROGRAM MAIN\nVAR fb : FB_FileOpen; n : INT; END_VAR"
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, "fb(); n := fb.nOf;"), "utf-8")
+    assert [file for _, file in checked(folder / "Cell.plcproj")] == ["MAIN.TcPOU"]
+    stub = "FUNCTION_BLOCK FB_FileOpen VAR_OUTPUT nOf : INT := 3; END_VAR END_FUNCTION_BLOCK"
+    (folder / "libraries" / "stubs").mkdir()
+    (folder / "libraries" / "stubs" / "files.st").write_text(stub, "utf-8")
+    plc = load_structured(folder / "Cell.plcproj")
+    assert not run(plc, 11).errors
+    assert plc.read("MAIN.n") == 3
+
+
 def test_without_sources_the_library_is_named(folder: Path) -> None:
     """The unknown type says of which library it may be."""
     (folder / "nctakt.toml").write_text('plc = "Cell.plcproj"\n', "utf-8")

@@ -344,7 +344,7 @@ END_PROGRAM
     ],
 )
 def test_each_fault_has_its_number_and_its_calls(tmp_path: Path, body: str, number: int) -> None:
-    """ST-560, ST-512: index, pointer, budget, conversion, invalid operation, step 0."""
+    """ST-560, ST-512, ST-830: index, pointer, budget, conversion, invalid operation, step 0."""
     done = run(loaded(tmp_path, CALLED.format(body=body)), 3)
     (fault,) = [one for one in done.diagnostics if one.message.id == number]
     assert fault.span is not None

@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 from support.plc_rig import loaded, run
 
+from nctakt.base.failure import Failure
+
 ANY_SIZE = """FUNCTION F_Sum : DINT
 VAR_INPUT x : ANY; y : ANY_NUM; END_VAR
 VAR p : POINTER TO INT; END_VAR
@@ -90,6 +92,38 @@ F_Next := n - 1;
 END_FUNCTION
 """
 
+NUMBERED = """FUNCTION_BLOCK FB_Numbered
+VAR nKept : INT; END_VAR
+METHOD FB_init : BOOL
+VAR_INPUT bInitRetains, bInCopyCode : BOOL; n : INT; END_VAR
+nKept := n;
+END_METHOD
+END_FUNCTION_BLOCK
+"""
+DERIVED = """FUNCTION_BLOCK FB_Base
+VAR_INPUT n : INT; END_VAR
+METHOD Times : INT
+VAR_INPUT k : INT; END_VAR
+Times := k;
+END_METHOD
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK FB_Derived EXTENDS FB_Base
+METHOD Times : INT
+VAR_INPUT k : INT; END_VAR
+Times := 10 * n + k;
+END_METHOD
+END_FUNCTION_BLOCK
+FUNCTION F_ByReference : INT VAR_INPUT r : REFERENCE TO FB_Base; END_VAR
+F_ByReference := r.Times(1);
+END_FUNCTION
+FUNCTION F_ByPointer : INT VAR_INPUT p : POINTER TO FB_Base; END_VAR
+F_ByPointer := p^.Times(2);
+END_FUNCTION
+FUNCTION F_InPlace : INT VAR_IN_OUT b : FB_Base; END_VAR
+F_InPlace := b.Times(3);
+END_FUNCTION
+"""
+
 CASES = {
     "ST-208, 301: WSTRING": (
         "",
@@ -145,6 +179,14 @@ CASES = {
         " c := __QUERYINTERFACE(r, h);",
         {"a": True, "b": False, "c": False, "d": True},
     ),
+    "ST-403: arguments of FB_init for each element of an array": (
+        NUMBERED,
+        "a : ARRAY[1..2] OF FB_Numbered[(n := 4), (5)]; b : ARRAY[1..2] OF FB_Numbered(n := 6);"
+        " c : ARRAY[1..2] OF ARRAY[0..1] OF FB_Numbered[(1), (2), (3), (4)]; d, e, f : INT;",
+        "d := 10 * a[1].nKept + a[2].nKept; e := 10 * b[1].nKept + b[2].nKept;"
+        " f := 1000 * c[1][0].nKept + 100 * c[1][1].nKept + 10 * c[2][0].nKept + c[2][1].nKept;",
+        {"d": 45, "e": 66, "f": 1234},
+    ),
     "ST-404, 621: paths of instances, methods after the initial values": (
         NAMED,
         "a : ARRAY[1..2] OF FB_Named; s, t, u : STRING; n, m : INT;"
@@ -173,6 +215,38 @@ CASES = {
         "k : INT; short : STRING(2) := 'xy';",
         "k := F_Len('abc', 4) * 100 + F_Len(short, k + 1);",
         {"k": 703},
+    ),
+    "ST-606: derived instances where their base is asked for": (
+        DERIVED,
+        "d : FB_Derived := (n := 5); a, b, c : INT;",
+        "a := F_ByReference(d); b := F_ByPointer(ADR(d)); c := F_InPlace(d);",
+        {"a": 51, "b": 52, "c": 53},
+    ),
+    "ST-707: which of both counts": (
+        "",
+        "sets : SR; resets : RS; a, b, c, d, e : BOOL;",
+        "sets(SET1 := TRUE, RESET := TRUE); a := sets.Q1; resets(SET := TRUE, RESET1 := TRUE);"
+        " b := resets.Q1; resets(SET := TRUE, RESET1 := FALSE);"
+        " sets(SET1 := FALSE, RESET := FALSE); resets(SET := FALSE);"
+        " c := sets.Q1; d := resets.Q1; sets(RESET := TRUE); e := sets.Q1;",
+        {"a": True, "b": False, "c": True, "d": True, "e": False},
+    ),
+    "ST-715: sizes in bytes, and the time since the start": (
+        "",
+        "s : STRING(10); w : WSTRING(10); f : ARRAY[1..3] OF INT; p : POINTER TO BYTE;"
+        " a, b, c, d : UDINT; t : TIME; l : LTIME;",
+        "a := SIZEOF(s); b := SIZEOF(w); c := SIZEOF(f); d := SIZEOF(p); t := TIME();"
+        " l := LTIME();",
+        {"a": 11, "b": 22, "c": 6, "d": 8, "t": 0, "l": 0},
+    ),
+    "ST-721: blocks of memory": (
+        "",
+        "a, b : ARRAY[0..3] OF BYTE := [1, 2, 3, 4]; none : POINTER TO BYTE;"
+        " n, m, z, less, same : DINT; last, copied : BYTE;",
+        "m := MEMMOVE(ADR(a[1]), ADR(a[0]), 3); last := a[3]; n := MEMSET(ADR(b), 7, 2);"
+        " copied := b[1]; same := MEMCMP(ADR(a[1]), ADR(a[0]), 1); z := MEMCPY(none, ADR(a), 2);"
+        " less := MEMCMP(ADR(a), ADR(b), 4);",
+        {"m": 3, "last": 3, "n": 2, "copied": 7, "same": 0, "z": 0, "less": -1},
     ),
     "ST-722, 723: times, hexadecimal digits, cases, blanks": (
         "",
@@ -204,3 +278,59 @@ def test_any_takes_only_its_kinds(tmp_path: Path) -> None:
     text = f"{ANY_SIZE}PROGRAM MAIN VAR n : INT; END_VAR F_Sum(n, 'a'); END_PROGRAM"
     with pytest.raises(Exception, match="C0032"):
         loaded(tmp_path, text)
+
+
+ENDING = """VAR_GLOBAL nTrail, nSlot : DINT; END_VAR
+FUNCTION_BLOCK FB_Valve
+VAR nDigit : DINT; END_VAR
+METHOD FB_init : BOOL
+VAR_INPUT bInitRetains, bInCopyCode : BOOL; nNumber : DINT; END_VAR
+nDigit := nNumber;
+END_METHOD
+METHOD FB_exit : BOOL
+VAR_INPUT bInCopyCode : BOOL; END_VAR
+nTrail := nTrail * 10 + nDigit;
+END_METHOD
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK FB_Station EXTENDS FB_Valve
+VAR inner : FB_Valve(nNumber := 7); END_VAR
+METHOD FB_init : BOOL
+VAR_INPUT bInitRetains, bInCopyCode : BOOL; nNumber : DINT; END_VAR
+END_METHOD
+METHOD FB_exit : BOOL
+VAR_INPUT bInCopyCode : BOOL; END_VAR
+nTrail := nTrail * 10 + 9;
+END_METHOD
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR first : FB_Valve(nNumber := 1); both : ARRAY[1..2] OF FB_Valve(nNumber := 3);
+station : FB_Station(nNumber := 4); nAtEnd : DINT; END_VAR
+nAtEnd := nTrail;
+END_PROGRAM
+"""
+
+
+def test_fb_exit_runs_after_the_last_cycle(tmp_path: Path) -> None:
+    """ST-405: the last instance first; the derived block (9), its base (4), then its member (7)."""
+    plc = loaded(tmp_path, ENDING)
+    for _ in range(2):  # each run ends by itself
+        assert not run(plc, 3).errors
+        assert plc.read("nTrail") == 947331
+        assert plc.read("MAIN.nAtEnd") == 0
+
+
+def test_each_element_has_its_arguments(tmp_path: Path) -> None:
+    """ST-403: three groups for two elements are one too many; empty brackets lack n."""
+    text = f"{NUMBERED}PROGRAM MAIN VAR a : ARRAY[1..2] OF FB_Numbered[(1), (2), (3)]; END_VAR\n"
+    with pytest.raises(Failure, match="902630"):
+        loaded(tmp_path, f"{text}END_PROGRAM")
+
+
+def test_a_fault_in_fb_exit_is_reported(tmp_path: Path) -> None:
+    """ST-405, ST-560: number and line; before it 9, 3 / (4 − 3) and 3 / (7 − 3) of the station."""
+    text = ENDING.replace("nTrail * 10 + nDigit", "nTrail * 10 + 3 / (nDigit - 3)")
+    plc = loaded(tmp_path, text)
+    [error] = run(plc, 3).errors
+    assert error.span is not None
+    assert (error.id, error.span.line) == (902265, 10)
+    assert plc.read("nTrail") == 930

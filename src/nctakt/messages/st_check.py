@@ -537,3 +537,11 @@ ADDRESSES_OVERLAP = warning(
     remedy_de="Eine davon deklarieren und ihre Bits lesen: nStatus.3.",
     other=("the other variable", "die andere Variable"),
 )
+ELEMENT_ARGUMENTS = error(
+    902630,
+    en="{name} has {number} elements, and arguments of FB_init for {count}",
+    de="{name} hat {number} Elemente und Argumente von FB_init für {count}",
+    remedy_en="Write a pair of brackets for each element, or one pair without [ ] for all.",
+    remedy_de="Für jedes Element ein Klammerpaar schreiben, oder eines ohne [ ] für alle.",
+    count=("the number of elements with arguments", "die Zahl der Elemente mit Argumenten"),
+)

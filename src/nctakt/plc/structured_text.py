@@ -159,6 +159,7 @@ class StructuredPlc(RealtimePlc):
         self._tasks: PlcTasks | None = None
         self._machine: AssembledMachine | None = None
         self._first_tick = 0
+        self._has_ended = False
         self._interface: StInterface | None = None
         self.context = self.translated.layout.context(self.translated.layout.memory())
 
@@ -188,6 +189,7 @@ class StructuredPlc(RealtimePlc):
         tick_ns = 1000 * machine.configuration.cycle_time_us
         self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory, cnc)
         self._machine = machine
+        self._has_ended = False
         self._first_tick = kernel.tick
         context.begin(0)
         self.translated.start.execute(context)
@@ -273,6 +275,19 @@ class StructuredPlc(RealtimePlc):
         if self._interface is None or self._machine is None:
             return ()
         return list(self._interface.go_on(self._machine, self.context))
+
+    def end(self) -> Sequence[Diagnostic]:
+        """Call FB_exit of its instances, once (ST-405); return the fault in that.
+
+        A PLC that a fault has stopped does nothing more (ST-560).
+        """
+        context = self.context
+        if self._has_ended or self._tasks is None or context.fault:
+            return ()
+        self._has_ended = True
+        context.begin(context.now)
+        self.translated.end.execute(context)
+        return [self._fault()] if context.fault else ()
 
     def _fault(self) -> Diagnostic:
         context = self.context

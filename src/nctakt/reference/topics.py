@@ -42,7 +42,7 @@ TOPICS: tuple[Topic, ...] = (
 _FAMILIES = (
     (re.compile(r"\d+"), (MESSAGES,)),
     (re.compile(r"P-[A-Z]+-\d*", re.IGNORECASE), (PARAMETERS, PARAMETER_NUMBERS)),
-    (re.compile(r"RC-\d*", re.IGNORECASE), (RULES_TOPIC,)),
+    (re.compile(r"(RC|ST)-\d*", re.IGNORECASE), (RULES_TOPIC,)),
     (re.compile(r"Vs?\..*", re.IGNORECASE), (VARIABLES, WORDS)),
     (re.compile(r"#.*|\$.*|[GMH]\d+", re.IGNORECASE), (WORDS, KEYWORDS_TOPIC)),
     (re.compile(r".*[\^\[].*"), (ELEMENTS, HLI)),

@@ -31,6 +31,7 @@ from nctakt.run.inputs import NEVER
 from nctakt.run.options import RunKeywords
 from nctakt.run.plc_view import PlcView, WatchedPlc, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
+from nctakt.run.realtime_plc import parts_of
 from nctakt.run.stimuli import as_inputs, not_reached, read_stimulus
 from nctakt.run.tick_loop import TickLoop, TickShares
 from nctakt.run.wait_reasons import wait_reasons
@@ -285,7 +286,9 @@ class ProgramRun:
         self.state = "interrupted"
 
     def close(self) -> None:
-        """Close the listeners; no program waits for START any more."""
+        """Let the PLC end and close the listeners; no program waits for START any more."""
+        for plc in parts_of(self._plc)[0]:
+            self._diagnostics += plc.end()
         self._loop.recording.close()
         self._loop.ends_deadlock = False
         for channel in self._loop.channels:

@@ -52,6 +52,10 @@ class RealtimePlc(WatchedPlc):
         """Return what has stopped it since the last call."""
         raise NotImplementedError
 
+    def end(self) -> Sequence[Diagnostic]:
+        """Let it do what it does after its last cycle; return the fault in that."""
+        raise NotImplementedError
+
 
 class PlcGroup(WatchedPlc):
     """Several PLCs of one machine, in the order of their tasks in a tick.

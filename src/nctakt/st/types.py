@@ -14,6 +14,7 @@ of its methods. A frame (function, method, VAR_TEMP of a body) begins at 0 and i
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass, field
@@ -147,6 +148,19 @@ class ArrayType(Type):
         """Whether it is ARRAY[*]."""
         return not self.bounds
 
+    @property
+    def innermost(self) -> Type:
+        """The type of the elements, of an array of arrays that of the innermost one."""
+        element = self.element
+        return element.innermost if isinstance(element, ArrayType) else element
+
+    @property
+    def element_count(self) -> int:
+        """The number of elements, of an array of arrays that of all innermost ones."""
+        count = math.prod(max(high - low + 1, 0) for low, high in self.bounds)
+        element = self.element
+        return count * (element.element_count if isinstance(element, ArrayType) else 1)
+
 
 @dataclass(slots=True, eq=False)
 class StructType(Type):
@@ -256,10 +270,10 @@ class Variable:
     """A variable, parameter or member of a structure.
 
     ``initial``: its expression, ``None`` for that of its type. ``arguments``: those of FB_init,
-    ``(name or "", expression)``. ``value``: the value of a scalar constant. ``bit``: the number of
-    a BIT member in its byte, else −1. ``address``: ``%I*`` …, or "". ``start``: the position of its
-    name. ``owner``: the POU, method, list or structure, as messages show it. ``attributes``: by
-    name in lower case.
+    ``(name or "", expression)``, one group for all instances or one for each element of an array.
+    ``value``: the value of a scalar constant. ``bit``: the number of a BIT member in its byte, else
+    −1. ``address``: ``%I*`` …, or "". ``start``: the position of its name. ``owner``: the POU,
+    method, list or structure, as messages show it. ``attributes``: by name in lower case.
     """
 
     name: str
@@ -268,7 +282,7 @@ class Variable:
     storage: Storage
     offset: int = 0
     initial: Expression | None = None
-    arguments: list[tuple[str, Expression]] = field(default_factory=list)
+    arguments: list[list[tuple[str, Expression]]] = field(default_factory=list)
     value: Value | None = None
     bit: int = -1
     address: str = ""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.steps import CopyBytes, Evaluate, Step, steps_in_order
@@ -29,6 +29,9 @@ from nctakt.translation.initial_values import is_constant, items_in_order
 from nctakt.translation.layout import kind_of
 from nctakt.translation.locations import Location
 from nctakt.translation.statements import Statements
+
+#: Arguments of FB_init of an instance: name or "", and expression.
+Arguments = Sequence[tuple[str, Expression]]
 
 _INIT, _LATE = "fb_init", "call_after_init"
 
@@ -139,15 +142,21 @@ class Initialisation(Statements):
                 )
 
     def start_of(
-        self, location: Location, sought: Type, arguments: list[tuple[str, Expression]], source: int
+        self, location: Location, sought: Type, arguments: Sequence[Arguments], source: int
     ) -> Iterator[Step]:
-        """Yield the code of instances: their members', then FB_init, that of the base first."""
+        """Yield the code of instances: their members', then FB_init, that of the base first.
+
+        ``arguments``: a group for each instance, or one for all of them.
+        """
         if not needs_start(sought):
             return
         if isinstance(sought, ArrayType):
-            for number in range(sought.size // max(sought.element.size, 1)):
+            count = sought.size // max(sought.element.size, 1)
+            share = len(arguments) // count if len(arguments) > 1 else 0
+            for number in range(count):
                 part = location.member(number * sought.element.size, sought.element)
-                yield from self.start_of(part, sought.element, arguments, source)
+                groups = arguments[number * share : (number + 1) * share] if share else arguments
+                yield from self.start_of(part, sought.element, groups, source)
         elif isinstance(sought, StructType):
             for one in sought.members.values():
                 yield from self.start(location.member(one.offset, one.type, one.bit), one, source)
@@ -159,7 +168,8 @@ class Initialisation(Statements):
             for pou in reversed(list(sought.pou.bases())):
                 method = own_init(pou)
                 if method is not None:
-                    yield self._call_init(location, sought.pou, method, arguments, source)
+                    given = arguments[0] if arguments else ()
+                    yield self._call_init(location, sought.pou, method, given, source)
                     self.frame.release()
 
     def _call_init(
@@ -167,7 +177,7 @@ class Initialisation(Statements):
         location: Location,
         pou: Pou,
         method: Method,
-        arguments: list[tuple[str, Expression]],
+        arguments: Arguments,
         source: int,
     ) -> Step:
         outermost = next(one for one in map(own_init, pou.bases()) if one is not None)

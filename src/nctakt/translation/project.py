@@ -2,8 +2,8 @@
 """A checked program -> routines and memory: what a PLC task runs.
 
 In: ``st.program.Program`` without errors. Out: ``Translation``: a context with its memory, the
-routine that runs before the first cycle, and those of the programs. Only what a task reaches is
-translated; what cannot run there is told by name.
+routines that run before the first cycle and after the last one, and those of the programs. Only
+what a task reaches is translated; what cannot run there is refused by name.
 """
 
 from __future__ import annotations
@@ -28,9 +28,11 @@ from nctakt.st.types import (
     Variable,
 )
 from nctakt.translation.body import CannotRunError
+from nctakt.translation.ending import exits_of
 from nctakt.translation.initial_values import Images, put_scalar
 from nctakt.translation.initialisation import Initialisation
 from nctakt.translation.layout import Layout, lay_out_frame
+from nctakt.translation.locations import Location, Origin
 from nctakt.translation.reflection import InstancePaths
 
 
@@ -44,6 +46,7 @@ class Translation:
     program: Program
     layout: Layout
     start: Step
+    end: Step  # after the last cycle
     bodies: dict[str, Step]  # of the programs of the tasks, by their names in lower case
     refused: list[CannotRunError]
     roots: set[str]
@@ -52,12 +55,12 @@ class Translation:
 def translate(program: Program) -> Translation:
     """Translate what the tasks of a checked program reach."""
     project = _Project(program)
-    start = project.start()
+    start, end = project.start(), project.end()
     bodies = {
         pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
     }
     project.complete()
-    return Translation(program, project.layout, start, bodies, project.refused, project.roots)
+    return Translation(program, project.layout, start, end, bodies, project.refused, project.roots)
 
 
 class _Project:
@@ -199,9 +202,19 @@ class _Project:
                 instance = WholeConstant(self.layout.address(pou.instance))
                 call = CallNode(self.starter(pou), instance, 0, Step(), Step(), True, pou.start)
                 steps.append(Evaluate(call, pou.start, 1))
-        routine = Routine()
-        routine.complete(0, body.frame.size, steps_in_order(steps))
-        return Evaluate(CallNode(routine, WholeConstant(0), 0, Step(), Step(), False, 0), 0, 1)
+        return _called_alone(steps, body.frame.size)
+
+    def end(self) -> Step:
+        """Return what runs after the last cycle: FB_exit, of what has begun last first (ST-405)."""
+        steps: list[Step] = []
+        for pou in reversed(self._blocks):
+            if pou.kind is Kind.PROGRAM and pou.type is not None:
+                place = Location(Origin.DATA, self.layout.address(pou.instance), pou.type)
+                steps += exits_of(self, place, pou.type)
+        for one in reversed(list(self._variables())):
+            place = Location(Origin.DATA, self.layout.address(one.offset), one.type)
+            steps += exits_of(self, place, one.type)
+        return _called_alone(steps, 0)
 
     def _tried(self, body: Initialisation, variable: Variable) -> list[Step]:
         location = body.variable_location(variable, nowhere(variable.start))
@@ -267,6 +280,13 @@ class _Project:
                 self.refused.append(error)
                 continue
             routine.complete(self.shared_bytes(called), body.frame.size, step)
+
+
+def _called_alone(steps: list[Step], frame_size: int) -> Step:
+    """Return the call of steps with a frame of their own."""
+    routine = Routine()
+    routine.complete(0, frame_size, steps_in_order(steps))
+    return Evaluate(CallNode(routine, WholeConstant(0), 0, Step(), Step(), False, 0), 0, 1)
 
 
 def nowhere(start: int) -> Expression:

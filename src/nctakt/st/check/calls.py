@@ -426,11 +426,9 @@ class CallChecker(ExpressionChecker):
             return
         self.report(NOT_ASSIGNABLE, node, name=f"{pou.name}.{variable.name}")
 
-    def init_arguments(
-        self, arguments: list[Argument], kind: Type, node: Expression | Argument
-    ) -> None:
+    def init_arguments(self, arguments: list[Argument], kind: Type) -> None:
         """Check the arguments of FB_init in a declaration (ST-403)."""
-        element = kind.element if isinstance(kind, ArrayType) else kind
+        element = kind.innermost if isinstance(kind, ArrayType) else kind
         method = element.pou.find_method("fb_init") if isinstance(element, BlockType) else None
         parameters: list[Variable] = []
         if method is not None:

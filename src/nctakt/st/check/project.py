@@ -29,7 +29,6 @@ from nctakt.st.parse.parser import MAX_DEPTH
 from nctakt.st.program import Program, Task
 from nctakt.st.reporting import Reporter
 from nctakt.st.tree import (
-    Argument,
     Declaration,
     GlobalListNode,
     Header,
@@ -173,11 +172,8 @@ class ProjectChecker(StatementChecker):
                 self.expression(node.initial)
             else:
                 self.initial(node.initial, variable.type)
-        arguments: list[Argument] = list(node.arguments or ())
-        if arguments:
-            self.init_arguments(arguments, variable.type, arguments[0])
-        for group in node.element_arguments:
-            self.init_arguments(group, variable.type, group[0] if group else arguments[0])
+        for group in (node.arguments or [], *node.element_arguments):
+            self.init_arguments(group, variable.type)
 
     def _pou(self, node: PouNode, pou: Pou) -> None:
         errors = self.reporter.error_count

@@ -17,6 +17,7 @@ from nctakt.messages.st_check import (
     BLOCK_BY_VALUE,
     DATA_CONTAIN_THEMSELVES,
     DATA_TOO_LARGE,
+    ELEMENT_ARGUMENTS,
     EXTENDS_ITSELF,
     INTERFACE_UNKNOWN,
     MEMBER_REPEATED_IN_DERIVED,
@@ -902,10 +903,12 @@ class Resolver:
             self.layout(kind, node)
         if variable.is_constant and variable.initial is not None:
             self.evaluator.constant_of(variable, scope)
+        groups = [node.arguments] if node.arguments else node.element_arguments
+        number = variable.type.element_count if isinstance(variable.type, ArrayType) else 1
+        if len(groups) > 1 and len(groups) != number:
+            self._report(ELEMENT_ARGUMENTS, node, name=node.name, number=number, count=len(groups))
         variable.arguments = [
-            (argument.name, argument.value)
-            for argument in node.arguments or ()
-            if argument.value is not None
+            [(one.name, one.value) for one in group if one.value is not None] for group in groups
         ]
 
     def _check_instance(self, variable: Variable, kind: BlockType, node: VariableNode) -> None:

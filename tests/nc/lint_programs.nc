@@ -182,6 +182,35 @@ V.E.LEVEL_1_A[1].FROZEN = 2.5
 #RT CYCLE END
 M30
 ; ---
+; So are the program's own variables, unless their type makes another number of the value, or
+; another program may write them (RC-302, RC-307).
+#VAR
+V.P.WIDTH = 3.5
+V.P.WHOLE : SGN32 = 3
+V.P.LIST[2]
+V.L.DEPTH = -2
+#ENDVAR
+V.P.LIST[1] = 7
+V.S.KEPT = 4
+#RT CYCLE [SCOPE = PROG]
+  V.E.VALUE = V.P.WIDTH + V.P.WHOLE ; note 900236 "V.P.WIDTH is read once: in every tick the realtime cycle sees 3.5, set in line 4" ; note 900236 "sees 3, set in line 5"
+  $IF V.E.VALUE > V.P.LIST[1] ; note 900236 "sees 7, set in line 9"
+    V.E.VALUE1 = V.L.DEPTH ; note 900236 "sees -2, set in line 7"
+    V.E.VALUE2 = V.S.KEPT ; note 900236 "sees the value that it has"
+  $ENDIF
+  $IF V.P.WIDTH > 3 ; warning 900238 "of V.P.WIDTH it sees 3.5, set in line 4"
+    V.E.COUNT = 1
+  $ENDIF
+#RT CYCLE END
+M30
+; ---
+; A fraction in an asynchronous variable of whole numbers is not told as its value (RC-307).
+V.CH.VarTest1 = 2.5 ; warning 901050 "2.5"
+#RT CYCLE [SCOPE = PROG]
+  V.E.VALUE = V.CH.VarTest1 ; note 900236 "sees the value that it has"
+#RT CYCLE END
+M30
+; ---
 ; An index that is computed, or a whole structure, leaves nothing certain.
 V.E.LEVEL_1_A[1].FROZEN = 2.5
 P1 = 0

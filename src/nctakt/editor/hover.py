@@ -19,10 +19,11 @@ from nctakt.editor.line_tokens import Token, token_at
 from nctakt.editor.names import Occurrence, occurrences, section_of, symbol_at
 from nctakt.messages.lints import ASYNCHRONOUS_CONDITION, ASYNCHRONOUS_VALUE
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.entries import Kind
+from nctakt.nc.vocabulary.functions import M_FUNCTIONS
 from nctakt.reference.article import Article
 from nctakt.reference.language import entry_article
 from nctakt.reference.machine_variables import MachineVariables
+from nctakt.reference.machine_words import axis_articles, feed_articles, function_articles
 from nctakt.reference.topics import articles_about
 from nctakt.run.assembly import AssembledMachine
 
@@ -129,15 +130,11 @@ def _of_function(text: str, machine: AssembledMachine) -> list[Article]:
     if letter == "G":
         known = support_level.g_function(number)
         return [] if known is None else [entry_article(known)]
-    for channel in machine.assembled:
-        functions = channel.parameters.m_functions, channel.parameters.h_functions
-        entry = support_level.h_function(number, functions[letter == "H"])
-        if letter == "M":
-            entry = support_level.m_function(number, functions[0])
-        if entry is not None:
-            is_listed = entry.kind is Kind.TECHNOLOGY
-            return [*(articles_of(letter) if is_listed else ()), entry_article(entry)]
-    return []
+    listed = function_articles(machine.configuration, letter, number)
+    known_m = M_FUNCTIONS.get(number) if letter == "M" else None
+    if known_m is not None:
+        return [entry_article(known_m), *listed]
+    return [*listed, *articles_of(letter)] if listed else []
 
 
 def _articles(
@@ -158,9 +155,21 @@ def _articles(
     if token.kind == "function":
         articles = _of_function(token.text, machine)
         return [article_text(article, language) for article in articles]
+    articles = [*articles, *_of_machine(token, machine)]
+    if articles and token.kind in ("axisword", "keyword"):
+        articles = [*articles, *articles_of(token.text)]
     for word in _words(token):
         articles = articles or articles_of(word)
     return [article_text(article, language) for article in articles[:_MAX_ARTICLES]]
+
+
+def _of_machine(token: Token, machine: AssembledMachine) -> tuple[Article, ...]:
+    """Return what the lists of the machine say of an axis word, of ``X[…]``, of F."""
+    if token.kind not in ("axisword", "keyword", "name"):
+        return ()
+    if token.text.upper() == "F":
+        return feed_articles(machine.configuration)
+    return axis_articles(machine.configuration, token.text)
 
 
 def _words(token: Token) -> Iterator[str]:
@@ -170,6 +179,8 @@ def _words(token: Token) -> Iterator[str]:
         words = text.lstrip("# ").split(" ")
         for count in range(len(words), 0, -1):
             yield "#" + " ".join(words[:count])
+    elif token.kind == "program":
+        yield "%"
     elif token.kind == "call":
         yield text.split(" ")[0]
     elif token.kind == "variable":

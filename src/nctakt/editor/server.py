@@ -147,6 +147,14 @@ class Server(LanguageServer):
         self.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
 
     @property
+    def has_snippets(self) -> bool:
+        """Whether the editor can fill in the gaps of a completed text."""
+        capabilities = self.client_capabilities.text_document
+        completion = None if capabilities is None else capabilities.completion
+        item = None if completion is None else completion.completion_item
+        return item is not None and bool(item.snippet_support)
+
+    @property
     def folders(self) -> list[Path]:
         """The folders of the editor that are there."""
         paths = (path_of(folder.uri) for folder in self.workspace.folders.values())
@@ -249,7 +257,13 @@ def _register_help(server: Server) -> None:
         if document is None:
             return None
         machine = server.work.machine_of(document).machine
-        items = complete(document, params.position, machine, server.language)
+        items = complete(
+            document,
+            params.position,
+            machine,
+            server.language,
+            has_snippets=server.has_snippets,
+        )
         return types.CompletionList(is_incomplete=False, items=items)
 
 

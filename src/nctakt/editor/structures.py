@@ -75,6 +75,18 @@ def structure_word(line: str) -> str:
 
 def structures(lines: Sequence[str], first: int = 0) -> list[Structure]:
     """Return the outermost structures of a text; a ``%`` line closes all."""
+    found, stack = _read(lines, first)
+    _give_up(stack, first + len(lines))
+    return found
+
+
+def open_structures(lines: Sequence[str]) -> list[Structure]:
+    """Return the structures that are open at the end of a text, the innermost last."""
+    return _read(lines, 0)[1]
+
+
+def _read(lines: Sequence[str], first: int) -> tuple[list[Structure], list[Structure]]:
+    """Return the outermost structures of a text, and those that nothing has closed."""
     found: list[Structure] = []
     stack: list[Structure] = []
     for number, line in enumerate(lines, first):
@@ -96,8 +108,7 @@ def structures(lines: Sequence[str], first: int = 0) -> list[Structure]:
                 stack.pop().last = number - 1
             closed = stack.pop()
             closed.last, closed.is_closed = number, True
-    _give_up(stack, first + len(lines))
-    return found
+    return found, stack
 
 
 def _give_up(stack: list[Structure], number: int) -> None:

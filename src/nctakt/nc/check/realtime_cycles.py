@@ -74,7 +74,7 @@ from nctakt.nc.vocabulary.spindle_commands import split
 
 SCOPES = ("BLOCK", "PROG", "GLOBAL")
 END_ACTIONS = ("MOVE_ABORT", "MOVE_CONT")
-_TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
+TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 
 _KEYWORDS_IN_COMMENT = re.compile(
     r"^[A-Z ]*(?P<found>\((?P<inner>\s*(?:DEF\s+)?(?:ID|SCOPE|END_ACTION)\s*=[^()]*)\))",
@@ -281,7 +281,7 @@ class CycleChecker:
                 self._findings.report(
                     UNKNOWN_KEYWORD_IN_CYCLE, item.span, command="#TIMER", word=written
                 )
-        if timer.action not in _TIMER_ACTIONS:
+        if timer.action not in TIMER_ACTIONS:
             self._findings.report(
                 UNKNOWN_KEYWORD_IN_CYCLE, timer.span, command="#TIMER", word=timer.action
             )

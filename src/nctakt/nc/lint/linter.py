@@ -35,7 +35,7 @@ from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, l
 from nctakt.nc.check.path_commands import command_name, keywords
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.conditions import check_condition
-from nctakt.nc.lint.constants import check_constant, check_value
+from nctakt.nc.lint.constants import check_constant, check_value, constant
 from nctakt.nc.lint.cycle_uses import CycleUse
 from nctakt.nc.lint.overrides import check_overrides
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
@@ -75,8 +75,8 @@ from nctakt.nc.vocabulary.functions import (
     INCH,
     MILLIMETRES,
 )
-from nctakt.nc.vocabulary.resolution import path_text
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve
+from nctakt.nc.vocabulary.variable_table import Location, NameTable
 
 
 @dataclass(frozen=True, slots=True)
@@ -349,14 +349,17 @@ class Linter:
     def _declarations(self, block: VariableDeclarations) -> None:
         """Note the types of a program's own variables; check constants that they begin with."""
         for declaration in block.declarations:
-            type_ = declaration.type_name
-            if type_ not in SCALARS or type_ in ("STRING", "VSTRING"):
+            type_ = declaration.type_name or "REAL64"
+            is_text = isinstance(declaration.initial, StringLiteral)
+            if is_text or type_ not in SCALARS or type_ in ("STRING", "VSTRING"):
                 continue
             name = path_text(declaration.variable)
             # A name that is declared again with another type is not followed.
             self._types[name] = type_ if self._types.get(name, type_) == type_ else ""
             if declaration.initial is not None:
                 check_value(declaration.variable, type_, declaration.initial, self._findings)
+            if not any(indices_of(declaration.variable)):
+                self._set(declaration.variable, declaration.initial, declaration.span.line)
 
     def _assignment(self, statement: Assignment) -> None:
         """Forget the values of the target and its parts; note a constant that is assigned."""
@@ -364,20 +367,42 @@ class Linter:
         check_constant(statement, self._names, self._findings, in_cycle=False)
         if isinstance(target, Parameter) and target.call:
             return
-        key = operand_key(target)
         if isinstance(target, Variable) and (type_ := self._types.get(path_text(target))):
             is_added = statement.operator != "="
             if statement.operator in ("=", "+=", "-="):
                 check_value(target, type_, statement.value, self._findings, is_added=is_added)
+        value = statement.value if statement.operator == "=" else None
+        self._set(target, value, statement.span.line)
+
+    def _set(self, target: Variable | Parameter, expression: Expression | None, line: int) -> None:
+        """Forget the values of a variable and its parts; note one that is certain."""
+        key = operand_key(target)
         root = key.split("[]")[0]
         values = {
             name: value
             for name, value in self._state.values.items()
             if name != root and not name.startswith((f"{root}.", f"{root}["))
         }
-        if isinstance(statement.value, Number) and statement.operator == "=" and root == key:
-            values[key] = KnownValue(statement.value.value, statement.span.line)
+        value = None if expression is None else constant(expression)
+        if value is not None and root == key and self._holds(target, value):
+            values[key] = KnownValue(value, line)
         self._state.values = values
+
+    def _holds(self, target: Variable | Parameter, value: float) -> bool:
+        """Return whether a variable certainly has this value once it is assigned (RC-307).
+
+        Other programs may have written V.S by the time that it is read.
+        """
+        if isinstance(target, Parameter):
+            return True
+        if target.family == "S":
+            return False
+        location = resolve(target, self._names)
+        listed = location.type if isinstance(location, Location) else ""
+        scalar = SCALARS.get(listed or self._types.get(path_text(target), ""))
+        if scalar is None or not scalar.is_integer:
+            return scalar is not None
+        return value == round(value) and scalar.low <= value <= scalar.high
 
     # --- realtime cycles -------------------------------------------------------------------------
 

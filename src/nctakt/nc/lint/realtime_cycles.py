@@ -82,6 +82,7 @@ from nctakt.nc.vocabulary.extensions import (
 )
 from nctakt.nc.vocabulary.resolution import (
     indices_of,
+    is_program_variable,
     is_text,
     path_text,
     resolve,
@@ -395,7 +396,11 @@ class CycleLinter:
     def _is_frozen(self, operand: Expression) -> bool:
         if isinstance(operand, Parameter):
             return not operand.call
-        if not isinstance(operand, Variable) or operand.family not in _DECLARED:
+        if not isinstance(operand, Variable):
+            return False
+        if is_program_variable(operand):
+            return bool(operand.parts)
+        if operand.family not in _DECLARED:
             return False
         location = resolve(operand, self._names)
         return isinstance(location, Location) and not is_live(operand, self._names)
@@ -408,7 +413,7 @@ class CycleLinter:
         self._reported[name] = None
         message = (
             ASYNCHRONOUS_CONDITION
-            if in_condition and isinstance(operand, Variable)
+            if in_condition and isinstance(operand, Variable) and operand.family in _DECLARED
             else ASYNCHRONOUS_VALUE
         )
         self._findings.report(message, operand.span, name=name, seen=self._value(operand))

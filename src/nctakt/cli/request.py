@@ -35,7 +35,9 @@ from nctakt.run.options import BY_NAME, READ_NAMES
 
 if TYPE_CHECKING:
     from nctakt.plc import AnyPlc
+    from nctakt.project.project_file import FmuSettings
     from nctakt.run.controller import NcText
+    from nctakt.run.coupling import Coupled
     from nctakt.run.options import ProgramOptions, RunKeywords
     from nctakt.run.tape import Tape
 
@@ -63,6 +65,7 @@ class Options:
     machine_note: Diagnostic | None = None
     root: str | None = None
     plc: str | None
+    fmu: FmuSettings | None = None
     run: Mapping[str, Any]
     trace: str | None = None
     plot: str | None = None
@@ -100,6 +103,7 @@ class Request:
     options: RunKeywords
     signals: tuple[str, ...] | None
     plc: AnyPlc | None
+    fmu: Coupled | None = None
 
     @property
     def session_options(self) -> ProgramOptions:
@@ -149,6 +153,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
         for value in reader.read(BY_NAME[name].kind.from_words, word):
             read[name] = value
     plc = () if options.plc is None else reader.read(_load_plc, options.plc, access)
+    fmu = () if options.fmu is None else reader.read(_load_fmu, options.fmu, access)
     if run["from_line"] is not None and run["from_block"] is not None:
         reader.diagnostics.append(diagnostic(BOTH_STARTS_GIVEN))
     if options.plc is not None and options.hli is not None:
@@ -177,6 +182,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
         cast("RunKeywords", read),
         signals,
         next(iter(plc), None),
+        next(iter(fmu), None),
     )
 
 
@@ -217,6 +223,15 @@ def _program(program: str, options: Options) -> Path | NcText:
     if program in texts:
         return NcText(program, texts[program])
     return NcText(STANDARD_INPUT_NAME, read_standard_input())
+
+
+def _load_fmu(settings: FmuSettings, access: FileAccess) -> Coupled:
+    """Return the FMU beside the PLC; raises ``Failure``."""
+    from nctakt.fmu.coupled import fmu_of  # noqa: PLC0415 - the mode is chosen before its import
+
+    assert settings.file is not None
+    access.note(settings.file)
+    return fmu_of(settings, access)
 
 
 def _load_plc(path: str, access: FileAccess) -> AnyPlc:

@@ -155,6 +155,7 @@ def run_programs(
             run_keywords: RunKeywords = {
                 **given,
                 "plc": request.plc,
+                "fmu": request.fmu,
                 "signals": request.signals,
                 "sinks": sinks,
                 "memory_trace": is_drawn,

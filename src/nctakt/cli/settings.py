@@ -20,7 +20,7 @@ from nctakt.cli.request import STANDARD_INPUT, Options
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.project import PLC_NOT_RUN
+from nctakt.messages.project import FMU_NOT_RUN, PLC_NOT_RUN
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.run.stimuli import assignment_text
 
@@ -77,6 +77,9 @@ def _carry_out(
         project = settings.project
         if not (runs_code or words["plc"] or words["quiet"]) and project and project.plc:
             print_diagnostics([diagnostic(PLC_NOT_RUN, plc=str(project.plc))], language)
+        fmu = None if runs_code or settings.fmu or project is None else project.fmu
+        if fmu is not None and fmu.file is not None and not words["quiet"]:
+            print_diagnostics([diagnostic(FMU_NOT_RUN, fmu=str(fmu.file))], language)
         return action(options, access)
     except Failure as failure:
         found = failure if settings is None else settings.placed(failure)
@@ -92,6 +95,8 @@ def _settings(words: dict[str, Any], access: FileAccess, *, runs_code: bool) -> 
         machine=words["machine"],
         plc=words["plc"],
         has_plc=words.get("hli") is not None or not runs_code,
+        fmu=words.get("fmu"),
+        fmu_use=("run" if runs_code else "leave_out") if "fmu" in words else "refuse",
         values=[text.partition("=")[0].strip() for text in words["assignments"]],
         until=words.get("until"),
         is_limited=words.get("ticks") is not None,
@@ -113,6 +118,7 @@ def _completed(words: dict[str, Any], settings: RunSettings) -> Options:
         "run": run,
         "language": words["language"] or settings.language or "en",
         "plc": None if settings.plc is None else str(settings.plc),
+        "fmu": settings.fmu,
         "machine_note": settings.machine_note,
         "project_signals": settings.signals,
     }

@@ -60,7 +60,8 @@ def inputs_of_run(options: Options, access: FileAccess) -> Iterator[tuple[str, P
     """Yield the programs and lists that a run has read, each with its name on a tape."""
     for path in access.read_files:
         is_plc = str(path) == options.plc and not is_structured(options.plc)
-        if path.name in (OWN_NAME, PYTHON_NAME) or is_plc:
+        is_fmu = options.fmu is not None and path == options.fmu.file
+        if path.name in (OWN_NAME, PYTHON_NAME) or is_plc or is_fmu:
             continue
         yield name_on_tape(path), path
 

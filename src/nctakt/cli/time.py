@@ -122,11 +122,16 @@ def _time(options: Options, access: FileAccess, names: dict[str, str], asks_what
     def rerun(machine: Machine, values: Mapping[str, float]) -> Run:
         from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
-        again = request if options.plc is None else read_request(options, access)
+        again = (
+            request
+            if options.plc is None and options.fmu is None
+            else read_request(options, access)
+        )
         other = Controller(machine, schedule_of(options, access), access)
         changed: RunKeywords = {
             **request.options,
             "plc": again.plc,
+            "fmu": again.fmu,
             "set": {**(request.options["set"] or {}), **values},
             "memory_trace": False,
         }
@@ -156,10 +161,11 @@ def _time(options: Options, access: FileAccess, names: dict[str, str], asks_what
 
 
 def _has_override(request: Request) -> bool:
-    """Return whether a PLC or a value from outside may set the operator's override."""
+    """Return whether a PLC, an FMU or a value from outside may set the operator's override."""
     names = [*(request.options["set"] or {})]
     names += [read_stimulus(one).name for one in request.options["at"]]
-    return request.plc is not None or any(name.upper().endswith("HLI.OVERRIDE") for name in names)
+    has_partner = request.plc is not None or request.fmu is not None
+    return has_partner or any(name.upper().endswith("HLI.OVERRIDE") for name in names)
 
 
 def _account(options: Options, request: Request, controller: Controller) -> TimeAccount | None:
@@ -179,6 +185,7 @@ def _account(options: Options, request: Request, controller: Controller) -> Time
             keywords: RunKeywords = {
                 **request.options,
                 "plc": request.plc,
+                "fmu": request.fmu,
                 "on_progress": show_progress,
             }
             return account_for(controller, programs, **keywords)

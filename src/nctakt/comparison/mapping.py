@@ -19,8 +19,8 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
+from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.log import Log, LogColumn
-from nctakt.comparison.units import factor_between
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.comparison import (

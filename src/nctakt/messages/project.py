@@ -63,6 +63,22 @@ PLC_NOT_RUN = note(
     remedy_de="--plc {plc} lässt sie laufen.",
     plc=("the file", "die Datei"),
 )
+FMU_NOT_RUN = note(
+    902613,
+    en="the FMU of the project, {fmu}, is not run: this command runs no code of others",
+    de="die FMU des Projekts, {fmu}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
+    remedy_en="--fmu {fmu} runs it.",
+    remedy_de="--fmu {fmu} lässt sie laufen.",
+    fmu=("the file", "die Datei"),
+)
+PROJECT_FMU_NOT_POSSIBLE = error(
+    902614,
+    en="project file: an FMU runs in commands that run a program to its end and in tests, not here",
+    de="Projektdatei: Eine FMU läuft in Befehlen, die ein Programm zu Ende fahren, und in Tests, "
+    "hier nicht",
+    remedy_en="Record the run (nctakt run --record part.tape), and live through the tape here.",
+    remedy_de="Den Lauf aufzeichnen (nctakt run --record teil.tape) und hier das Band erleben.",
+)
 MACHINE_OF_SETTING = note(
     901064,
     en="the machine is {machine}, as {source} says",

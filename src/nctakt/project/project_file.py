@@ -16,6 +16,13 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
     file = "Cell.plcproj"
     libraries = ["libraries"]         # folders with sources of libraries, or stubs for them
     axes = {"MAIN.axLoader" = "A"}    # the axis that a variable of the type AXIS_REF means
+
+    [fmu]                             # a simulation model beside the PLC, or fmu = "plant.fmu"
+    file = "plant.fmu"
+    every = "2 ms"                    # its communication step
+    inputs = {"position" = "X.ACS.ACT_POS"}
+    outputs = {"force" = "V.E.VALUE"}
+    start = {"mass" = 12.5}
 """
 
 from __future__ import annotations
@@ -50,6 +57,7 @@ OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
 _PLC_KEYS = ("file", "libraries", "axes")
+_FMU_KEYS = ("file", "every", "inputs", "outputs", "start")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
@@ -66,13 +74,28 @@ Place = tuple[Span, str]
 
 
 @dataclass(frozen=True, slots=True)
+class FmuSettings:
+    """What a project says about an FMU; ``file`` ``None``: it is named elsewhere.
+
+    ``inputs``, ``outputs``: the FMU's variables -> names of the machine; ``start``: their values
+    before the first step.
+    """
+
+    file: Path | None = None
+    every: Time = Time(1, is_in_ticks=True)
+    inputs: Mapping[str, str] = field(default_factory=dict)
+    outputs: Mapping[str, str] = field(default_factory=dict)
+    start: Mapping[str, float | str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
 class Project:
     """The settings of a project file; ``None`` and empty: not set.
 
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
-    are those of variables before the first tick; ``places``: where each stands, and ``plc``.
-    ``libraries``: folders with sources of the PLC's libraries; ``axes``: what its variables of the
-    type AXIS_REF mean, by their paths.
+    are those of variables before the first tick; ``places``: where each stands, and ``plc`` and
+    ``fmu``. ``libraries``: folders with sources of the PLC's libraries; ``axes``: what its
+    variables of the type AXIS_REF mean, by their paths.
     """
 
     file: Path
@@ -86,6 +109,7 @@ class Project:
     places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
     libraries: tuple[Path, ...] = ()
     axes: Mapping[str, str] = field(default_factory=dict)
+    fmu: FmuSettings | None = None
 
     def placed(self, found: Diagnostic) -> Diagnostic:
         """Return a diagnostic about one of its values at the place of that value.
@@ -215,12 +239,13 @@ class _Reader:
             self._language(entries.get("language")),
             self._signals(entries.get("signals")),
             self._paths(entries.get("paths")),
-            self._until(entries.get("until")),
+            self._time("until", entries.get("until"), 'until = "60 s"'),
             values := self._values(entries.get("set")),
-            {"plc": self._location("plc")}
+            {key: self._location(key) for key in ("plc", "fmu")}
             | {name: self._location_of_value(name) for name in values},
             libraries,
             axes,
+            self._fmu(entries.get("fmu")),
         )
 
     def _axes(self, value: Any) -> Mapping[str, str]:
@@ -229,7 +254,7 @@ class _Reader:
         if isinstance(table, dict) and all(isinstance(one, str) for one in table.values()):
             return MappingProxyType(table)
         example = 'axes = {"MAIN.axLoader" = "A"}'
-        self._wrong("axes", table, _AXES, example, self._location_in_plc("axes"))
+        self._wrong("axes", table, _AXES, example, self._location_in("plc", "axes"))
         return {}
 
     def _refuse(self, key: str) -> None:
@@ -249,17 +274,8 @@ class _Reader:
         """Return the file of the PLC, and the folders with sources of its libraries."""
         if not isinstance(value, dict):
             return self._path("plc", value, 'plc = "cell_plc.py"'), ()
-        for key in value:
-            if key not in _PLC_KEYS:
-                near = nearest(key, _PLC_KEYS) or NOTHING
-                self._collector.report(
-                    UNKNOWN_PROJECT_ENTRY,
-                    *self._location_in_plc(key),
-                    key=f"plc.{key}",
-                    nearest=near,
-                    names=", ".join(_PLC_KEYS),
-                )
-        location = self._location_in_plc("libraries")
+        self._check_keys("plc", value, _PLC_KEYS)
+        location = self._location_in("plc", "libraries")
         texts = self._texts(
             "libraries", value.get("libraries"), 'libraries = ["libraries"]', location
         )
@@ -267,25 +283,67 @@ class _Reader:
         for text, folder in zip(texts or (), folders, strict=True):
             if not folder.is_dir():
                 self._collector.report(PROJECT_PATH_MISSING, *location, key="libraries", path=text)
-        file = self._path("file", value.get("file"), 'file = "Cell.plcproj"')
+        file = self._path("file", value.get("file"), 'file = "Cell.plcproj"', "plc")
         return file, tuple(from_here(Path(os.path.normpath(one))) for one in folders)
 
-    def _location_in_plc(self, key: str) -> Place:
-        """Return the place of an entry of the table ``plc``, else that of the table."""
-        header, self._header = self._header, f"{self._header}.plc".removeprefix(".")
+    def _location_in(self, table: str, key: str) -> Place:
+        """Return the place of an entry of a table, else that of the table."""
+        header, self._header = self._header, f"{self._header}.{table}".removeprefix(".")
         found = self._location(key)
         self._header = header
-        return found if found[1] else self._location("plc")
+        return found if found[1] else self._location(table)
 
-    def _path(self, key: str, value: Any, example: str) -> Path | None:
+    def _check_keys(self, table: str, value: Mapping[str, Any], known: Sequence[str]) -> None:
+        """Report the entries of a table that are none."""
+        for key in value:
+            if key not in known:
+                self._collector.report(
+                    UNKNOWN_PROJECT_ENTRY,
+                    *self._location_in(table, key),
+                    key=f"{table}.{key}",
+                    nearest=nearest(key, known) or NOTHING,
+                    names=", ".join(known),
+                )
+
+    def _fmu(self, value: Any) -> FmuSettings | None:
+        """Return what stands about an FMU beside the PLC."""
+        if not isinstance(value, dict):
+            file = self._path("fmu", value, 'fmu = "plant.fmu"')
+            return None if file is None else FmuSettings(file)
+        self._check_keys("fmu", value, _FMU_KEYS)
+        every = self._time("every", value.get("every"), 'every = "10 ms"', "fmu")
+        return FmuSettings(
+            self._path("file", value.get("file"), 'file = "plant.fmu"', "fmu"),
+            Time(1, is_in_ticks=True) if every is None else every,
+            self._table_of("inputs", value, 'inputs = {"position" = "X.ACS.ACT_POS"}', str),
+            self._table_of("outputs", value, 'outputs = {"force" = "V.E.VALUE"}', str),
+            self._table_of("start", value, 'start = {"mass" = 12.5}', (str, int, float)),
+        )
+
+    def _table_of(
+        self, key: str, entries: Mapping[str, Any], example: str, kinds: Any
+    ) -> Mapping[str, Any]:
+        """Return a table within ``[fmu]``; names with dots may be tables in tables."""
+        table = entries.get(key, {})
+        found = dict(_flat(table)) if isinstance(table, dict) else None
+        if found is None or not all(
+            isinstance(one, kinds) and _is_finite(one) for one in found.values()
+        ):
+            self._wrong(f"fmu.{key}", table, _ON_TABLE, example, self._location_in("fmu", key))
+            return {}
+        return MappingProxyType(found)
+
+    def _path(self, key: str, value: Any, example: str, table: str = "") -> Path | None:
+        """Return the path of an entry, ``None`` without one; ``table``: where the entry stands."""
         if value is None:
             return None
+        location = self._location_in(table, key) if table else self._location(key)
         if not isinstance(value, str) or not value or "\0" in value:
-            self._wrong(key, value, _TEXT, example)
+            self._wrong(key, value, _TEXT, example, location)
             return None
         path = machine_folder(value, self._folder) if key == "machine" else self._folder / value
         if not is_file_or_folder(path):
-            self._collector.report(PROJECT_PATH_MISSING, *self._location(key), key=key, path=value)
+            self._collector.report(PROJECT_PATH_MISSING, *location, key=key, path=value)
         return from_here(Path(os.path.normpath(path)))
 
     def _paths(self, value: Any) -> tuple[Path, ...]:
@@ -314,22 +372,24 @@ class _Reader:
             return None
         return cast("Language | None", value)
 
-    def _until(self, value: Any) -> Time | None:
-        example = 'until = "60 s"'
+    def _time(self, key: str, value: Any, example: str, table: str = "") -> Time | None:
+        """Return a time above 0, ``None`` without one; ``table``: where the entry stands."""
+        location = self._location_in(table, key) if table else self._location(key)
         if value is None:
             return None
         if isinstance(value, bool) or not isinstance(value, str | int | float):
-            self._wrong("until", value, _TIME, example)
+            self._wrong(key, value, _TIME, example, location)
             return None
         try:
             time = read_time(value)
         except Failure as failure:
-            for found in failure.diagnostics:
-                span, line = self._location("until")
-                self._collector.diagnostics.append(replace(found, span=span, source_line=line))
+            span, line = location
+            self._collector.diagnostics += [
+                replace(found, span=span, source_line=line) for found in failure.diagnostics
+            ]
             return None
         if time.count == 0:
-            self._wrong("until", value, _TIME, example)
+            self._wrong(key, value, _TIME, example, location)
         return time
 
     def _values(self, table: Any) -> Mapping[str, float | str]:
@@ -372,13 +432,18 @@ class _Reader:
         )
 
     def _location(self, key: str) -> Place:
-        """Return the span of an entry's name and its line, else the whole file."""
+        """Return the span of an entry's name, or of its table's, and its line.
+
+        Else it is the whole file.
+        """
         pattern = re.compile(rf"""\s*\[?\s*["']?(?P<key>{re.escape(key)})["']?\s*[].=]""")
         for number, line in self._own_lines(self._header):
             found = pattern.match(line)
             if found is not None:
                 begin, end = found.span("key")
                 return Span(self._name, number, begin + 1, end + 1), line
+        for number, line in self._own_lines(f"{self._header}.{key}".removeprefix(".")):
+            return Span(self._name, number, 1, len(line.rstrip()) + 1), line
         return whole_file(self._name), ""
 
     def _own_lines(self, header: str) -> Iterator[tuple[int, str]]:

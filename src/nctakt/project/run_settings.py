@@ -9,7 +9,9 @@ it is started.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
@@ -18,9 +20,13 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import TimeLike
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
-from nctakt.messages.project import PROGRAMS_OF_DIFFERENT_MACHINES, PROJECT_NOT_TRUSTED
+from nctakt.messages.project import (
+    PROGRAMS_OF_DIFFERENT_MACHINES,
+    PROJECT_FMU_NOT_POSSIBLE,
+    PROJECT_NOT_TRUSTED,
+)
 from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
-from nctakt.project.project_file import Project, find_project
+from nctakt.project.project_file import FmuSettings, Project, find_project
 from nctakt.project.trust import list_of_trusted, why_distrusted
 
 #: The word for the built-in PLC, where the project file names another one.
@@ -32,6 +38,8 @@ class Named:
     """What the words of a run name themselves; ``None`` and empty: nothing.
 
     ``plc``: a file, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file.
+    ``fmu``: a file; ``fmu_use``: whether it runs that of the project, leaves it out, or has to
+    refuse it.
     ``values``: the variables that it sets before the first tick. ``is_limited``: it has a limit of
     another form than ``until``. ``base``: the folder from which machine and PLC are seen.
     """
@@ -39,6 +47,8 @@ class Named:
     machine: str | Path | None = None
     plc: str | Path | None = None
     has_plc: bool = False
+    fmu: str | Path | None = None
+    fmu_use: Literal["run", "leave_out", "refuse"] = "refuse"
     values: Collection[str] = ()
     until: TimeLike | None = None
     is_limited: bool = False
@@ -57,6 +67,7 @@ class RunSettings:
     machine: Path | None
     machine_note: Diagnostic | None
     plc: Path | None
+    fmu: FmuSettings | None
     values: Mapping[str, float | str]
     until: TimeLike | None
     language: Language | None
@@ -100,6 +111,7 @@ def run_settings(
         machine=machine,
         machine_note=note,
         plc=_plc(named, project, access),
+        fmu=_fmu(named, project, access),
         values={name: value for name, value in of_project.items() if name not in named.values},
         until=named.until if is_limited or project is None else project.until,
         language=None if project is None else project.language,
@@ -118,6 +130,20 @@ def _plc(named: Named, project: Project | None, access: FileAccess) -> Path | No
     access.check_admitted(project.plc)
     _check_trusted(project, "plc", project.plc)
     return project.plc
+
+
+def _fmu(named: Named, project: Project | None, access: FileAccess) -> FmuSettings | None:
+    """Return the FMU beside the PLC with its connections; ``None`` without one."""
+    found = None if project is None else project.fmu
+    if named.fmu is not None:
+        return replace(found or FmuSettings(), file=named.base / named.fmu)
+    if project is None or found is None or found.file is None or named.fmu_use == "leave_out":
+        return None
+    if named.fmu_use == "refuse":
+        raise Failure(diagnostic(PROJECT_FMU_NOT_POSSIBLE, *project.places["fmu"]))
+    access.check_admitted(found.file)
+    _check_trusted(project, "fmu", found.file)
+    return found
 
 
 def _check_trusted(project: Project, key: str, code: Path) -> None:

@@ -35,17 +35,19 @@ IMAGE, SELECT = "image", "select"
 #: thread was still busy when it was due, the tick was lost.
 DECODED, OVERFLOWED, LOST = "decoded", "overflowed", "lost"
 
-#: Where inputs come from, beside ``API``; ``HLI``: a PLC in another process, ``SCHEDULE``: a real
-#: clock.
-STIMULI, PLC, HLI, SCHEDULE = "stimuli", "plc", "hli", "schedule"
+#: Where inputs come from, beside ``API``; ``HLI``: a PLC in another process, ``FMU``: a simulation
+#: beside the PLC, ``SCHEDULE``: a real clock.
+STIMULI, PLC, HLI, FMU, SCHEDULE = "stimuli", "plc", "hli", "fmu", "schedule"
 
 #: The order of the sources within a tick, by the first word of their names: tape and stimuli, PLCs,
-#: the servers, persons; others come last. Of two that write one value the later one wins.
+#: what is coupled to them, the servers, persons; others come last. Of two that write one value the
+#: later one wins.
 SOURCE_ORDER = (
     SCHEDULE,
     STIMULI,
     HLI,
     PLC,
+    FMU,
     "automatic",
     "ads",
     "opcua",

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.lists.format.times import TimeLike
     from nctakt.results.run import ProgramMessage
+    from nctakt.run.coupling import Coupled
     from nctakt.run.inputs import InputListener
     from nctakt.run.plc_view import AnyPlc
     from nctakt.run.stimuli import StimulusLike
@@ -73,6 +74,7 @@ class KeywordsOfAnyResult(ProgramOptions, total=False):
     """The options of ``Controller.run`` that the type of its result does not depend on."""
 
     plc: AnyPlc | type[AnyPlc] | None
+    fmu: Coupled | None
     sinks: Sequence[Sink]
     record_writes: bool
     blocks: bool
@@ -380,6 +382,17 @@ OPTIONS: Sequence[RunOption] = (
         accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} comment project",
         group="machine",
         metavar="FILE.py",
+    ),
+    RunOption(
+        name="fmu",
+        kind=Instance("next_tick", Text("an Fmu", "eine Fmu")),
+        help=Text(
+            "A simulation model (FMI 2.0, 3.0) beside the PLC.",
+            "Ein Simulationsmodell (FMI 2.0, 3.0) neben der SPS.",
+        ),
+        accepted_by=f"{_RUNS} python project",
+        group="machine",
+        metavar="FILE.fmu",
     ),
     RunOption(
         name="acknowledge",

@@ -169,6 +169,8 @@ class ProgramRun:
             self._diagnostics += never_sent(self._machine, self._loaded)
             self._diagnostics += never_given(self._machine, self._loaded)
         self._open_recording(loaded)
+        if not has_errors:
+            self._loop.couple(self._options["fmu"])
         self._parts = iter(()) if has_errors else self._run_programs(loaded)
         self.state = "error" if has_errors else None
 
@@ -296,6 +298,7 @@ class ProgramRun:
         self._machine.registry.on_cycle = self._machine.inputs.on_select = None
         self._machine.inputs.listen(None)
         self._machine.poll = do_nothing
+        self._loop.couple(None)
 
     def _cycles(self) -> tuple[CycleResult, ...]:
         """Return the realtime cycles with what they and their branches have run in this run."""

@@ -16,6 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.channel_run import ChannelRun, is_reported
+from nctakt.run.coupling import Coupled
 from nctakt.run.inputs import NEVER
 from nctakt.run.plc_player import PlcPlayer
 from nctakt.run.plc_view import AnyPlc
@@ -80,6 +81,7 @@ class TickLoop:
         self.ends_deadlock = False
         self.is_deadlocked = False
         self._kernel = machine.kernel
+        self._coupled: Coupled | None = None
 
     @property
     def tick(self) -> int:
@@ -117,6 +119,24 @@ class TickLoop:
         for channel in self.channels:
             channel.channel.hli.acknowledges_itself = not has_plc
 
+    def couple(self, coupled: Coupled | None) -> None:
+        """Let this simulation go on with the ticks from the next one on, and no other one."""
+        before, self._coupled = self._coupled, None
+        if before is not None:
+            before.close()
+        if coupled is not None:
+            self._coupled = coupled
+            coupled.begin(self.machine)
+
+    def _step_coupled(self, due: int) -> int:
+        """Let what is coupled have its step if it is due; return up to where ticks may run."""
+        coupled = self._coupled
+        if coupled is None:
+            return due
+        if coupled.next_tick <= self._kernel.tick < due:
+            coupled.step()
+        return min(due, coupled.next_tick)
+
     def advance(self, end: int) -> bool:
         """Run up to tick ``end``, or until the decoder, an input, the PLC or a pause is due.
 
@@ -124,7 +144,7 @@ class TickLoop:
         """
         kernel = self._kernel
         due_input = self.machine.inputs.apply_due()
-        due = min(end, due_input, kernel.tick + TICKS_AT_ONCE)
+        due = self._step_coupled(min(end, due_input, kernel.tick + TICKS_AT_ONCE))
         share = None
         if self.scheduled_run is not None:
             due = min(due, kernel.tick + 1)
@@ -134,6 +154,7 @@ class TickLoop:
             self.ends_deadlock
             and not self.has_plc
             and not self._realtime_plcs
+            and self._coupled is None
             and due_input >= NEVER
             and not kernel.image.is_attached
         )
@@ -156,6 +177,8 @@ class TickLoop:
         has to follow, unless all of them are done and nothing was recorded (``is_settled``).
         """
         if self._player is not None or self.scheduled_run is not None or self.ends_deadlock:
+            return None
+        if self._coupled is not None:
             return None
         if not self.machine.inputs.are_silent:
             return None

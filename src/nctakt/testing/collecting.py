@@ -11,6 +11,7 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
+from nctakt.fmu.coupled import fmu_of
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import load_plc
 from nctakt.project.run_settings import RunSettings
@@ -88,6 +89,7 @@ class NcItem(pytest.Item):
             "at": script.stimuli,
             "until": settings.until,
             "plc": None if settings.plc is None else load_plc(settings.plc),
+            "fmu": None if settings.fmu is None else fmu_of(settings.fmu),
             "signals": list(start),
             "why": session_coverage(self.config) is not None,
         }

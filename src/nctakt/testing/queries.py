@@ -17,6 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
+from nctakt.fmu.coupled import fmu_of
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
@@ -80,7 +81,9 @@ def run_program(
         source: Path | NcText = NcText(TEXT_NAME, program)
     else:
         source = folder / program
-    named = Named(values=own_values, until=until, is_limited=ticks is not None, base=folder)
+    named = Named(
+        values=own_values, until=until, is_limited=ticks is not None, base=folder, fmu_use="run"
+    )
     settings, own_plc = _settings_beside(named, plc)
     values = {**settings.values, **own_values}
     names = list(dict.fromkeys([*controller.default_signals, *(options.get("signals") or ())]))
@@ -94,6 +97,7 @@ def run_program(
                     "set": values,
                     "until": settings.until,
                     "plc": own_plc,
+                    "fmu": None if settings.fmu is None else fmu_of(settings.fmu),
                     "signals": names,
                     "why": why,
                 },

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Units of logs and those of signals: how many of one the other is."""
+"""Units of logs and models and those of signals: how many of one the other is."""
 
 from __future__ import annotations
 
@@ -38,19 +38,19 @@ _UNITS: dict[str, tuple[str, float]] = {
 }
 
 
-def factor_between(log_unit: str, unit: str) -> float | None:
-    """Return how many ``unit`` one ``log_unit`` is; ``None`` for units that do not fit.
+def factor_between(theirs: str, unit: str) -> float | None:
+    """Return how many ``unit`` one of ``theirs`` is; ``None`` for units that do not fit.
 
-    A log that names no unit is taken to have the signal's.
+    A log or model that names no unit is taken to have the signal's.
 
     >>> factor_between("m", "mm"), factor_between("rpm", "mm"), factor_between("", "mm")
     (1000.0, None, 1.0)
     """
-    if not log_unit or log_unit == unit:
+    if not theirs or theirs == unit:
         return 1.0
     # A micro sign has two characters that look alike; in small letters it is the Greek one.
-    theirs = _UNITS.get(log_unit.casefold().replace("\u03bc", "µ").replace(" ", ""))
+    found = _UNITS.get(theirs.casefold().replace("\u03bc", "µ").replace(" ", ""))
     ours = _UNITS.get(unit)
-    if theirs is None or ours is None or theirs[0] != ours[0]:
+    if found is None or ours is None or found[0] != ours[0]:
         return None
-    return theirs[1] / ours[1]
+    return found[1] / ours[1]

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""What an FMU says of itself: version, identity, variables with types and units."""
+
+from __future__ import annotations
+
+import io
+import math
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.files.access import FileAccess
+from nctakt.fmu.archive import not_readable, platforms_of
+from nctakt.fmu.archive import read_description as read_text
+from nctakt.fmu.failures import FmuError, fmpy
+from nctakt.messages import diagnostic
+from nctakt.messages.fmu import FMU_KIND_NOT_POSSIBLE, FMU_WITHOUT_BINARY
+
+#: Types of variables -> the part of the functions' names that get and set them, by version.
+_ACCESS = {
+    2: {
+        "Real": "Real", "Integer": "Integer", "Enumeration": "Integer", "Boolean": "Boolean",
+        "String": "String",
+    },
+    3: {
+        **{name: name for name in (
+            "Float32", "Float64", "Int8", "UInt8", "Int16", "UInt16", "Int32", "UInt32", "Int64",
+            "UInt64", "Boolean", "String",
+        )},
+        "Enumeration": "Int64",
+    },
+}  # fmt: skip
+_REALS = ("Real", "Float32", "Float64")
+#: Bits of whole numbers, and whether they have a sign.
+_WHOLES = {
+    "Integer": (32, True), "Int8": (8, True), "UInt8": (8, False), "Int16": (16, True),
+    "UInt16": (16, False), "Int32": (32, True), "UInt32": (32, False), "Int64": (64, True),
+    "UInt64": (64, False),
+}  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class FmuVariable:
+    """A variable; ``access``: what gets and sets it, empty for arrays and types without use."""
+
+    name: str
+    reference: int
+    type: str
+    access: str
+    causality: str
+    is_fixed: bool = False
+    unit: str = ""
+
+    @property
+    def is_real(self) -> bool:
+        """Whether it is a floating-point number."""
+        return self.type in _REALS
+
+    def converted(self, value: float | bool | str) -> float | bool | str:
+        """Return a value of nctakt as this variable takes it; raises ``ValueError``."""
+        if isinstance(value, str) or self.access == "String":
+            if self.access != "String" or not isinstance(value, str):
+                raise ValueError(value)
+            return value
+        if self.access == "Boolean":
+            return bool(value)
+        if self.is_real:
+            return float(value)
+        bits, is_signed = _WHOLES[self.access]
+        low = -(1 << (bits - 1)) if is_signed else 0
+        number = round(float(value)) if math.isfinite(value) else low - 1
+        if not low <= number < low + (1 << bits):
+            raise ValueError(value)
+        return number
+
+
+@dataclass(frozen=True, slots=True)
+class FmuDescription:
+    """The description of an FMU; ``step_us``: the fixed step inside of it, 0 without one."""
+
+    file: Path
+    version: int
+    identifier: str
+    token: str
+    variables: Mapping[str, FmuVariable] = field(repr=False)
+    step_us: float = 0.0
+
+    def of(self, causality: str) -> list[FmuVariable]:
+        """Return the variables of a causality that can be read and written."""
+        return [one for one in self.variables.values() if one.causality == causality and one.access]
+
+
+def read_fmu(file: Path, access: FileAccess) -> FmuDescription:
+    """Return the description of an FMU.
+
+    Raises ``FmuError`` for what cannot be read (902601), leaves its folder (902602), cannot run
+    here (902603, 902604), and without FMPy (902600).
+    """
+    library = fmpy()
+    text = read_text(file, access)
+    try:
+        found = library.read_model_description(_Described(text))
+    except Exception as error:  # it has no class of its own for faults
+        raise not_readable(file, " ".join(str(error).split())) from error
+    version = int(found.fmiVersion.partition(".")[0])
+    if version not in _ACCESS or found.coSimulation is None:
+        kinds = [
+            name
+            for name, one in (
+                ("model exchange", found.modelExchange),
+                ("co-simulation", found.coSimulation),
+                ("scheduled execution", getattr(found, "scheduledExecution", None)),
+            )
+            if one is not None
+        ]
+        kind = f"FMI {found.fmiVersion} {', '.join(kinds)}"
+        raise FmuError(diagnostic(FMU_KIND_NOT_POSSIBLE, file=str(file), kind=kind))
+    platform = library.platform if version == 2 else library.platform_tuple
+    platforms = platforms_of(file)
+    if platform not in platforms:
+        raise FmuError(
+            diagnostic(
+                FMU_WITHOUT_BINARY,
+                file=str(file),
+                platform=platform,
+                platforms=", ".join(platforms) or "-",
+            )
+        )
+    fixed = found.coSimulation.fixedInternalStepSize
+    return FmuDescription(
+        file,
+        version,
+        found.coSimulation.modelIdentifier,
+        found.guid,
+        {one.name: _variable(one, version) for one in found.modelVariables},
+        0.0 if fixed is None else float(fixed) * 1e6,
+    )
+
+
+class _Described(io.BytesIO):
+    """A zip archive in memory that holds nothing but the description, as FMPy takes it."""
+
+    def __init__(self, text: bytes) -> None:
+
+        super().__init__()
+        with zipfile.ZipFile(self, "w") as packed:
+            packed.writestr("modelDescription.xml", text)
+        self.seek(0)
+
+
+def _variable(found: Any, version: int) -> FmuVariable:
+    """Return a variable of FMPy's description."""
+    is_array = bool(getattr(found, "dimensions", None))
+    declared = found.declaredType
+    unit = found.unit or (declared.unit if declared is not None else None) or ""
+    causality = str(found.causality or "local")
+    return FmuVariable(
+        found.name,
+        int(found.valueReference),
+        str(found.type),
+        "" if is_array else _ACCESS[version].get(str(found.type), ""),
+        causality,
+        str(found.variability) in ("fixed", "tunable") or "arameter" in causality,
+        unit,
+    )

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""Messages about simulation models that are coupled to a run (FMUs)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+FMU_LIBRARY_MISSING = error(
+    902600,
+    en="an FMU needs the library FMPy, which is not installed",
+    de="eine FMU braucht die Bibliothek FMPy, sie ist nicht installiert",
+    remedy_en='Install it: .venv/bin/pip install ".[fmi]"',
+    remedy_de='Installieren: .venv/bin/pip install ".[fmi]"',
+)
+FMU_NOT_READABLE = error(
+    902601,
+    en="{file} is not an FMU that can be read: {reason}",
+    de="{file} ist keine lesbare FMU: {reason}",
+    remedy_en="Export the model again; 'fmpy validate {file}' names all faults.",
+    remedy_de="Das Modell erneut exportieren; 'fmpy validate {file}' nennt alle Fehler.",
+)
+FMU_PATH_OUTSIDE = error(
+    902602,
+    en="{file} has an entry {path}, which would be written outside of its folder",
+    de="{file} hat einen Eintrag {path}, der außerhalb seines Ordners geschrieben würde",
+    remedy_en="Do not use it: no tool for modelling writes such an FMU.",
+    remedy_de="Sie nicht verwenden: Kein Modellierungswerkzeug schreibt eine solche FMU.",
+)
+FMU_KIND_NOT_POSSIBLE = error(
+    902603,
+    en="{file} is an FMU for {kind}; FMI 2.0 and 3.0 for co-simulation can run",
+    de="{file} ist eine FMU für {kind}; FMI 2.0 und 3.0 für Co-Simulation können laufen",
+    remedy_en="Export the model for co-simulation.",
+    remedy_de="Das Modell für Co-Simulation exportieren.",
+    kind=("version and interfaces", "Version und Schnittstellen"),
+)
+FMU_WITHOUT_BINARY = error(
+    902604,
+    en="{file} has no library for {platform}; it has: {platforms}",
+    de="{file} hat keine Bibliothek für {platform}; es gibt: {platforms}",
+    remedy_en="Export the model for this platform.",
+    remedy_de="Das Modell für diese Plattform exportieren.",
+    platform=("this platform", "diese Plattform"),
+    platforms=("the platforms that it has", "die vorhandenen Plattformen"),
+)
+UNKNOWN_FMU_VARIABLE = error(
+    902605,
+    en="{file} has no variable {name}",
+    de="{file} hat keine Variable {name}",
+    remedy_en="Did you mean {nearest}? 'fmpy info {file}' lists all.",
+    remedy_de="War {nearest} gemeint? 'fmpy info {file}' zeigt alle.",
+)
+FMU_VARIABLE_NOT_POSSIBLE = error(
+    902606,
+    en="{file}: {name} is {found}, and not {expected}",
+    de="{file}: {name} ist {found} und nicht {expected}",
+    remedy_en="Connect another variable, or put it into the other table of [fmu].",
+    remedy_de="Eine andere Variable verbinden oder sie in die andere Tabelle von [fmu] setzen.",
+    found=("what the variable is", "was die Variable ist"),
+)
+FMU_UNITS_DIFFER = error(
+    902607,
+    en="{file}: {name} is in {unit}, {signal} in {own}: one cannot be converted into the other",
+    de="{file}: {name} ist in {unit}, {signal} in {own}: Das ist nicht umrechenbar",
+    remedy_en="Connect another variable, or correct the unit in the model.",
+    remedy_de="Eine andere Variable verbinden oder die Einheit im Modell berichtigen.",
+    unit=("the unit of the FMU", "die Einheit der FMU"),
+    signal=("nctakt's variable", "die Variable von nctakt"),
+    own=("its unit", "ihre Einheit"),
+)
+FMU_NOT_CONNECTED = error(
+    902608,
+    en="no variable of {file} is connected; inputs: {inputs}; outputs: {outputs}",
+    de="keine Variable von {file} ist verbunden; Eingänge: {inputs}; Ausgänge: {outputs}",
+    remedy_en="Name pairs in the tables [fmu.inputs] and [fmu.outputs] of nctakt.toml: docs/fmi.md",
+    remedy_de="Paare in den Tabellen [fmu.inputs] und [fmu.outputs] von nctakt.toml nennen: "
+    "docs/fmi.md",
+    inputs=("the inputs of the FMU", "die Eingänge der FMU"),
+    outputs=("its outputs", "ihre Ausgänge"),
+)
+FMU_FAILED = error(
+    902609,
+    en="{file}: {function} failed at {time} of the run: {reason}",
+    de="{file}: {function} ist bei {time} des Laufs gescheitert: {reason}",
+    remedy_en="Correct the model, or the values that it gets; the text is the model's own.",
+    remedy_de="Das Modell oder die Werte berichtigen, die es erhält; der Text ist der des Modells.",
+    function=("the function of FMI", "die Funktion von FMI"),
+    time=("the time", "die Zeit"),
+    reason=("the status and the last lines of its log", "der Status und die letzten Logzeilen"),
+)
+FMU_ENDED = error(
+    902610,
+    en="{file} wants the simulation to end at {time} of the run",
+    de="{file} will, dass die Simulation bei {time} des Laufs endet",
+    remedy_en="Limit the run (--until {time}), or correct the model.",
+    remedy_de="Den Lauf begrenzen (--until {time}) oder das Modell berichtigen.",
+    time=("the time", "die Zeit"),
+)
+FMU_STEP_NOT_POSSIBLE = error(
+    902611,
+    en="{file} cannot be called every {every}: it has to be a whole multiple of {step}",
+    de="{file} kann nicht alle {every} gerufen werden: nötig ist ein Vielfaches von {step}",
+    remedy_en='In nctakt.toml: [fmu], every = "10 ms"',
+    remedy_de='In nctakt.toml: [fmu], every = "10 ms"',
+    every=("the communication step", "die Kommunikationsschrittweite"),
+    step=("a tick, or the step inside of the FMU", "ein Takt oder der Schritt in der FMU"),
+)
+FMU_VALUE_REFUSED = error(
+    902612,
+    en="{file}: {value} of {origin} is at {time} of the run no value for {target}",
+    de="{file}: {value} von {origin} ist bei {time} des Laufs kein Wert für {target}",
+    remedy_en="Limit the value where it comes from, or connect another variable.",
+    remedy_de="Den Wert begrenzen, wo er entsteht, oder eine andere Variable verbinden.",
+    origin=("the variable that has the value", "die Variable, die den Wert hat"),
+    target=("the variable that cannot have it", "die Variable, die ihn nicht annehmen kann"),
+    time=("the time", "die Zeit"),
+)

@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: MIT
+"""A run with an FMU beside it: what it gets and when, what counts from when on, how it fails.
+
+The FMU is built here: y = gain * u with u and y in m, n counts its steps, ``above.ten`` is y > 10.
+"""
+
+from __future__ import annotations
+
+import itertools
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from support.small_fmus import ABSENT, SMALL, build_library, description, write_fmu
+
+from nctakt.cli import main
+from nctakt.fmu import Fmu, FmuError
+from nctakt.run.controller import Controller, NcText
+
+PROGRAM = "G01 X20 F6000\nM30\n"
+SIGNALS = ["X.ACS.ACT_POS", "V.E.VALUE", "V.E.COUNT", "V.E.FLAG"]
+OUTPUTS = {"y": "V.E.VALUE", "n": "V.E.COUNT", "above.ten": "V.E.FLAG"}
+
+
+@pytest.fixture(scope="module")
+def libraries(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
+    """The libraries for FMI 2.0 and 3.0."""
+    return {
+        version: build_library(version, tmp_path_factory.mktemp("library")) for version in (2, 3)
+    }
+
+
+@pytest.fixture(params=[2, 3], ids=["FMI 2.0", "FMI 3.0"])
+def plant(request: pytest.FixtureRequest, libraries: dict[int, Path], tmp_path: Path) -> Path:
+    """The FMU."""
+    version = int(request.param)
+    return write_fmu(tmp_path / "plant.fmu", description(version), libraries[version])
+
+
+def run_with(fmu: Fmu, text: str = PROGRAM) -> Any:
+    return Controller().run(NcText("part.nc", text), fmu=fmu, signals=SIGNALS)
+
+
+def test_an_output_counts_from_the_tick_after_its_inputs(plant: Path) -> None:
+    """RC-002: what tick n has left is in the FMU's step, and its output in tick n + 1.
+
+    Units are converted: u is in m, the position in mm. The outputs of the first tick are those
+    before the first step.
+    """
+    fmu = Fmu(plant, inputs={"u": "X.ACS.ACT_POS"}, outputs=OUTPUTS, start={"gain": 1000.0})
+    run = run_with(fmu)
+    assert run.state == "ended"
+    position, value = run.trace["X.ACS.ACT_POS"], run.trace["V.E.VALUE"]
+    assert value[0] == 0.0
+    np.testing.assert_allclose(value[1:], position[:-1], rtol=1e-12)
+    assert list(run.trace["V.E.COUNT"]) == list(range(run.ticks))
+    assert list(run.trace["V.E.FLAG"]) == [0, *(position[:-1] > 10.0)]
+
+
+def test_a_communication_step_is_a_number_of_ticks(plant: Path) -> None:
+    """Its outputs change with each step alone; each run begins a new instance."""
+    fmu = Fmu(plant, every="5 ms", inputs={"u": "X.ACS.ACT_POS"}, outputs={"n": "V.E.COUNT"})
+    for _ in range(2):
+        run = run_with(fmu)
+        assert list(run.trace["V.E.COUNT"]) == [tick // 5 for tick in range(run.ticks)]
+    with pytest.raises(FmuError, match=r"902611.*every 0\.0025 s.*multiple of 0\.001 s"):
+        run_with(Fmu(plant, every="2.5 ms", outputs={"n": "V.E.COUNT"}))
+
+
+def test_variables_of_equal_names_are_connected(libraries: dict[int, Path], tmp_path: Path) -> None:
+    """Without a mapping; what has no such name is left alone."""
+    text = description(3).replace('"u"', '"X.ACS.ACT_POS"').replace('"n"', '"V.E.COUNT"')
+    run = run_with(Fmu(write_fmu(tmp_path / "p.fmu", text, libraries[3])))
+    assert list(run.trace["V.E.COUNT"]) == list(range(run.ticks))
+    with pytest.raises(FmuError, match=r"902608: .*inputs: u; outputs: y, n, above\.ten"):
+        run_with(Fmu(write_fmu(tmp_path / "q.fmu", description(3), libraries[3])))
+
+
+def test_the_fmu_and_its_plc_run_side_by_side(plant: Path) -> None:
+    """The PLC is called as ever, and before it: of one variable the FMU's value counts."""
+
+    class Cell:
+        def cycle(self, hli: Any) -> None:
+            hli.write("V.E.COUNT", 1000)
+            hli.write("V.E.WORD", hli.tick)
+
+    controller = Controller()
+    fmu = Fmu(plant, inputs={"u": "X.ACS.ACT_POS"}, outputs={"n": "V.E.COUNT"})
+    run = controller.run(NcText("p.nc", PROGRAM), plc=Cell(), fmu=fmu, signals=SIGNALS)
+    assert controller.read("V.E.WORD") == run.ticks - 1
+    assert list(run.trace["V.E.COUNT"]) == list(range(run.ticks))
+
+
+def test_several_fmus_live_in_one_process(libraries: dict[int, Path], tmp_path: Path) -> None:
+    """Each has its own state, whatever its version, also of one library."""
+    counts = []
+    for version, gain in itertools.product((2, 3), (500.0, 1000.0)):
+        file = write_fmu(tmp_path / f"{version}.fmu", description(version), libraries[version])
+        controller = Controller()
+        fmu = Fmu(file, inputs={"u": "X.ACS.ACT_POS"}, outputs=OUTPUTS, start={"gain": gain})
+        run = controller.begin({1: [NcText("p.nc", PROGRAM)]}, fmu=fmu)
+        counts.append((controller, run, gain))
+    for end in range(0, 300, 50):
+        for _, run, _ in counts:
+            run.advance(end)
+    for controller, run, gain in counts:
+        assert controller.read("V.E.VALUE") == pytest.approx(20.0 * gain / 1000.0)
+        run.close()
+
+
+# --- what is refused
+
+WRONG: dict[str, tuple[dict[str, Any], str]] = {
+    "unknown": ({"inputs": {"v": "X.ACS.ACT_POS"}}, "902605: .* no variable v"),
+    "output as input": ({"inputs": {"y": "X.ACS.ACT_POS"}}, "902606: .*y is output, and not an in"),
+    "parameter as output": ({"outputs": {"gain": "V.E.VALUE"}}, "902606: .*gain is parameter"),
+    "unknown to us": ({"inputs": {"u": "X.ACS.ACT_PSO"}}, "ACT_POS"),
+    "not settable": ({"outputs": {"y": "X.ACS.ACT_POS"}}, "X.ACS.ACT_POS"),
+    "units": ({"inputs": {"u": "HLI.OVERRIDE"}}, "902607: .*u is in m, HLI.OVERRIDE in %"),
+    "start": ({"start": {"fault": 1e12}, "outputs": OUTPUTS}, "902606: .*fault is Int"),
+}
+
+
+@pytest.mark.parametrize("name", WRONG)
+def test_wrong_connections_are_refused(plant: Path, name: str) -> None:
+    """All mistakes before the first tick."""
+    tables, text = WRONG[name]
+    with pytest.raises(FmuError, match=text):
+        run_with(Fmu(plant, **tables))
+
+
+def test_an_fmu_that_fails_is_told(plant: Path) -> None:
+    """902609 with the function, the time of the run and the model's own words."""
+    fmu = Fmu(plant, outputs={"n": "V.E.COUNT"}, start={"fault": 1})
+    with pytest.raises(FmuError) as failed:
+        run_with(fmu)
+    text = str(failed.value)
+    assert "902609" in text
+    assert "DoStep failed at 0.003 s of the run: status 3 (error)" in text
+    assert "the spring is broken" in text
+
+
+def test_an_fmu_that_wants_to_end_is_told(plant: Path) -> None:
+    """902610 in FMI 3.0; FMI 2.0 discards the step (902609)."""
+    with pytest.raises(FmuError, match=r"902610.*at 0\.003 s|902609.*\(discard\)"):
+        run_with(Fmu(plant, outputs={"n": "V.E.COUNT"}, start={"fault": 2}))
+
+
+def test_a_value_that_the_machine_cannot_have_is_told(plant: Path) -> None:
+    """902612 at its time, followed by the machine's reason."""
+    fmu = Fmu(
+        plant,
+        inputs={"u": "X.ACS.ACT_POS"},
+        outputs={"y": "V.E.BYTE"},
+        start={"gain": -1e9},
+    )
+    with pytest.raises(FmuError, match=r"902612: .* of y is at 0\.001 s .* for V\.E\.BYTE"):
+        run_with(fmu)
+
+
+def test_values_that_do_not_fit_a_type_are_told(libraries: dict[int, Path], tmp_path: Path) -> None:
+    """A whole number of 8 bits does not silently become another one; arrays are refused."""
+    file = write_fmu(tmp_path / "p.fmu", description(3, SMALL, ABSENT), libraries[3])
+    with pytest.raises(FmuError, match=r"902612: .*: 300 of V\.E\.VALUE .* for small"):
+        Controller().run(
+            NcText("p.nc", PROGRAM), fmu=Fmu(file, inputs={"small": "V.E.VALUE"}),
+            set={"V.E.VALUE": 300},
+        )  # fmt: skip
+    with pytest.raises(FmuError, match=r"902609: .*GetFloat64 .*no such variable"):
+        run_with(Fmu(file, outputs={"absent": "V.E.VALUE"}))
+    text = description(3).replace('<Float64 name="u" valueReference="1"', "<Float64 X")
+    text = text.replace("/><Float64 X", '/><Float64 name="u" valueReference="1"')
+    text = text.replace('start="0" unit="m"/>', 'start="0 0"><Dimension start="2"/></Float64>', 1)
+    with pytest.raises(FmuError, match=r"902606: .*u is Float64\[\]"):
+        run_with(Fmu(write_fmu(tmp_path / "q.fmu", text, libraries[3]), inputs={"u": "V.E.VALUE"}))
+
+
+@pytest.mark.parametrize(
+    "name", ["../out.txt", "/out.txt", "resources/../../out.txt", "c:out.txt", "a\\..\\out.txt"]
+)
+def test_paths_that_leave_the_folder_are_refused(tmp_path: Path, name: str) -> None:
+    """902602, before anything is unpacked."""
+    pytest.importorskip("fmpy", reason="FMUs need FMPy (extra fmi)")
+    file = tmp_path / "bad.fmu"
+    with zipfile.ZipFile(file, "w") as archive:
+        archive.writestr("modelDescription.xml", description(3))
+        archive.writestr(name, "x")
+    with pytest.raises(FmuError, match="902602"):
+        Fmu(file)
+
+
+def _linked(file: Path) -> None:
+    with zipfile.ZipFile(file, "a") as archive:
+        entry = zipfile.ZipInfo("resources")
+        entry.external_attr = 0o120777 << 16
+        archive.writestr(entry, "/etc")
+
+
+BROKEN: dict[str, tuple[Callable[[str], str], str]] = {
+    "no XML": (lambda text: text[:-9], "902601"),
+    "FMI 1.0": (lambda text: text.replace('"3.0"', '"1.0"'), "90260[13]"),
+    "a document type": (lambda text: "<!DOCTYPE a>" + text, "902601: .*document type"),
+    "model exchange": (lambda text: text.replace("CoSimulation", "ModelExchange"), "902603: .*mod"),
+    "no library": (lambda text: text, "902604: .* has no library for .*; it has: -"),
+}
+
+
+@pytest.mark.parametrize("name", BROKEN)
+def test_files_that_are_no_fmu_for_this_computer_are_refused(tmp_path: Path, name: str) -> None:
+    """Each with its own message."""
+    change, number = BROKEN[name]
+    with pytest.raises(FmuError, match=number):
+        Fmu(write_fmu(tmp_path / "p.fmu", change(description(3)), None))
+
+
+def test_archives_that_are_none_are_refused(tmp_path: Path) -> None:
+    """A text, a missing file, a link, a cut off archive."""
+    file = write_fmu(tmp_path / "p.fmu", description(3), None)
+    data = file.read_bytes()
+    for content in (b"", b"no zip", data[:-30]):
+        file.write_bytes(content)
+        with pytest.raises(FmuError, match="902601"):
+            Fmu(file)
+    with pytest.raises(FmuError, match="902601"):
+        Fmu(tmp_path / "missing.fmu")
+    file.write_bytes(data)
+    _linked(file)
+    with pytest.raises(FmuError, match="902602"):
+        Fmu(file)
+
+
+# --- commands
+
+Told = Callable[..., tuple[int, str, str]]
+
+PROJECT = """\
+[fmu]
+every = "2 ms"
+inputs = {u = "X.ACS.ACT_POS"}
+outputs = {y = "V.E.VALUE", "above.ten" = "V.E.FLAG"}
+start = {gain = 1000}
+"""
+REACTION = """\
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF ONCE V.E.VALUE > 5
+    M100
+  $ENDIF
+#RT CYCLE END
+G01 X20 F6000
+M30
+"""
+
+
+@pytest.fixture
+def told(plant: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Told:
+    """Run a command beside ``a.nc``, ``plant.fmu`` and its project; exit code and both outputs."""
+    monkeypatch.chdir(plant.parent)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(plant.parent / "settings"))
+    Path("a.nc").write_text(REACTION, "utf-8")
+    Path("nctakt.toml").write_text(PROJECT, "utf-8")
+    for path in (Path(), Path("nctakt.toml"), plant):
+        path.chmod(0o700)
+
+    def command(*words: str) -> tuple[int, str, str]:
+        code = main(words)
+        shown = capsys.readouterr()
+        return code, shown.out, shown.err
+
+    return command
+
+
+def test_a_tape_needs_no_fmu(told: Told) -> None:
+    """The outputs are inputs on the tape; the replay has the events of the run without it."""
+    code, _, err = told(
+        "run", "a.nc", "--fmu", "plant.fmu", "--record", "a.tape", "--trace", "a.csv"
+    )
+    assert (code, err) == (0, "")
+    assert '"fmu","write","V.E.VALUE"' in Path("a.tape").read_text("utf-8").replace(" ", "")
+    assert "M100" not in told("run", "a.nc", "--trace", "without.csv")[1]
+    Path("plant.fmu").unlink()
+    code, _, err = told("replay", "a.tape", "--trace", "b.csv")
+    assert code == 0
+    assert "901072" in err or "900" not in err
+    assert Path("a.csv").read_bytes() == Path("b.csv").read_bytes()
+    assert Path("a.csv").read_bytes() != Path("without.csv").read_bytes()
+
+
+def test_the_project_names_it(told: Told) -> None:
+    """It runs as with ``--fmu``; who cannot run it says so (902614), where no code may run it is
+    left out (902613).
+    """
+    assert told("run", "a.nc", "--fmu", "plant.fmu", "--trace", "a.csv")[0] == 0
+    Path("nctakt.toml").write_text(PROJECT + 'file = "plant.fmu"\n', "utf-8")
+    assert told("run", "a.nc", "--trace", "b.csv")[0] == 0
+    assert Path("a.csv").read_bytes() == Path("b.csv").read_bytes()
+    assert told("why", "a.nc")[0] == 0
+    code, _, err = told("study", "a.nc", "--each-tick", "V.E.WORD=1")
+    assert (code, err.partition(": an FMU")[0]) == (
+        2,
+        "nctakt.toml:1:1: error 902614: project file",
+    )
+    assert "902613" in told("disassemble", "a.nc")[2]
+
+
+def test_code_that_others_may_have_written_is_not_run(told: Told) -> None:
+    """902025: an FMU is foreign code, as a PLC is."""
+    Path("nctakt.toml").write_text(PROJECT + 'file = "plant.fmu"\n', "utf-8")
+    Path("plant.fmu").chmod(0o777)
+    code, out, err = told("run", "a.nc")
+    assert (code, out) == (2, "")
+    assert err.startswith("nctakt.toml:1:1: error 902025: project file: fmu is not run")
+    assert told("run", "a.nc", "--trust")[0] == 0
+    assert told("run", "a.nc", "--fmu", "plant.fmu")[0] == 0
+
+
+def test_slips_in_the_project_file_are_told_at_their_place(told: Told) -> None:
+    """Unknown entries, wrong kinds, times that are none."""
+    text = '[fmu]\nevery = "0 ms"\ninput = {}\noutputs = {y = 5}\nfile = "missing.fmu"\n'
+    Path("nctakt.toml").write_text(text, "utf-8")
+    code, _, err = told("run", "a.nc")
+    assert code == 2
+    found = [line.partition(": project")[0] for line in err.splitlines() if "error 9" in line]
+    assert found == [
+        "nctakt.toml:2:1: error 901062",
+        "nctakt.toml:3:1: error 901061",
+        "nctakt.toml:4:1: error 901062",
+        "nctakt.toml:5:1: error 901063",
+    ]
+
+
+def test_a_failure_of_the_fmu_is_one_of_the_run(told: Told) -> None:
+    """Exit code 1, without a traceback; what has been recorded is complete."""
+    Path("nctakt.toml").write_text(PROJECT.replace("gain = 1000", "fault = 1"), "utf-8")
+    code, _, err = told("run", "a.nc", "--fmu", "plant.fmu", "--trace", "a.csv")
+    assert code == 1
+    assert err.startswith("error 902609: plant.fmu: fmi")
+    assert len(Path("a.csv").read_text("utf-8").splitlines()) == 1 + 8

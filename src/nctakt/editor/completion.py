@@ -19,7 +19,7 @@ from nctakt.editor.completion_items import Cursor
 from nctakt.editor.document import Document
 from nctakt.editor.list_lines import parameter_of, values_of
 from nctakt.editor.names import section_of
-from nctakt.editor.program_names import names_of
+from nctakt.editor.program_names import names_of, programs_to_call
 from nctakt.editor.surroundings import Surroundings, surroundings
 from nctakt.editor.value_completion import values, variables, written_path
 from nctakt.editor.word_completion import (
@@ -36,7 +36,6 @@ from nctakt.lists.format.parameter import ValueType
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.run.assembly import AssembledMachine
-from nctakt.run.program_loader import search_folders
 
 #: The beginning of a path of the interface: in a comment, in a PLC in Python or Structured Text.
 _INTERFACE = re.compile(r"(?<![\w.])(?:HLI_Global_Variables\.)?gp[A-Z][\w\[\]^.]*$", re.IGNORECASE)
@@ -162,17 +161,8 @@ def _subprograms(cursor: Cursor) -> Iterator[CompletionItem]:
 
 
 def _files(cursor: Cursor, written: str) -> Iterator[CompletionItem]:
-    name = cursor.document.name
-    folders = search_folders(name, cursor.machine.parameters, cursor.machine.configuration.folder)
-    seen: dict[str, None] = {}
-    for folder in folders:
-        if folder.is_dir():
-            for path in sorted(folder.iterdir()):
-                if path.is_file() and path.suffix.lower() in (".nc", ".sub", ".cyc", ".cnc"):
-                    seen[path.name] = None
-    for file in seen:
-        if file != Path(name).name:
-            yield cursor.item(file, CompletionItemKind.File, len(written))
+    for file in programs_to_call(cursor.document, cursor.machine):
+        yield cursor.item(file, CompletionItemKind.File, len(written))
 
 
 # --- lists ---------------------------------------------------------------------------------------

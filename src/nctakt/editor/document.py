@@ -7,6 +7,7 @@ only its own lines, so that a program of a million lines is edited as fast as a 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from urllib.parse import quote, unquote, urlsplit
 
@@ -23,6 +24,8 @@ from nctakt.base.diagnostics import Span
 
 #: The language of lists among the languages of editors; any other document is a program.
 LIST_LANGUAGE = "nctakt-list"
+#: The ends of the names of lists.
+LIST_SUFFIXES = (".lis", ".xml")
 
 
 @dataclass(slots=True)
@@ -44,10 +47,18 @@ class Document:
     _copy: tuple[int, list[str]] = (-1, [])
 
     @property
+    def location(self) -> Path | None:
+        """The file, or where it would lie; ``None`` for a text without either."""
+        if self.path is not None:
+            return self.path
+        near = Path(self.name)
+        return near if near.is_absolute() else None
+
+    @property
     def is_list(self) -> bool:
         """Whether it is a list of parameters, by its language or the end of its name."""
         suffix = Path(self.name).suffix.casefold()
-        return self.language == LIST_LANGUAGE or suffix in (".lis", ".xml")
+        return self.language == LIST_LANGUAGE or suffix in LIST_SUFFIXES
 
     def program_lines(self) -> list[str]:
         """Return the lines as the check counts them: an end of line begins no other line.
@@ -153,6 +164,19 @@ def path_of(uri: str) -> Path | None:
     if len(path) > 2 and path[0] == "/" and path[2] == ":":
         path = path[1:]  # /C:/programs/part.nc
     return Path(path)
+
+
+def name_of(uri: str, folders: Sequence[Path]) -> str:
+    """Return what findings call a document: its file, or where a text without one would lie.
+
+    That is the first folder of the editor, so that its project, its machine and the programs in it
+    are those of the text.
+    """
+    path = path_of(uri)
+    if path is not None:
+        return path.as_posix()
+    label = unquote(urlsplit(uri).path).rpartition("/")[2] or uri
+    return (folders[0] / label).as_posix() if folders else label
 
 
 def uri_of(path: Path) -> str:

@@ -181,6 +181,16 @@ def section_of(lines: Sequence[str], line: int) -> range:
     return range(first, len(lines))
 
 
+def sections(lines: Sequence[str]) -> Iterator[range]:
+    """Yield the lines of the main program and of each subprogram, in their order."""
+    first = 0
+    for start in _section_starts(lines):
+        if any(without_comments(line).strip() for line in lines[first:start]):
+            yield range(first, start)
+        first = start
+    yield range(first, len(lines))
+
+
 def _section_starts(lines: Sequence[str]) -> Iterator[int]:
     """Yield the lines with which sections begin, as ``SectionCounter`` counts them: a ``%`` line
     inside the main program is a comment.

@@ -100,8 +100,8 @@ def _register_counts(server: Server) -> None:
         from nctakt.editor.hints import code_lenses  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        if document is None or document.is_list:
-            return []
+        if document is None or document.is_list or document.path is None:
+            return []  # what has no file cannot be run
         return code_lenses(document, counts.get(document.uri), server.language)
 
     @server.command("nctakt.count")

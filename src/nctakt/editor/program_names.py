@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The names that a program defines or uses itself, for completion.
+"""The names that a program defines or uses itself, and the programs that it can call.
 
 In: a document, the line of the cursor. Out: names of a kind, in the order of the text.
 """
@@ -8,13 +8,18 @@ from __future__ import annotations
 
 import re
 from collections import Counter
+from pathlib import Path
 
 from nctakt.editor.document import Document
 from nctakt.editor.names import Kind, occurrences_in
 from nctakt.nc.parse.lexer import without_comments
+from nctakt.run.assembly import AssembledMachine
+from nctakt.run.program_loader import search_folders
 
 #: Lines of a program that are searched; a longer one is searched around the cursor.
 SEARCHED_LINES = 20_000
+
+_PROGRAMS = (".nc", ".sub", ".cyc", ".cnc")
 
 _MARKS = {"cycle": "#", "label": "", "subprogram": "%", "parameter": "P", "variable": "V"}
 
@@ -54,3 +59,16 @@ def values_written(document: Document, line: int, letter: str) -> list[tuple[str
         if number != line:
             counts.update(pattern.findall(without_comments(document.lines[number])))
     return sorted(counts.items(), key=lambda item: -item[1])
+
+
+def programs_to_call(document: Document, machine: AssembledMachine) -> list[str]:
+    """Return the names of the programs in the folders in which calls of a program search."""
+    own = Path(document.name).name
+    names: dict[str, None] = {}
+    folders = search_folders(document.name, machine.parameters, machine.configuration.folder)
+    for folder in folders:
+        if folder.is_dir():
+            for path in sorted(folder.iterdir()):
+                if path.is_file() and path.suffix.lower() in _PROGRAMS and path.name != own:
+                    names[path.name] = None
+    return list(names)

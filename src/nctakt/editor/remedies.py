@@ -3,7 +3,7 @@
 
 In: a document and its findings. Out: code actions: the right word for a slip or misspelt name,
 ``Vs.`` for a value of each tick, the end of an open structure, a variable added to the machine's
-list, a comment that suppresses the finding.
+list, a comment that suppresses the finding. Others: ``cycle_remedies.py``, ``program_remedies.py``.
 """
 
 from __future__ import annotations
@@ -22,8 +22,10 @@ from lsprotocol.types import (
 from lsprotocol.types import Diagnostic as Shown
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Severity, Text
+from nctakt.editor.cycle_remedies import cycle_remedies
 from nctakt.editor.document import Document, uri_of
 from nctakt.editor.list_lines import LIST_ENDS, VALUE_COLUMN
+from nctakt.editor.program_remedies import program_remedies
 from nctakt.editor.structures import ENDS, every, structure_word, structures
 from nctakt.editor.workspace import LoadedMachine
 from nctakt.messages.lints import ASYNCHRONOUS_CONDITION
@@ -129,6 +131,9 @@ def _remedies(
         if edit is not None:
             title = _INSERT.get(language).format(new=edit.new_text.strip())
             yield title, [edit], uri
+    for title, edits in cycle_remedies(document, item, loaded.machine.names, language):
+        yield title, edits, uri
+    yield from program_remedies(document, item, loaded, language)
     yield from _declaration(written, loaded, language)
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, BinaryIO, cast
+from typing import TYPE_CHECKING, Any, BinaryIO, cast
 
 from lsprotocol import types
 from pygls.exceptions import JsonRpcException
@@ -23,10 +23,13 @@ from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
 from nctakt.editor.diagnosis import Diagnosis
-from nctakt.editor.document import Document, path_of, split_text
+from nctakt.editor.document import Document, name_of, path_of, split_text
 from nctakt.editor.incoming import Incoming
 from nctakt.editor.malformed import Refused, TolerantProtocol, unreadable
 from nctakt.editor.workspace import Workspace
+
+if TYPE_CHECKING:
+    from nctakt.editor.calls import CallHierarchy
 
 #: Seconds between two switches of threads: a check must not hold up an answer.
 _SWITCH_S = 0.001
@@ -113,7 +116,7 @@ class Server(LanguageServer):
         document = Document(
             item.uri,
             path,
-            item.uri.rsplit("/", 1)[-1] if path is None else path.as_posix(),
+            name_of(item.uri, self.folders),
             item.language_id,
             item.version,
             split_text(item.text),
@@ -203,6 +206,7 @@ def register(server: Server) -> None:
     _register_lifecycle(server)
     _register_help(server)
     _register_navigation(server)
+    _register_calls(server)
     _register_renaming(server)
     _register_structure(server)
     _register_edits(server)
@@ -304,6 +308,49 @@ def _register_navigation(server: Server) -> None:
             return []
         found = highlights(document, params.position, server.work.machine_of(document))
         return [types.DocumentHighlight(area) for area in found]
+
+
+def _register_calls(server: Server) -> None:
+    """Register who calls a program, and what it calls."""
+    feature = server.feature
+
+    def hierarchy(uri: str) -> CallHierarchy | None:
+        from nctakt.editor.calls import CallHierarchy  # noqa: PLC0415 - when it is asked for
+
+        path = path_of(uri)
+        document = server.document(uri)
+        if document is None and path is not None:
+            document = server.work.document_of(path)
+        if document is None:
+            return None
+        near = document
+        return CallHierarchy(
+            server.work,
+            server.work.machine_of(document),
+            lambda: server.work.programs_beside(near, server.folders),
+        )
+
+    @feature(types.TEXT_DOCUMENT_PREPARE_CALL_HIERARCHY)
+    def on_prepare(params: types.CallHierarchyPrepareParams) -> list[types.CallHierarchyItem]:
+        document = server.document(params.text_document.uri)
+        calls = hierarchy(params.text_document.uri)
+        if document is None or calls is None or document.is_list:
+            return []
+        return calls.prepare(document, params.position)
+
+    @feature(types.CALL_HIERARCHY_INCOMING_CALLS)
+    def on_incoming(
+        params: types.CallHierarchyIncomingCallsParams,
+    ) -> list[types.CallHierarchyIncomingCall]:
+        calls = hierarchy(params.item.uri)
+        return [] if calls is None else calls.incoming(params.item)
+
+    @feature(types.CALL_HIERARCHY_OUTGOING_CALLS)
+    def on_outgoing(
+        params: types.CallHierarchyOutgoingCallsParams,
+    ) -> list[types.CallHierarchyOutgoingCall]:
+        calls = hierarchy(params.item.uri)
+        return [] if calls is None else calls.outgoing(params.item)
 
 
 def _register_renaming(server: Server) -> None:

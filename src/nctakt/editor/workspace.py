@@ -7,6 +7,7 @@ In: documents, the project files around them. Out: the findings of a document, t
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,7 +17,7 @@ from lsprotocol.types import PositionEncodingKind
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.editor.document import Document, split_text, uri_of
+from nctakt.editor.document import LIST_SUFFIXES, Document, split_text, uri_of
 
 if TYPE_CHECKING:
     from nctakt.checking.check_memory import CheckMemory
@@ -33,6 +34,7 @@ SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc")
 
 #: The modules of the answers to an editor.
 _ANSWERS = (
+    "calls",
     "colours",
     "completion",
     "formatting",
@@ -114,6 +116,10 @@ class Workspace:
                     documents.append(program)
         return documents
 
+    def document_of(self, path: Path) -> Document | None:
+        """Return the document of a file, open or not; ``None`` if it cannot be read."""
+        return self.at(path) or self._from_disk(path)
+
     def _from_disk(self, path: Path) -> Document | None:
         """Return a file that is not open as a document; ``None`` for one that cannot be read."""
         from nctakt.base.text import decode_text  # noqa: PLC0415 - as above
@@ -140,7 +146,7 @@ class Workspace:
     def machine_of(self, document: Document) -> LoadedMachine:
         """Return the machine of a program, loaded anew where one of its lists has changed."""
         try:
-            choice = self.choice_of(document.path)
+            choice = self.choice_of(document.location)
         except Failure as failure:
             return LoadedMachine(*self._demo(), failure.diagnostics)
         known = self._machines.get(choice.path)
@@ -208,9 +214,9 @@ class Workspace:
         from nctakt.run.assembly import AssembledMachine  # noqa: PLC0415
 
         path = document.path
-        if path is None or not path.is_file():
-            return []
         default = AssembledMachine(self._demo()[0].configuration, OpenBuffers(self.lines_of))
+        if path is None or not path.is_file():
+            return _check_unsaved(document, default)
         startup = startup_list_around(path)
         for named in (startup, path):
             if named is None:
@@ -223,6 +229,23 @@ class Workspace:
                     if item.file and _real(Path(item.file)) == _real(path)
                 ]
         return []
+
+
+def _check_unsaved(document: Document, machine: AssembledMachine) -> list[Diagnostic]:
+    """Return the findings of a list that has no file yet, alone, from a file for the moment."""
+    from nctakt.checking.check import check_files  # noqa: PLC0415 - as above
+
+    with tempfile.TemporaryDirectory(prefix="nctakt-") as folder:
+        named = Path(document.name)
+        suffix = named.suffix if named.suffix.casefold() in LIST_SUFFIXES else ".lis"
+        file = Path(folder, f"{named.stem}{suffix}")
+        file.write_text(document.text(), "utf-8", errors="surrogatepass")
+        result = check_files([file], machine, detail="effects")
+        return [
+            item.diagnostic
+            for item in result.findings
+            if item.file and _real(Path(item.file)) == _real(file)
+        ]
 
 
 def _real(path: Path) -> Path:

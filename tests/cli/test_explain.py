@@ -13,6 +13,7 @@ from nctakt.reference.concepts import find_concepts
 from nctakt.reference.layout import WIDTH
 from nctakt.reference.messages import MESSAGES
 from nctakt.reference.topics import TOPICS, nearest_word
+from nctakt.studies.measures import read_expectation
 from nctakt.testing.expectations import read_script
 
 pytestmark = pytest.mark.slow
@@ -228,6 +229,11 @@ def test_a_word_without_an_article_is_searched_in_all_texts(capsys: Captured) ->
         ("why does my program wait", "waiting: subject"),
         ("worauf wartet die Achse", "axis letters: subject"),
         ("Wartezeit", "waiting: subject"),
+        ("how do I set a variable", "variable: subject"),
+        ("wie lange dauert das Programm", "machining time: subject"),
+        ("wo sind meine Listen", "lists: subject"),
+        ("feed hold", "feed hold: subject"),
+        ("Satzvorlauf", "block search: subject"),
         ("backward_motion", "hli_command.backward_motion: value of the interface"),
     ],
 )
@@ -244,6 +250,8 @@ def test_the_examples_of_expectations_can_be_read() -> None:
         parts = [part for line in fact.value.en.splitlines() for part in line.split("    ")]
         script = read_script(Path("p.nc"), "".join(f"{part}\n" for part in parts) + "M30\n")
         assert script.expectations or script.assignments
+    (in_plans,) = (fact.value.en for fact in article.facts if fact.label.en == "In plans")
+    assert [read_expectation(text, {}).text for text in in_plans.splitlines()]
 
 
 @pytest.mark.parametrize(

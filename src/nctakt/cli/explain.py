@@ -26,7 +26,7 @@ from nctakt.hli.table import find
 from nctakt.messages import diagnostic
 from nctakt.messages.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
 from nctakt.reference.article import Article
-from nctakt.reference.concepts import find_concepts
+from nctakt.reference.concepts import SMALL_WORDS, find_concepts, is_subject
 from nctakt.reference.elements import is_path
 from nctakt.reference.layout import article_lines, list_lines, topic_lines
 from nctakt.reference.topics import (
@@ -110,6 +110,8 @@ def _explain(words: Sequence[str], machine: str | None, form: str, language: Lan
         found = answer_question(" ".join(words), language)
         if found:
             answers = [_Answer(" ".join(words), tuple(found[:_MAX_ANSWERS]))]
+        else:
+            answers = [one for one in answers if one.word.casefold() not in SMALL_WORDS] or answers
     unknown = [message for answer in answers for message in answer.unknown]
     if form == "json":
         _show([as_json(_document(answers, unknown, language)).rstrip()])
@@ -180,17 +182,24 @@ def _document(
 
 
 def _phrases(words: Sequence[str]) -> Iterator[str]:
-    """Yield the words one by one, those of a command's name together: ``#RT CYCLE``."""
+    """Yield the words one by one, those of a name together: ``#RT CYCLE``, ``feed hold``."""
     begin = 0
     while begin < len(words):
         end = begin + 1
-        for longer in range(len(words), end, -1) if words[begin].startswith("#") else ():
-            phrase = " ".join(words[begin:longer]).upper()
-            if any(article.name.upper() == phrase for article in explain(phrase)):
+        is_command = words[begin].startswith("#")
+        for longer in range(len(words), end, -1):
+            phrase = " ".join(words[begin:longer])
+            if is_subject(phrase) or (is_command and _is_name(phrase)):
                 end = longer
                 break
         yield " ".join(words[begin:end])
         begin = end
+
+
+def _is_name(phrase: str) -> bool:
+    """Return whether words are together the name of a command."""
+    folded = phrase.upper()
+    return any(article.name.upper() == folded for article in explain(folded))
 
 
 def _lines(answer: _Answer, language: Language) -> Iterator[str]:

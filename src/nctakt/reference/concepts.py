@@ -32,6 +32,15 @@ def _concept(names: str, meaning: Text, *facts: Fact) -> _Concept:
     return _Concept((first, *others), Article(first, _KIND, meaning, facts))
 
 
+#: Words of a question that say nothing about its subject.
+SMALL_WORDS = frozenset(
+    "a an and are be by can do does for from how i in is it my no not of on one or that the there "
+    "to what when where which who why with "
+    "auf aus bei das dem den der des die ein eine einem einen einer es für geht hat ich ist kann "
+    "kein keine mein meine mit nach nicht sich sind und von wann warum was wie wird wo worauf zu "
+    "zum zur".split()
+)
+
 _CONCEPTS = (
     _concept(
         "axis letters, X, Y, Z, A, B, C, U, V, W, axis, axes, Achse, Achsen, Koordinate",
@@ -92,8 +101,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "902000, 900820, #WAIT, #WAIT FOR, G04, M, HLI.START, #FLUSH WAIT"),
     ),
     _concept(
-        "expect, given, expectation, expectations, test, tests, assert, Erwartung, Erwartungen, "
-        "erwarten, prüfen",
+        "expect, given, expectation, expectations, test, tests, testing, assert, Erwartung, "
+        "Erwartungen, erwarten, testen, teste, Tests",
         Text(
             "Comments of a program that make it a test for pytest: given: is an input of the run, "
             "expect: what must come of it, about the line if it follows a block",
@@ -125,7 +134,22 @@ _CONCEPTS = (
                 "at ZEIT (mehrere mit Kommas), before ZEIT, after ZEIT, never, once, N times",
             ),
         ),
-        fact("In plans", "In Plänen", 'expect = ["time < 1.5 s", "X.ACS.ACT_POS < 50 within 1s"]'),
+        fact(
+            "Branch",
+            "Zweig",
+            Text(
+                "fired: the branch in this line of a realtime cycle becomes true; fired 17: one of "
+                "cycle 17; fired 17 line 5: that in line 5",
+                "fired: der Zweig in dieser Zeile eines Echtzeit-Zyklus wird wahr; fired 17: einer "
+                "von Zyklus 17; fired 17 line 5: der in Zeile 5",
+            ),
+        ),
+        fact(
+            "In plans",
+            "In Plänen",
+            "max X < 300\nX < 50 within 100 ms\nX < 50 within 100 ms after M100\n"
+            'M100 before M101\nM100 once\nmessage "done" before 2 s\nended',
+        ),
         fact(*_FURTHER, "docs/testing.md, docs/studies.md; pytest part.nc"),
     ),
     _concept(
@@ -160,23 +184,172 @@ _CONCEPTS = (
         ),
         fact(*_FURTHER, "V.E, V.CH, V.P, V.L, P; nctakt explain variables"),
     ),
+    _concept(
+        "feed hold, feedhold, hold, Vorschub-Halt, Vorschubhalt, anhalten",
+        Text(
+            "The operator stops the path: it brakes to a standstill and goes on where it stands "
+            "once the hold has gone",
+            "Der Bediener hält die Bahn an: Sie bremst bis zum Stillstand und geht von dort "
+            "weiter, sobald der Halt fort ist",
+        ),
+        fact(
+            *_EXAMPLES, "nctakt run part.nc --at 200ms HLI.FEED_HOLD=1 --at 500ms HLI.FEED_HOLD=0"
+        ),
+        fact(*_FURTHER, "HLI.FEED_HOLD, HLI.START, HLI.RESET, V.RTG.OVERRIDE.VEL.CYCLE, override"),
+    ),
+    _concept(
+        "arc, arcs, circle, helix, Kreis, Kreisbogen, Bogen",
+        Text(
+            "G02 moves clockwise, G03 counter-clockwise, with I, J, K for the centre or R for the "
+            "radius; a third axis makes it a helix",
+            "G02 fährt im Uhrzeigersinn, G03 dagegen, mit I, J, K für den Mittelpunkt oder R für "
+            "den Radius; eine dritte Achse macht daraus eine Helix",
+        ),
+        fact(*_EXAMPLES, "G17 G02 X20 Y0 I10 J0 F3000\nG03 X0 Y0 R10"),
+        fact(*_FURTHER, "G02, G03, G17, G161, G162, G163, I, J, K, R"),
+    ),
+    _concept(
+        "subprogram, subprograms, call, Unterprogramm, Unterprogramme, aufrufen",
+        Text(
+            "L calls a program in another file, LL a part of this file; M17 or M29 ends it",
+            "L ruft ein Programm in einer anderen Datei, LL einen Teil dieser Datei; M17 oder M29 "
+            "beendet es",
+        ),
+        fact(*_FURTHER, "L, LL, M17, M29, L CYCLE"),
+    ),
+    _concept(
+        "tools, tool, radius, Werkzeug, Werkzeuge, Werkzeugradius, Radiuskorrektur",
+        Text(
+            "T names a tool of the tool list, D takes its offsets; G41 and G42 lead the path past "
+            "the contour by its radius",
+            "T nennt ein Werkzeug der Werkzeugliste, D nimmt seine Korrekturen; G41 und G42 führen "
+            "die Bahn um seinen Radius an der Kontur vorbei",
+        ),
+        fact(*_FURTHER, "T, D, G40, G41, G42; docs/tools.md"),
+    ),
+    _concept(
+        "zero offset, zero offsets, Nullpunkt, Nullpunktverschiebung, Nullpunkte",
+        Text(
+            "G54 … G59 and G159 move the zero point of the program by a group of the list of zero "
+            "offsets; G53 takes it away",
+            "G54 … G59 und G159 verschieben den Nullpunkt des Programms um eine Gruppe der "
+            "Nullpunktliste; G53 nimmt das fort",
+        ),
+        fact(*_FURTHER, "G53, G54, G159, G92"),
+    ),
+    _concept(
+        "measuring, measure, probe, probing, Messen, Messtaster, messen",
+        Text(
+            "A motion that a probe stops, and whose position the program reads then",
+            "Eine Bewegung, die ein Taster anhält und deren Position das Programm danach liest",
+        ),
+        fact(*_FURTHER, "G100, G310, MEAS_DELTA (--signals)"),
+    ),
+    _concept(
+        "tick, ticks, cycle time, CNC cycle, Takt, Takte, Zykluszeit",
+        Text(
+            "The period of the interpolator: in each tick inputs are read, then realtime cycles "
+            "run, then the path goes on; cycle_time in rtconf.lis, 1 ms without it",
+            "Die Periode des Interpolators: In jedem Takt werden Eingaben gelesen, dann laufen die "
+            "Echtzeit-Zyklen, dann geht die Bahn weiter; cycle_time in rtconf.lis, sonst 1 ms",
+        ),
+        fact(*_FURTHER, "--ticks, P-RTCF-00001; nctakt schedule show rtconf.lis"),
+    ),
+    _concept(
+        "trace, traces, record, recording, picture, plot, Aufzeichnung, aufzeichnen, Bild, Signal, "
+        "signals, Signale",
+        Text(
+            "A run as a file: each tick with the signals that you name, or as a picture",
+            "Ein Lauf als Datei: jeder Takt mit den Signalen, die man nennt, oder als Bild",
+        ),
+        fact(
+            *_EXAMPLES,
+            "nctakt run part.nc --trace out.csv --signals X.ACS.ACT_POS,BLOCK\n"
+            "nctakt run part.nc --plot run.html",
+        ),
+        fact(*_FURTHER, "docs/traces.md; nctakt live part.nc --open"),
+    ),
+    _concept(
+        "block search, Satzvorlauf",
+        Text(
+            "A run that begins in the middle of the program: what is before is decoded, not moved",
+            "Ein Lauf, der mitten im Programm beginnt: Was davor steht, wird dekodiert, nicht "
+            "gefahren",
+        ),
+        fact(*_EXAMPLES, "nctakt run part.nc --from-line 40\nnctakt run part.nc --from-block 120"),
+        fact(*_FURTHER, "#BLOCKSEARCH; docs/running.md"),
+    ),
+    _concept(
+        "breakpoint, breakpoints, debugger, Haltepunkt, Haltepunkte",
+        Text(
+            "A line at which the debugger stops the run; it also goes back in time",
+            "Eine Zeile, an der der Debugger den Lauf anhält; er geht auch in der Zeit zurück",
+        ),
+        fact(*_EXAMPLES, "nctakt dap\nnctakt live part.nc --dap 4711"),
+        fact(*_FURTHER, "docs/debugger.md"),
+    ),
+    _concept(
+        "machining time, duration, Bearbeitungszeit, dauert, Dauer, langsam, slow",
+        Text(
+            "How long a program takes on the machine, and what limits each block",
+            "Wie lange ein Programm auf der Maschine dauert und was jeden Satz begrenzt",
+        ),
+        fact(*_EXAMPLES, "nctakt time part.nc"),
+        fact(*_FURTHER, "docs/time.md, override, speed"),
+    ),
+    _concept(
+        "lists, machine folder, start-up list, Listen, Hochlaufliste, Maschinenordner, Maschine",
+        Text(
+            "A machine is a folder with a start-up list (hochlauf.lis) that names the lists of "
+            "channels and axes",
+            "Eine Maschine ist ein Ordner mit einer Hochlaufliste (hochlauf.lis), die die Listen "
+            "der Kanäle und Achsen nennt",
+        ),
+        fact(
+            *_EXAMPLES,
+            "nctakt check lists\nnctakt run part.nc --machine lists\nnctakt new mymachine",
+        ),
+        fact(*_FURTHER, "docs/machine-folders.md; nctakt explain parameters"),
+    ),
+    _concept(
+        "interface, PLC, SPS, Schnittstelle",
+        Text(
+            "What CNC and PLC exchange in each tick: commands of the operator, states, functions "
+            "with their acknowledgement, variables",
+            "Was CNC und SPS in jedem Takt austauschen: Befehle des Bedieners, Zustände, "
+            "Funktionen mit ihrer Quittung, Variablen",
+        ),
+        fact(
+            *_EXAMPLES,
+            "nctakt run part.nc --set HLI.OVERRIDE=50\nnctakt explain 'gpCh[]^.bahn_state'",
+        ),
+        fact(*_FURTHER, "docs/hli.md, docs/plc.md; nctakt explain hli"),
+    ),
 )
 
 
 def find_concepts(words: str) -> tuple[Article, ...]:
     """Return the articles of the subjects that one of the words of a text names, or all of it."""
     asked = {word.strip("?!.,;:").casefold() for word in words.split()}
+    if len(asked) > 1:
+        asked -= SMALL_WORDS
     whole = " ".join(words.split()).casefold()
     return tuple(
         concept.article
         for concept in _CONCEPTS
-        if asked & {name.casefold() for name in concept.names}
-        or whole in {name.casefold() for name in concept.names}
+        if asked & {name.casefold() for name in concept.names} or is_subject(whole, concept)
     )
 
 
+def is_subject(words: str, concept: _Concept | None = None) -> bool:
+    """Return whether words are together a name of a subject: ``feed hold``."""
+    folded = " ".join(words.split()).casefold()
+    concepts = _CONCEPTS if concept is None else (concept,)
+    return any(folded == name.casefold() for one in concepts for name in one.names)
+
+
 def _find(word: str) -> tuple[Article, ...]:
-    return find_concepts(word) if " " not in word.strip() or word.strip() == "axis letters" else ()
+    return find_concepts(word) if " " not in word.strip() or is_subject(word) else ()
 
 
 def _names() -> Iterator[str]:

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from nctakt.base.diagnostics import Language
 from nctakt.base.misspelling import nearest
 from nctakt.reference.article import Article, Topic
-from nctakt.reference.concepts import CONCEPTS, find_concepts
+from nctakt.reference.concepts import CONCEPTS, SMALL_WORDS, find_concepts
 from nctakt.reference.elements import ELEMENTS
 from nctakt.reference.interface import HLI
 from nctakt.reference.language import EXPRESSIONS, KEYWORDS_TOPIC, WORDS
@@ -48,14 +48,6 @@ _FAMILIES = (
     (re.compile(r".*[\^\[].*"), (ELEMENTS, HLI)),
 )
 _WORD = re.compile(r"\w+")
-#: Words of a question that say nothing about its subject.
-_SMALL_WORDS = frozenset(
-    "a an and are be by can do does for from how i in is it my no not of on one or that the there "
-    "to what when where which who why with "
-    "auf aus bei das dem den der des die ein eine einem einen einer es für geht hat ich ist kann "
-    "kein keine mein meine mit nach nicht sich sind und von wann warum was wie wird wo worauf zu "
-    "zum zur".split()
-)
 
 
 def topic(word: str) -> Topic | None:
@@ -109,7 +101,7 @@ def search(words: str, language: Language) -> list[Article]:
 
 def is_question(words: Sequence[str]) -> bool:
     """Return whether words are a question, with one that says nothing about its subject."""
-    return len(words) > 1 and any(word.casefold() in _SMALL_WORDS for word in words)
+    return len(words) > 1 and any(word.casefold() in SMALL_WORDS for word in words)
 
 
 def answer_question(words: str, language: Language) -> list[Article]:
@@ -120,7 +112,7 @@ def answer_question(words: str, language: Language) -> list[Article]:
     concepts = find_concepts(words)
     if concepts:
         return list(concepts)
-    asked = [word for word in _WORD.findall(words.casefold()) if word not in _SMALL_WORDS]
+    asked = [word for word in _WORD.findall(words.casefold()) if word not in SMALL_WORDS]
     if not asked:
         return []
     lists = [search(word, language) for word in asked]

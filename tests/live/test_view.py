@@ -18,6 +18,7 @@ from nctakt.live.texts import Texts
 from nctakt.live.view import LogRow, Snapshot
 from nctakt.messages import diagnostic
 from nctakt.messages.decoder import NO_FEED_ACTIVE
+from nctakt.results.compared import Compared
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.listening import MAX_NOTICES
 from nctakt.trace.events import Event
@@ -34,17 +35,24 @@ FILE = "part.nc"
 TEXTS = Texts("en")
 
 
-def branch(truth: bool | None, *, has_run: bool = False, count: int = 0) -> BranchState:
-    """A branch in line 2."""
-    return BranchState(Span(FILE, 2, 1, 4), "", truth, truth is not None, has_run, count)
+def branch(
+    truth: bool | None,
+    *,
+    has_run: bool = False,
+    count: int = 0,
+    seen: Compared | None = None,
+    now: Compared | None = None,
+) -> BranchState:
+    """A branch in line 2, evaluated in tick 4 if at all."""
+    span, at = Span(FILE, 2, 1, 4), None if seen is None else 4
+    return BranchState(span, "", truth, truth is not None, has_run, count, at, seen, now)
 
 
-def snapshot(*branches: BranchState, **operands: float) -> Snapshot:
-    """A session that stands in line 4."""
-    cycle = CycleState("1", "running", "PROG", Span(FILE, 1, 1, 4), 3, branches)
-    named = {name.replace("_", "."): value for name, value in operands.items()}
+def snapshot(*branches: BranchState, state: str = "running") -> Snapshot:
+    """A session in line 4, before tick 5."""
+    cycle = CycleState("1", state, "PROG", Span(FILE, 1, 1, 4), 3, branches)
     blocks = {1: Span(FILE, 4, 1, 4)}
-    return Snapshot(1, 1, 5, 5, 1, False, None, {}, blocks, {}, [cycle], [], named)
+    return Snapshot(1, 1, 5, 5, 1, False, None, {}, blocks, {}, [cycle], [])
 
 
 @pytest.mark.parametrize(
@@ -62,15 +70,37 @@ def test_a_condition_is_coloured_by_its_truth(state: BranchState, shown: str) ->
 
 
 def test_marks_of_the_program() -> None:
-    """The current block, the condition, and beside it runs and operands, comments left out."""
-    found = view.program_marks(LINES, FILE, snapshot(branch(True, count=3), V_E_VALUE=0.75), TEXTS)
+    """The current block, the condition, and beside it what it saw in its tick, and its runs."""
+    seen = Compared(">", True, 0.75, 0.5)
+    state = branch(True, count=3, seen=seen, now=seen)
+    found = view.program_marks(LINES, FILE, snapshot(state), TEXTS)
     assert [(one["kind"], one["class"]) for one in found] == [
         ("line", "nc-block"),
         ("line", "nc-true"),
         ("widget", "nc-inline"),
     ]
-    assert found[2]["text"] == "true · ran 3×   VALUE = 0.75"
+    assert found[2]["text"] == "true in tick 4: 0.75 > 0.5 · ran 3×"
     assert found[2]["position"] == len("\n".join(LINES[:2]))
+
+
+def test_values_that_have_changed_since_the_evaluation_are_marked() -> None:
+    """The values of now stand beside those of the evaluation; an ended cycle is grey."""
+    seen = Compared(">", True, 0.75, 0.5)
+    state = branch(True, count=3, seen=seen, now=Compared(">", False, 0.25, 0.5))
+    *_, line, widget = view.program_marks(LINES, FILE, snapshot(state), TEXTS)
+    assert widget["text"] == "true in tick 4: 0.75 > 0.5 · now false: 0.25 > 0.5 · ran 3×"
+    assert (line["class"], widget["class"]) == ("nc-true", "nc-inline nc-moved")
+    state = branch(True, count=3, seen=seen)
+    *_, line, widget = view.program_marks(LINES, FILE, snapshot(state, state="ended"), Texts("de"))
+    assert widget["text"] == "wahr in Takt 4: 0.75 > 0.5 · jetzt nicht definiert · lief 3×"
+    assert line["class"] == "nc-unknown"
+
+
+def test_a_living_cycle_is_shown_before_an_ended_one_of_its_line() -> None:
+    living = snapshot(branch(False)).cycles
+    ended = snapshot(branch(True), state="ended").cycles
+    assert view.truths([*living, *ended], FILE) == {2: False}
+    assert view.truths([*ended, *living], FILE) == {2: False}
 
 
 def test_marks_of_another_file_are_not_shown() -> None:
@@ -126,7 +156,9 @@ def test_a_shared_session_follows_commands() -> None:
             shown = shared._look(None)
         assert shown.tick == 4
         assert shown.values["V.E.COUNT"] == 1
-        assert shown.operands == {"V.E.VALUE": 1.0}
+        (state,) = shown.cycles[-1].branches
+        assert (state.evaluated_at, str(state.seen)) == (3, "1 > 0.5")
+        assert shown.shown_tick == 3
         assert [row[0] for row in shared.track.rows.entries()] == [0, 1, 2, 3]
         shared.reopen()
         assert shared.snapshot.tick == 0
@@ -265,11 +297,12 @@ def test_only_a_session_that_stays_where_it_is_is_explained() -> None:
         shared.do(lambda session: session.step(50))
         report = shared.explainer.report(moment, shared.session)
         assert report.ticks == 150
-        assert shared.explainer.bars(moment, FILE) == []
+        assert shared.explainer.bars(moment, FILE) == {"end": 0, "lines": []}
         moment = shared.snapshot.serial, 1, 150
         assert shared.explainer.report(moment, shared.session).ticks == 150
         assert shared.explainer.report(moment, shared.session) is not report
-        assert shared.explainer.bars(moment, FILE) == [{"line": 2, "bars": []}]
+        lines = [{"line": 2, "first": 0, "bars": []}]
+        assert shared.explainer.bars(moment, FILE) == {"end": 150, "lines": lines}
     finally:
         shared.close()
 

@@ -106,16 +106,18 @@ class Drawings:
         track, shown = shared.track, shared.track.shown
         news: dict[str, Any] = {"texts": texts} if texts else {}
         now: dict[str, Any] = {
-            "names": shown.names,
+            "names": list(shown.signals),
             "units": list(shown.units),
+            "conditions": list(shown.conditions),
             "hidden": shown.hidden,
             "cycleUs": shared.cycle_time_us,
-            "tick": snapshot.tick,
-            "latest": snapshot.latest,
+            "tick": snapshot.shown_tick,
+            "latest": snapshot.latest - 1,
+            "now": view.values_of(snapshot, shown.signals),
             "isPlaying": snapshot.is_playing,
             "bars": shared.explainer.bars(shared.moment, shared.file),
         }
-        for name, part in (("rows", track.rows), ("marks", track.marks), ("blocks", track.blocks)):
+        for name, part in track.parts.items():
             found, self._seen[name] = part.news(self._seen.get(name, (0, 0)))
             if found is not None:
                 news[name] = found
@@ -142,9 +144,10 @@ class Drawings:
     # --- wishes ---------------------------------------------------------------------------------
 
     async def _travel(self, event: Any) -> None:
+        """Show the state after a tick."""
         if isinstance(event.args, int | float):
-            tick = max(0, min(int(event.args), self._shared.snapshot.latest))
-            await self._commander.do(lambda session: session.go_to(tick))
+            end = max(0, min(int(event.args) + 1, self._shared.snapshot.latest))
+            await self._commander.do(lambda session: session.go_to(end))
 
     async def _wish_stretch(self, event: Any) -> None:
         """Let a stretch of the past come in detail; anybody may look."""

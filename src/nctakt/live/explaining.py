@@ -11,6 +11,7 @@ import threading
 import time
 from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
@@ -34,6 +35,8 @@ class Explainer:
     def __init__(self, notify: Callable[[], None]) -> None:
         self._notify = notify
         self._report: tuple[Moment, WhyReport] | None = None
+        self._farthest: tuple[Moment, WhyReport] | None = None
+        self._lanes: tuple[WhyReport | None, str, list[dict[str, Any]]] = (None, "", [])
         self._wish: tuple[Moment, Session] | None = None
         self._changed = threading.Condition()
         self._is_closed = False
@@ -62,14 +65,43 @@ class Explainer:
             return known[1]
         report = session.why()
         if report.first_tick + report.ticks == moment[2]:  # it has not gone on meanwhile
-            self._report = (moment, report)
+            self._keep(moment, report)
             self._notify()
         return report
 
-    def bars(self, moment: Moment, file: str) -> list[dict[str, object]]:
-        """Return when conditions were true: their line, first ticks and ends; empty if unknown."""
-        known = self._report
-        return bars_of(known[1], file) if known is not None and known[0] == moment else []
+    def knows(self, moment: Moment) -> bool:
+        """Return whether the report of this place is there."""
+        return self._report is not None and self._report[0] == moment
+
+    def _keep(self, moment: Moment, report: WhyReport) -> None:
+        """Keep a report; that of the farthest tick of a branch also for its lanes."""
+        self._report = (moment, report)
+        farthest = self._farthest
+        if farthest is None or farthest[0][:2] != moment[:2] or farthest[0][2] < moment[2]:
+            self._farthest = (moment, report)
+
+    def cut(self, serial: int, branch: int, tick: int) -> None:
+        """Another branch is shown, whose ticks before ``tick`` are those of the one before."""
+        farthest = self._farthest
+        if farthest is not None:
+            (known, _, end), report = farthest
+            self._farthest = None
+            if known == serial and tick > 0:
+                self._farthest = ((serial, branch, min(end, tick)), report)
+
+    def bars(self, moment: Moment, file: str) -> dict[str, Any]:
+        """Return when conditions of the branch were true, exactly, and up to which tick.
+
+        ``lines``: for each its line, from when on it is known, first ticks and ends.
+        """
+        farthest = self._farthest
+        if farthest is None or farthest[0][:2] != moment[:2]:
+            return {"end": 0, "lines": []}
+        known, _, lines = self._lanes
+        if known is not farthest[1] or self._lanes[1] != file:
+            lines = bars_of(farthest[1], file)
+            self._lanes = farthest[1], file, lines
+        return {"end": farthest[0][2], "lines": lines}
 
     def _work(self) -> None:
         while not self._is_closed:
@@ -95,30 +127,44 @@ class Explainer:
             self._changed.notify_all()
 
 
-def bars_of(report: WhyReport, file: str) -> list[dict[str, object]]:
-    """Return the stretches in which conditions of a file were true, by their lines."""
+def bars_of(report: WhyReport, file: str) -> list[dict[str, Any]]:
+    """Return the stretches in which conditions of a file were true, by their lines.
+
+    ``first``: the tick from which on they are known.
+    """
     found: dict[int, list[list[int]]] = {}
+    firsts: dict[int, int] = {}
+    begin = report.first_tick
+    if report.left_out and report.cycles:
+        begin = min((cycle.life[0].tick for cycle in report.cycles if cycle.life), default=begin)
     for cycle in report.cycles:
         for branch in cycle.branches:
             if branch.span.file != file:
                 continue
-            bars = found.setdefault(branch.span.line, [])
+            line, condition = branch.span.line, branch.condition
+            bars = found.setdefault(line, [])
+            changes = condition.changes
+            first = changes[0].tick if condition.changes_left_out else begin
+            firsts[line] = max(first, firsts.get(line, first))
             ends = [series.last_tick + 1 for series in branch.evaluated.series]
-            changes = branch.condition.changes
             for index, change in enumerate(changes):
                 if change.truth:
                     is_last = index + 1 == len(changes)
                     end = max([change.tick + 1, *ends]) if is_last else changes[index + 1].tick
                     bars.append([change.tick, end])
-    return [{"line": line, "bars": sorted(bars)} for line, bars in sorted(found.items())]
+    return [
+        {"line": line, "first": firsts[line], "bars": sorted(bars)}
+        for line, bars in sorted(found.items())
+    ]
 
 
-def why_text(report: WhyReport, line: int, tick: int, language: Language) -> str:
-    """Return in words why the condition in a line had its state in the last tick, and its history.
+def why_text(report: WhyReport, line: int, language: Language) -> str:
+    """Return why the condition in a line had its state in the last tick, and its history.
 
-    Raises ``Failure`` for a line without a condition, and before the first tick.
+    It begins with the answer. Raises ``Failure`` for a line without a condition.
     """
-    chosen = report.select(line=line)
+    chosen, tick = report.select(line=line), report.last_tick
     rule = "─" * 40
-    heading = Texts(language)["history"]
-    return f"{chosen.render_at(tick - 1, language)}\n{rule}\n{heading}\n{chosen.render(language)}"
+    parts = [chosen.render_answer(tick, language), chosen.render_at(tick, language)]
+    parts = [f"{part}{rule}\n" for part in parts if part]
+    return "".join(parts) + f"{Texts(language)['history']}\n{chosen.render(language)}"

@@ -11,12 +11,13 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from nicegui import ui
+from nicegui import background_tasks, ui
 from nicegui.element import Element
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
+from nctakt.live.explaining import Moment
 from nctakt.live.program_card import ProgramCard
 from nctakt.live.view import LogRow
 
@@ -46,6 +47,7 @@ class Lists:
         self._due_s = 0.0
         self._program: ProgramCard | None = None
         self._list_of: dict[str, Any] = {}
+        self._why_of: tuple[int, Moment] | None = None
         with ui.element("div").classes("nc-card nc-lists"):
             with ui.tabs().props("dense align=left no-caps outside-arrows mobile-arrows") as tabs:
                 for name in NAMES:
@@ -77,6 +79,8 @@ class Lists:
         self._list_of[name] = ui.element("div").props(f"data-testid={name}")
         if name == "why":
             with self._list_of[name]:
+                self._earlier = ui.label(self._texts["earlier_answer"]).classes("nc-soft")
+                self._earlier.set_visibility(False)
                 self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
 
     def _turn(self, _: Any) -> None:
@@ -108,6 +112,7 @@ class Lists:
         self._show_rows("events", events[::-1])
         self.show_findings(program)
         self._show_stops()
+        self._renew_why()
 
     def show_findings(self, program: ProgramCard) -> None:
         """Show findings of the text, and while it is the one that runs, those of the run."""
@@ -137,13 +142,27 @@ class Lists:
         self.choose("why")
         await self._asked.wish(line)
 
+    def _renew_why(self) -> None:
+        """Let the answer be that of the tick that is shown, or mark it as an earlier one."""
+        shared = self._shared
+        if self._why_of is None or self._tabs.value != "why":
+            return
+        line, moment = self._why_of
+        is_earlier = moment != shared.moment
+        if is_earlier and shared.explainer.knows(shared.moment):
+            background_tasks.create(self._asked.wish(line))
+        elif self._earlier.visible != is_earlier:
+            self._earlier.set_visibility(is_earlier)
+
     async def _answer(self, line: int) -> None:
         """Show the answer for a line."""
         texts, shared = self._texts, self._shared
+        moment = shared.moment
         if not shared.snapshot.tick:
-            self._why.set_text(texts["not_run"])
+            self._set_why(texts["not_run"], (line, moment))
             return
-        self._why.set_text(texts["explaining"])
+        if not shared.explainer.knows(moment):
+            self._set_why(texts["explaining"], None)
         try:
             text = await asyncio.to_thread(shared.why, line, texts.language)
         except (Failure, RuntimeError) as error:
@@ -153,7 +172,12 @@ class Lists:
             )
             text = text or error_text(error)
         self._why.classes(remove="nc-soft")
+        self._set_why(text, (line, moment))
+
+    def _set_why(self, text: str, subject: tuple[int, Moment] | None) -> None:
+        self._why_of = subject
         self._why.set_text(text)
+        self._earlier.set_visibility(False)
 
     # --- stops ----------------------------------------------------------------------------------
 

@@ -27,6 +27,13 @@
     emitEvent("nctakt_key", { key: event.key });
   }, true);
 
+  // Whoever asks why, or sets a stop, is not about to type: the focus stays where it is.
+  document.addEventListener("mousedown", (event) => {
+    if (!event.target.closest(".nc-inline, .cm-lineNumbers .cm-gutterElement")) return;
+    event.preventDefault();
+    event.stopPropagation();
+  }, true);
+
   // A click on a line number sets a stop, one on what stands beside a condition asks why.
   document.addEventListener("click", (event) => {
     const number = event.target.closest(".cm-lineNumbers .cm-gutterElement");
@@ -50,9 +57,9 @@
   // While the session stands, its block is in view, unless the pointer is in the editor.
   let shownTick = -1;
   const reveal = (view, { run, blockAt }) => {
-    if (run.isPlaying || run.tick === shownTick || !run.tick) return;
+    if (run.isPlaying || run.tick === shownTick || run.tick < 0) return;
     shownTick = run.tick;
-    const block = blockAt(run.tick - 1), { scrollDOM } = view;
+    const block = blockAt(run.tick), { scrollDOM } = view;
     if (!block || !block[1] || block[1] > view.state.doc.lines || scrollDOM.matches(":hover")) return;
     const { top, height } = view.lineBlockAt(view.state.doc.line(block[1]).from);
     const low = scrollDOM.scrollTop, room = scrollDOM.clientHeight;

@@ -70,6 +70,20 @@ export default {
     pointAt(index) {
       return this.places.map((values) => (values && index < values.length ? values[index] : 0));
     },
+    // Between two rows the tool is on the line between them.
+    pointOf(tick) {
+      const index = indexAt(run.ticks, tick);
+      if (index < 0) return null;
+      const from = this.pointAt(index), next = index + 1;
+      if (next >= run.ticks.length || run.ticks[index] === tick) return from;
+      const share = (tick - run.ticks[index]) / (run.ticks[next] - run.ticks[index]), to = this.pointAt(next);
+      return from.map((value, axis) => value + share * (to[axis] - value));
+    },
+    // Where the tool is at the tick that is shown.
+    pointNow() {
+      const found = this.axes.map((name) => run.now[run.names.indexOf(name)]);
+      return found.every(Number.isFinite) ? found : null;
+    },
     measure() {
       this.places = this.columns();
       this.bounds = [0, 1, 2].map((axis) => {
@@ -114,11 +128,11 @@ export default {
       this.drawKind(pen, place, true);
       this.drawKind(pen, place, false);
       this.drawFired(pen, place);
-      const here = indexAt(run.ticks, run.tick);
-      if (here >= 0) this.drawTool(pen, place(this.pointAt(here)));
-      const there = run.cursor === null ? -1 : indexAt(run.ticks, run.cursor);
-      if (there >= 0) {
-        const [x, y] = place(this.pointAt(there));
+      const here = this.pointNow();
+      if (here) this.drawTool(pen, place(here));
+      const there = run.cursor === null ? null : this.pointOf(run.cursor);
+      if (there) {
+        const [x, y] = place(there);
         pen.strokeStyle = colour("--nc-ink"); pen.lineWidth = 1.6;
         pen.beginPath(); pen.arc(x, y, 6, 0, 7); pen.stroke();
       }
@@ -188,9 +202,9 @@ export default {
     },
     drawFired(pen, place) {
       for (const [tick, kind, , line] of run.marks) {
-        const index = kind === "fired" ? indexAt(run.ticks, tick) : -1;
-        if (index < 0) continue;
-        const [x, y] = place(this.pointAt(index)), size = line && line === run.line ? 7 : 4.5;
+        const point = kind === "fired" ? this.pointOf(tick) : null;
+        if (!point) continue;
+        const [x, y] = place(point), size = line && line === run.line ? 7 : 4.5;
         pen.fillStyle = FIRED;
         pen.beginPath();
         pen.moveTo(x, y - size); pen.lineTo(x + size, y); pen.lineTo(x, y + size); pen.lineTo(x - size, y);

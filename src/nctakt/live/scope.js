@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The scope: conditions as lanes, curves by unit, marks of reactions and functions, one cursor.
 import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
-import { blockAt, changed, curves, fit, indexAt, listen, pan, run, seconds, show, take, zoom } from "nctakt-store";
+import { blockAt, changed, curves, fit, indexAt, laneBars, listen, pan, run, seconds, show, take, zoom } from "nctakt-store";
 
 const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
   "#84a316", "#a16ae8", "#64748b", "#d97796"];
 const MARKS = { fired: "#e8833a", M: "#8b7cf6", H: "#8b7cf6", output: "#8b7cf6", message: "#0ea5b7", error: "#d64545" };
-
-const isCondition = (name) => name.startsWith("$IF ");
 
 export default {
   template: '<div class="nc-drawing"><canvas tabindex="0"></canvas></div>',
@@ -41,6 +39,14 @@ export default {
     xOf(tick) { return LEFT + ((tick - run.from) / (run.to - run.from)) * this.inner(); },
     tickOf(x) { return run.from + ((x - LEFT) / this.inner()) * (run.to - run.from); },
 
+    // The tick of the curves at a place: its values are known, so that they are what a travel shows.
+    tickAt(x) {
+      const tick = clamp(Math.round(this.tickOf(x)), 0, Math.max(run.latest, run.tick, 0)), { ticks: known } = curves();
+      const before = known[indexAt(known, tick)] ?? -Infinity, after = known[indexAt(known, tick) + 1] ?? Infinity;
+      const near = tick - before <= after - tick ? before : after;
+      return Number.isFinite(near) ? near : tick;
+    },
+
     // --- pointer -----------------------------------------------------------------------------
     move(event) {
       if (this.pointers.has(event.pointerId)) this.pointers.set(event.pointerId, event.offsetX);
@@ -51,7 +57,7 @@ export default {
         const shift = (way / this.inner()) * (this.grip.to - this.grip.from);
         if (this.grip.isMoved) show(this.grip.from - shift, this.grip.to - shift);
       }
-      run.cursor = clamp(Math.round(this.tickOf(event.offsetX)), 0, Math.max(run.latest, run.tick));
+      run.cursor = this.tickAt(event.offsetX);
       changed();
     },
     pinch() {
@@ -73,7 +79,7 @@ export default {
       if (!grip) return;
       if (grip.isMoved) this.ask();
       else if (event.offsetX >= LEFT) {
-        this.$emit("travel", clamp(Math.round(this.tickOf(event.offsetX)), 0, run.latest));
+        this.$emit("travel", clamp(this.tickAt(event.offsetX), 0, run.latest));
       }
     },
     wheel(event) {
@@ -87,7 +93,7 @@ export default {
     ask() {
       clearTimeout(this.asking);
       this.asking = setTimeout(() => {
-        if (!run.isPlaying && !run.follows) this.$emit("stretch", [Math.floor(run.from), Math.ceil(run.to)]);
+        if (!run.isPlaying && !run.follows) this.$emit("stretch", [Math.floor(run.from), Math.ceil(run.to) + 1]);
       }, 200);
     },
 
@@ -95,9 +101,8 @@ export default {
     draw() {
       if (!this.$el.clientHeight) return;
       const { pen, width, height } = sized(this.canvas, this.$el.clientHeight);
-      const shown = curves(), conditions = [], units = new Map();
-      run.names.slice(0, run.names.length - run.hidden).forEach((name, index) => {
-        if (isCondition(name)) { conditions.push(index); return; }
+      const shown = curves(), { conditions } = run, units = new Map();
+      run.names.slice(0, run.names.length - run.hidden).forEach((_, index) => {
         const unit = run.units[index];
         const key = units.has(unit) || units.size < MAX_PANELS ? unit : [...units.keys()].pop();
         units.set(key, [...(units.get(key) || []), index]);
@@ -106,7 +111,7 @@ export default {
       const bottom = height - AXIS, each = units.size ? (bottom - top) / units.size : bottom - top;
       this.drawTime(pen, width, lanesTop, bottom);
       this.drawLine(pen, lanesTop, bottom);
-      conditions.forEach((index, row) => this.drawCondition(pen, shown, index, lanesTop + row * LANE, width));
+      conditions.forEach((line, row) => this.drawCondition(pen, line, row, lanesTop + row * LANE, width));
       this.drawMarks(pen, width, lanesTop, bottom);
       let place = 0, tint = 0;
       for (const [unit, indices] of units) {
@@ -140,25 +145,18 @@ export default {
         if (right > left) pen.fillRect(left, top, Math.max(2, right - left), bottom - top);
       });
     },
-    drawCondition(pen, shown, index, y, width) {
-      const name = run.names[index], line = Number(name.slice(4));
+    drawCondition(pen, line, row, y, width) {
       pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
       pen.fillText(`${run.words.line} ${line}`, LEFT - 5, y + LANE / 2);
       pen.fillStyle = colour("--nc-grid");
       pen.fillRect(LEFT, y + LANE / 2, this.inner(), 1);
       pen.fillStyle = "#22a06b";
-      const bar = (begin, end) => {
+      for (const [begin, end, isExact] of laneBars(line, row)) {
         const left = Math.max(this.xOf(begin), LEFT), right = Math.min(this.xOf(end), width - RIGHT);
+        pen.globalAlpha = isExact ? 1 : 0.55; // sampled: what was between is not known
         if (right >= LEFT && left <= width - RIGHT) pen.fillRect(left, y + 3, Math.max(1.5, right - left), LANE - 6);
-      };
-      const exact = run.bars.find((one) => one.line === line);
-      if (exact && !run.isPlaying) { for (const [begin, end] of exact.bars) bar(begin, end); return; }
-      const values = shown.columns[index], count = shown.ticks.length;
-      let begin = null;
-      for (let i = 0; i < count; i += 1) {
-        if (values[i] > 0) begin ??= shown.ticks[i];
-        if (begin !== null && (!(values[i] > 0) || i + 1 === count)) { bar(begin, shown.ticks[i]); begin = null; }
       }
+      pen.globalAlpha = 1;
     },
     drawMarks(pen, width, top, bottom) {
       const ends = Array(LABEL_ROWS).fill(-Infinity), groups = [];
@@ -232,13 +230,13 @@ export default {
       pen.stroke();
     },
     drawLegend(pen, shown, unit, indices, tints, top, width) {
-      const at = run.cursor === null ? shown.ticks.length - 1 : indexAt(shown.ticks, run.cursor);
+      const at = run.cursor === null ? -1 : indexAt(shown.ticks, run.cursor);
       pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
       pen.fillText(unit, LEFT - 5, top + 6);
       let x = LEFT + 4;
       pen.textAlign = "left";
       indices.forEach((index, place) => {
-        const value = at < 0 || !shown.ticks.length ? null : shown.columns[index][at];
+        const value = run.cursor === null ? run.now[index] : at < 0 ? null : shown.columns[index][at];
         const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}`;
         const room = width - RIGHT - x - 14;
         if (room < 24) return;

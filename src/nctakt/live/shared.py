@@ -19,7 +19,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.explaining import Explainer, Moment, why_text
 from nctakt.live.run_log import RunLog
-from nctakt.live.track import Shown, Track, blocks_of, marks_of
+from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot
 from nctakt.session.engine import Slice
 from nctakt.session.listening import Frame, Listener
@@ -183,21 +183,19 @@ class SharedSession:
 
     def why(self, line: int, language: Language) -> str:
         """Return why the condition in a line of the program is as it is; raises ``Failure``."""
-        moment = self.moment
-        return why_text(self.explainer.report(moment, self.session), line, moment[2], language)
+        return why_text(self.explainer.report(self.moment, self.session), line, language)
 
     def stretch(self, first: int, end: int) -> dict[str, Any]:
         """Return the curves of a stretch of the past in detail; raises ``Failure``."""
         shown = self.track.shown
         every, ticks, columns = self._past(self.session, first, end)
-        blank = [None] * len(ticks)
         return {
-            "names": shown.names,
+            "names": list(shown.signals),
             "first": first,
             "end": max(end, ticks[-1] if ticks else 0),
             "every": every,
             "ticks": ticks,
-            "columns": [blank] * len(shown.conditions) + columns,
+            "columns": columns,
         }
 
     def close(self) -> None:
@@ -266,6 +264,7 @@ class SharedSession:
         tick = self.log.note(frame)
         if tick is not None:
             self.track.cut(tick)
+            self.explainer.cut(self._serial, frame.branch, tick)
         self.track.note(frame.events, self.channel, self.file)
 
     def _look(self, frame: Frame | None) -> Snapshot:
@@ -276,11 +275,10 @@ class SharedSession:
         glance = session.glance(*names)
         latest = session.latest
         values = dict(zip(names, glance.values, strict=True))
-        operands: dict[str, float] = {}
+        self._append_truths(glance.tick - 1, view.truths(glance.cycles, self.file))
         if is_playing:
-            self._append(glance.tick - 1, values, view.truths(glance.cycles, self.file))
+            self._append(glance.tick - 1, values)
         else:
-            operands = self._operands(session, view.operands_of(self.lines, glance.cycles))
             if self.log.lacks_some:
                 with contextlib.suppress(Failure):  # the next look tries it again
                     self.log.complete(session.happened)
@@ -297,9 +295,8 @@ class SharedSession:
             values,
             latest.blocks,
             latest.decoding,
-            glance.cycles,
+            (*glance.ended, *glance.cycles),
             glance.waiting,
-            operands,
             session.lateness[0],
             glance.channels[self.channel - 1].awaited,
         )
@@ -308,14 +305,6 @@ class SharedSession:
         else:
             self.explainer.wish((self._serial, snapshot.branch, snapshot.tick), session)
         return snapshot
-
-    def _operands(self, session: Session, names: Sequence[str]) -> dict[str, float]:
-        """Return the values of what conditions read, as far as there are any now."""
-        found: dict[str, float] = {}
-        for name in names:
-            with contextlib.suppress(Failure):
-                found[name] = session.evaluate(name, self.channel)
-        return found
 
     # --- curves ---------------------------------------------------------------------------------
 
@@ -334,7 +323,7 @@ class SharedSession:
         hidden = [name for name in path if name in self.units and name not in self.scope]
         conditions = tuple(view.conditions_of(self.lines))
         signals = (*self.scope, *hidden)
-        units = ("",) * len(conditions) + tuple(self.units[name] for name in signals)
+        units = tuple(self.units[name] for name in signals)
         self.track.show(Shown(conditions, signals, units, len(hidden)))
         self._looked_at = ()
 
@@ -366,25 +355,28 @@ class SharedSession:
             return
         first = max(0, end - SCOPE_TICKS)
         _, ticks, columns = self._past(session, first, end)
-        blank = (None,) * len(self.track.shown.conditions)
         rows = zip(*columns, strict=True) if columns else ((),) * len(ticks)
-        self.track.rows.replace((tick, *blank, *row) for tick, row in zip(ticks, rows, strict=True))
+        self.track.rows.replace((tick, *row) for tick, row in zip(ticks, rows, strict=True))
         events, left_out = session.events(first, end)
         if not left_out:
             self.track.marks.replace(marks_of(events, self.file))
             self.track.blocks.replace(blocks_of(events, self.channel, self.file))
         self._looked_at = key
 
-    def _append(
-        self, tick: int, values: dict[str, float | bool | str], truths: dict[int, bool | None]
-    ) -> None:
+    def _append(self, tick: int, values: dict[str, float | bool | str]) -> None:
         """Add a row while the session plays, unless it plays in a past that is known."""
-        rows = self.track.rows
-        known = rows.newest()
-        if tick < 0 or (known and tick <= known[0][0]):
-            return
-        shown = self.track.shown
+        cells = [view.rounded(float(values[name])) for name in self.track.shown.signals]
+        _add_newer(self.track.rows, (tick, *cells))
+
+    def _append_truths(self, tick: int, truths: dict[int, bool | None]) -> None:
+        """Add a sample of the lanes; a stretch that is explained replaces them."""
         states = [None if (truth := truths.get(line)) is None else int(truth)
-                  for line in shown.conditions]  # fmt: skip
-        cells = [view.rounded(float(values[name])) for name in shown.signals]
-        rows.add([(tick, *states, *cells)])
+                  for line in self.track.shown.conditions]  # fmt: skip
+        _add_newer(self.track.lanes, (tick, *states))
+
+
+def _add_newer(part: Growing, entry: Entry) -> None:
+    """Add an entry unless its tick is known already."""
+    known = part.newest()
+    if entry[0] >= 0 and not (known and entry[0] <= known[0][0]):
+        part.add([entry])

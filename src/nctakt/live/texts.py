@@ -8,6 +8,7 @@ from nctakt.base.diagnostics import Language
 _WORDS: dict[str, tuple[str, str]] = {
     # The bar.
     "tick_number": ("Tick", "Takt"),
+    "before_first": ("before tick 0", "vor Takt 0"),
     "branch": ("Branch", "Zweig"),
     "running": ("running", "läuft"),
     "standing": ("paused", "angehalten"),
@@ -138,6 +139,14 @@ _WORDS: dict[str, tuple[str, str]] = {
     "ran": ("ran", "lief"),
     "false": ("false", "falsch"),
     "unknown": ("not evaluated yet", "noch nicht ausgewertet"),
+    "no_result": ("no result", "ohne Ergebnis"),
+    "in_tick": ("in tick {tick}", "in Takt {tick}"),
+    "now": ("now", "jetzt"),
+    "undefined": ("not defined", "nicht definiert"),
+    "earlier_answer": (
+        "Of an earlier moment; click again for the tick that is shown.",
+        "Von einem anderen Zeitpunkt; für den gezeigten Takt noch einmal klicken.",
+    ),
     # Headings of the help, and lists.
     "keys_run": ("Run", "Lauf"),
     "keys_panel": ("Operator's panel", "Bedientafel"),

@@ -16,8 +16,8 @@ from typing import Any
 from nctakt.base.dataclass import dataclass
 from nctakt.trace.events import Event
 
-#: Entries that are kept: of rows, of marks, of blocks.
-MAX_ROWS, MAX_MARKS, MAX_BLOCKS = 2000, 2000, 20_000
+#: Entries that are kept: of rows, of marks, of blocks, of samples of the lanes.
+MAX_ROWS, MAX_MARKS, MAX_BLOCKS, MAX_SAMPLES = 2000, 2000, 20_000, 5000
 
 #: An entry: a tick, and what belongs to it.
 Entry = tuple[Any, ...]
@@ -88,7 +88,7 @@ class Growing:
 class Shown:
     """The names of the columns of the rows, with their units; the last ``hidden`` are the path's.
 
-    Conditions come first; their names are ``$IF`` and the line.
+    ``conditions``: the lines of the lanes, whose samples are apart from the rows.
     """
 
     conditions: tuple[int, ...] = ()
@@ -96,36 +96,36 @@ class Shown:
     units: tuple[str, ...] = ()
     hidden: int = 0
 
-    @property
-    def names(self) -> list[str]:
-        """The names of all columns."""
-        return [*(f"$IF {line}" for line in self.conditions), *self.signals]
-
 
 class Track:
-    """The curves, marks and blocks of a session."""
+    """The curves, marks, blocks and sampled lanes of a session; ``parts``: by their names."""
 
     def __init__(self) -> None:
         self.shown = Shown()
         self.rows = Growing(MAX_ROWS)
         self.marks = Growing(MAX_MARKS)
         self.blocks = Growing(MAX_BLOCKS)
-        self._parts = (self.rows, self.marks, self.blocks)
+        self.lanes = Growing(MAX_SAMPLES)
+        self.parts = {
+            "rows": self.rows, "marks": self.marks, "blocks": self.blocks, "lanes": self.lanes
+        }  # fmt: skip
 
     def show(self, shown: Shown) -> None:
         """Show these columns from now on; the rows of others are forgotten."""
         if shown != self.shown:
+            if shown.conditions != self.shown.conditions:
+                self.lanes.replace(())
             self.shown = shown
             self.rows.replace(())
 
     def clear(self) -> None:
         """Forget all."""
-        for part in self._parts:
+        for part in self.parts.values():
             part.replace(())
 
     def cut(self, tick: int) -> None:
         """Forget what belongs to a tick and to later ones."""
-        for part in self._parts:
+        for part in self.parts.values():
             part.cut(tick)
 
     def note(self, events: Sequence[Event], channel: int, file: str) -> None:

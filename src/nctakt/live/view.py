@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.live.event_words import event_words
 from nctakt.live.texts import Texts
+from nctakt.results.compared import Compared
 from nctakt.results.run import ProgramMessage, RunState
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.stops import names_file
@@ -49,8 +50,8 @@ PANEL = (
 #: A function or a job of a spindle that waits for the PLC.
 Entry = TechnologyEntry | SpindleEntry
 
-#: Operands beside the lines at most.
-MAX_OPERANDS = 40
+#: Characters of the compared values beside a condition at most.
+_MAX_COMPARED = 100
 
 #: Conditions that have a lane in the scope at most: the first ones.
 MAX_CONDITIONS = 6
@@ -65,8 +66,8 @@ class Snapshot:
 
     ``number`` counts snapshots, ``serial`` the sessions that have been opened. ``latest``: the tick
     that the branch has reached. ``blocks`` and ``decoding``: number of the channel -> place of the
-    current block, and of the decoder. ``operands``: name -> value of what conditions read, while
-    the session stands. ``late``: slices that came late since the clock began.
+    current block, and of the decoder. ``cycles``: those that have ended come first.
+    ``late``: slices that came late since the clock began.
     ``awaited``: what the program of the shown channel waits for.
     """
 
@@ -82,9 +83,16 @@ class Snapshot:
     decoding: Mapping[int, Span]
     cycles: Sequence[CycleState]
     waiting: Sequence[tuple[int, Entry]]
-    operands: Mapping[str, float]
     late: int = 0
     awaited: Text | None = None
+
+    @property
+    def shown_tick(self) -> int:
+        """The tick that the page names: the last one that has run, -1 before the first.
+
+        All values are those after this tick, as in traces.
+        """
+        return self.tick - 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,24 +142,32 @@ def conditions_of(lines: Sequence[str]) -> list[int]:
     return found
 
 
+def branches_in(
+    cycles: Sequence[CycleState], file: str
+) -> dict[int, tuple[CycleState, BranchState]]:
+    """Return the branches in a file by their lines: of several the one that was evaluated last.
+
+    A cycle that has ended gives way to a living one.
+    """
+    found: dict[int, tuple[CycleState, BranchState]] = {}
+    for cycle in sorted(cycles, key=lambda one: one.state != "ended"):
+        for branch in cycle.branches:
+            if branch.span.file != file:
+                continue
+            known = found.get(branch.span.line)
+            is_older = (
+                known is not None
+                and known[0].state == cycle.state
+                and (known[1].evaluated_at or -1) > (branch.evaluated_at or -1)
+            )
+            if not is_older:
+                found[branch.span.line] = cycle, branch
+    return found
+
+
 def truths(cycles: Sequence[CycleState], file: str) -> dict[int, bool | None]:
     """Return the truth of the conditions in a file, by their lines."""
-    return {
-        branch.span.line: branch.truth
-        for cycle in cycles
-        for branch in cycle.branches
-        if branch.span.file == file
-    }
-
-
-def operands_of(lines: Sequence[str], cycles: Sequence[CycleState]) -> list[str]:
-    """Return the variables in the conditions of living cycles, each once."""
-    names: dict[str, None] = {}
-    for cycle in cycles:
-        for branch in cycle.branches:
-            if 1 <= branch.span.line <= len(lines):
-                names.update(dict.fromkeys(operands_in(lines[branch.span.line - 1])))
-    return list(names)[:MAX_OPERANDS]
+    return {line: branch.truth for line, (_, branch) in branches_in(cycles, file).items()}
 
 
 def operands_in(line: str) -> list[str]:
@@ -188,6 +204,12 @@ def plain_number(value: float) -> str:
     return f"{value:.6g}"
 
 
+def values_of(snapshot: Snapshot, names: Sequence[str]) -> list[float | None]:
+    """Return the values of signals at a snapshot's tick; ``None`` where it has none."""
+    values = snapshot.values
+    return [rounded(float(values[name])) if name in values else None for name in names]
+
+
 # --- the program --------------------------------------------------------------------------------
 
 
@@ -200,7 +222,8 @@ def program_marks(
 ) -> list[dict[str, Any]]:
     """Return the editor's decorations: blocks of path and decoder, stops, conditions.
 
-    Beside a condition stand its truth, its runs and its operands. ``stops``: lines with a stop.
+    Beside a condition stand its truth, the values that it compared, and its runs. ``stops``: lines
+    with a stop.
     """
     found: list[dict[str, Any]] = []
     offsets = [0]
@@ -213,20 +236,22 @@ def program_marks(
     for line in stops:
         if 1 <= line <= len(lines):
             found.append({"kind": "line", "line": line, "class": "nc-stop"})
-    for cycle in snapshot.cycles:
-        for branch in cycle.branches:
-            line = branch.span.line
-            if branch.span.file != file or not 1 <= line <= len(lines):
-                continue
-            found.append({"kind": "line", "line": line, "class": truth_class(branch)})
-            found.append(
-                {
-                    "kind": "widget",
-                    "position": offsets[line] - 1,
-                    "text": branch_text(branch, lines[line - 1], snapshot.operands, texts),
-                    "class": "nc-inline",
-                }
-            )
+    for line, (cycle, branch) in branches_in(snapshot.cycles, file).items():
+        if not 1 <= line <= len(lines):
+            continue
+        has_ended = cycle.state == "ended"
+        name = "nc-unknown" if has_ended else truth_class(branch)
+        text = branch_text(branch, lines[line - 1], texts, has_ended=has_ended)
+        moved = " nc-moved" if is_moved(branch) else ""
+        found.append({"kind": "line", "line": line, "class": name})
+        found.append(
+            {
+                "kind": "widget",
+                "position": offsets[line] - 1,
+                "text": text,
+                "class": f"nc-inline{moved}",
+            }
+        )
     return found
 
 
@@ -265,19 +290,38 @@ def truth_class(branch: BranchState) -> str:
     return ("nc-true" if branch.truth else "nc-false") + run
 
 
-def branch_text(branch: BranchState, line: str, operands: Mapping[str, float], texts: Texts) -> str:
-    """Return what stands beside a condition: truth, runs, operands by the ends of their names."""
-    truth = {None: "unknown", True: "true", False: "false"}[branch.truth]
-    has_condition = branch.truth is not None or not _ELSE.match(line)
+def is_moved(branch: BranchState) -> bool:
+    """Return whether a condition would compare other values now than at its last evaluation."""
+    return branch.seen is not None and branch.seen != branch.now
+
+
+def branch_text(branch: BranchState, line: str, texts: Texts, *, has_ended: bool = False) -> str:
+    """Return what stands beside a condition: its last evaluation, the values of now, its runs."""
     ran = f"{texts['ran']} {branch.count}×"
-    parts = [f"{texts[truth]} · {ran}" if has_condition else ran]
-    names = [name for name in operands_in(line) if name in operands]
-    short = [name.rpartition(".")[2] for name in names]
-    parts += [
-        f"{last if short.count(last) == 1 else name} = {plain_number(operands[name])}"
-        for name, last in zip(names, short, strict=True)
-    ]
-    return "   ".join(parts)
+    seen, now = branch.seen, branch.now
+    if seen is None:
+        unknown = texts["no_result" if has_ended else "unknown"]
+        return ran if _ELSE.match(line) else f"{unknown} · {ran}"
+    when = texts["in_tick"].format(tick=branch.evaluated_at)
+    parts = [f"{_truth_text(seen, texts)} {when}{_compared_text(seen)}"]
+    if is_moved(branch):
+        text = texts["undefined"]
+        if now is not None:
+            text = f"{_truth_text(now, texts)}{_compared_text(now)}"
+        parts.append(f"{texts['now']} {text}")
+    return " · ".join([*parts, ran])
+
+
+def _truth_text(compared: Compared, texts: Texts) -> str:
+    return texts["true" if compared.truth else "false"]
+
+
+def _compared_text(compared: Compared) -> str:
+    """Return the compared values after a colon; texts are not recorded."""
+    if compared.operator == "text":
+        return ""
+    text = str(compared)
+    return f": {text if len(text) <= _MAX_COMPARED else text[: _MAX_COMPARED - 1] + '…'}"
 
 
 # --- lists --------------------------------------------------------------------------------------
@@ -392,9 +436,7 @@ def readings(
     """Return the texts of a tick, by the names of their places on the page."""
     values = snapshot.values
     found = {
-        "clock": f"{texts['tick_number']} {snapshot.tick} · "
-        f"{snapshot.tick * cycle_time_us / 1000:.3f} ms · {texts['branch']} {snapshot.branch}"
-        + (f" · {snapshot.late} {texts['late']}" if snapshot.late else ""),
+        "clock": " · ".join(_clock(snapshot, cycle_time_us, texts)),
         "path-speed": f"{float(values.get(f'{prefix}PATH.SPEED', 0.0)) * 60:.0f}",
         "percent": f"{float(values.get(f'{prefix}HLI.OVERRIDE', 100.0)):.0f} %",
     }
@@ -402,3 +444,18 @@ def readings(
         found[f"axis-{axis}"] = f"{float(values[f'{prefix}{axis}.ACS.ACT_POS']):.3f}"
         found[f"rest-{axis}"] = f"{float(values.get(f'{prefix}{axis}.PCS.DIST_TO_GO', 0.0)):.3f}"
     return found
+
+
+def _clock(snapshot: Snapshot, cycle_time_us: int, texts: Texts) -> list[str]:
+    """Return the tick that is shown, its time and the branch."""
+    tick = snapshot.shown_tick
+    branch = f"{texts['branch']} {snapshot.branch}"
+    late = [f"{snapshot.late} {texts['late']}"] if snapshot.late else []
+    if tick < 0:
+        return [texts["before_first"], branch, *late]
+    return [
+        f"{texts['tick_number']} {tick}",
+        f"{tick * cycle_time_us / 1000:.3f} ms",
+        branch,
+        *late,
+    ]

@@ -17,6 +17,7 @@ from nctakt.kernel.cycles import conditions
 from nctakt.nc.check.branches import BranchOutline, accesses_in, combined
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.tree import Expression
+from nctakt.results.compared import OPERATORS
 from nctakt.results.histories import (
     BranchHistory,
     Change,
@@ -32,25 +33,6 @@ CHANGES_KEPT = 1000
 
 #: Maximum number of series of consecutive ticks kept for each condition, body and cycle.
 SERIES_KEPT = 1000
-
-
-_OPERATORS: dict[type[conditions.Condition], str] = {
-    conditions.IsLess: "<",
-    conditions.IsLessCellConstant: "<",
-    conditions.IsLessEqual: "<=",
-    conditions.IsLessEqualCellConstant: "<=",
-    conditions.IsGreater: ">",
-    conditions.IsGreaterCellConstant: ">",
-    conditions.IsGreaterEqual: ">=",
-    conditions.IsGreaterEqualCellConstant: ">=",
-    conditions.IsEqual: "==",
-    conditions.IsEqualCellConstant: "==",
-    conditions.IsNotEqual: "!=",
-    conditions.IsNotEqualCellConstant: "!=",
-    conditions.IsTextTrue: "text",
-    conditions.Both: "&&",
-    conditions.Either: "||",
-}
 
 
 class SeriesLog:
@@ -147,7 +129,7 @@ class ConditionLog:
             )
         return ConditionHistory(
             "" if expression is None else format_expression(expression),
-            _OPERATORS.get(type(node), ""),
+            OPERATORS.get(type(node), ""),
             tuple(self._changes),
             self._left_out,
             self._was_true,

@@ -22,7 +22,7 @@ from nctakt.messages.explaining import (
     TICK_NOT_IN_RUN,
 )
 from nctakt.results.histories import CycleHistory
-from nctakt.results.why_text import render_report, render_state
+from nctakt.results.why_text import render_answer, render_report, render_state
 from nctakt.results.why_words import Words
 
 #: Maximum number of names in the message about an unknown cycle.
@@ -63,16 +63,22 @@ class WhyReport:
     def render(self, language: Language = "en") -> str:
         """Return the histories as text with a final line end."""
         words = Words(language, self.cycle_time_us)
-        last_tick = self.first_tick + self.ticks - 1
-        return render_report(self.cycles, self.left_out, last_tick, words)
+        return render_report(self.cycles, self.left_out, self.last_tick, words)
+
+    @property
+    def last_tick(self) -> int:
+        """The last tick of the run."""
+        return self.first_tick + self.ticks - 1
+
+    def render_answer(self, tick: int, language: Language = "en") -> str:
+        """Return in short whether the selected branches ran in a tick, why, and how often."""
+        return render_answer(self.cycles, tick, Words(language, self.cycle_time_us))
 
     def render_at(self, tick: int, language: Language = "en") -> str:
         """Return the states in a tick of the run as text; raises ``Failure`` (900576) outside."""
-        last_tick = self.first_tick + self.ticks - 1
-        if not self.first_tick <= tick <= last_tick:
-            raise Failure(
-                diagnostic(TICK_NOT_IN_RUN, tick=tick, first=self.first_tick, last=last_tick)
-            )
+        first, last = self.first_tick, self.last_tick
+        if not first <= tick <= last:
+            raise Failure(diagnostic(TICK_NOT_IN_RUN, tick=tick, first=first, last=last))
         words = Words(language, self.cycle_time_us)
         return render_state(self.cycles, self.left_out, tick, words)
 

@@ -80,6 +80,13 @@ _AT_FALSE = Text("false since {seen}", "falsch seit {seen}")
 _AT_BODY = Text("ran", "lief")
 _AT_NO_BODY_FALSE = Text("did not run", "lief nicht")
 _AT_NO_BODY = Text("did not run: {reason}", "lief nicht: {reason}")
+_ANSWER_RAN = Text("{line}: ran in {tick}{truth}", "{line}: lief in {tick}{truth}")
+_ANSWER_IDLE = Text(
+    "{line}: did not run in {tick}: {reason}", "{line}: lief nicht in {tick}: {reason}"
+)
+_LAST_OF_CYCLE = Text("{tick}, the last one of its cycle", "{tick}, dem letzten seines Zyklus")
+_SO_FAR = Text("so far: {text}", "bisher: {text}")
+_CYCLE_ENDED = Text("the cycle has ended at {tick}: {how}", "Zyklus beendet in {tick}: {how}")
 
 
 def render_report(
@@ -94,6 +101,54 @@ def render_report(
             continue
         lines += _branches(cycle, lambda branch, of: _history(of, branch, last_tick, words), words)
     return _joined(lines, left_out, words)
+
+
+def render_answer(cycles: Sequence[CycleHistory], tick: int, words: Words) -> str:
+    """Return in a few lines whether selected branches ran in a tick, why, and how often so far.
+
+    Of several cycles the one that ran in the tick answers, otherwise the newest. Where it has
+    ended, its last tick is asked.
+    """
+    ran = [cycle for cycle in cycles if cycle.runs.holds(tick)]
+    begun = [cycle for cycle in cycles if cycle.life and cycle.life[0].tick <= tick]
+    lines: list[str] = []
+    for cycle in (ran or begun or list(cycles))[-1:]:
+        end = cycle.life[-1] if cycle.life and cycle.life[-1].kind == "ended" else None
+        series = cycle.runs.series
+        has_ended = end is not None and end.tick <= tick and bool(series)
+        asked = min(tick, series[-1].last_tick) if has_ended else tick
+        lines += [
+            line
+            for index in cycle.shown
+            for line in _answer(cycle, cycle.branches[index], asked, asked < tick, words)
+        ]
+        if end is not None and asked < tick:
+            how = words.ended(end.ended_by, end.span, end.number)
+            lines.append(words.get(_CYCLE_ENDED, tick=words.tick(end.tick), how=how))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _answer(
+    cycle: CycleHistory, branch: BranchHistory, tick: int, is_last: bool, words: Words
+) -> list[str]:
+    """Return whether a branch ran in a tick, why, and how often until now."""
+    line, when = words.line(branch.span), words.tick(tick)
+    if is_last:
+        when = words.get(_LAST_OF_CYCLE, tick=when)
+    chain = _chain(cycle, branch, lambda other: why_branch_idle(cycle, other, tick))
+    if chain:
+        reason = words.branch_reason(cycle, branch, chain)
+        answer = words.get(_ANSWER_IDLE, line=line, tick=when, reason=reason)
+    else:
+        truth = "".join(f", {text}" for text in _truth(branch.condition, tick, words))
+        answer = words.get(_ANSWER_RAN, line=line, tick=when, truth=truth)
+    count = branch.bodies.ticks
+    if not count:
+        never = why_never(cycle, branch, tick, words)
+        return [answer, words.get(_SO_FAR, text=words.get(_BODY_NEVER, reason=never))]
+    times = words.times(branch.bodies)
+    ran = words.get(_BODY_ONCE if count == 1 else _BODY, count=count, times=times)
+    return [answer, words.get(_SO_FAR, text=ran)]
 
 
 def render_state(cycles: Sequence[CycleHistory], left_out: int, tick: int, words: Words) -> str:

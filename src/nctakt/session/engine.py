@@ -18,7 +18,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Span, Text
 from nctakt.base.failure import Failure
-from nctakt.decoder.cycles.builder import CycleDefinition
+from nctakt.decoder.cycles.builder import CycleBranch, CycleDefinition
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.files.access import FileAccess
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
@@ -28,6 +28,7 @@ from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.plc.loading import load_plc
+from nctakt.results.compared import Compared, compared_last, compared_now
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
@@ -56,6 +57,9 @@ Found = tuple[int, int, tuple[Mark, ...]]
 
 #: The events at which a stop holds, ``None`` where others tell; what must be so where it holds.
 Evidence = tuple[tuple[EventFilter, ...] | None, Necessary | None]
+
+#: Places of ended realtime cycles that a glance has at most, the newest.
+_ENDED_SHOWN = 100
 
 #: Ticks of a stretch that is looked at in detail.
 MAX_LOOKED_AT = 1_000_000
@@ -125,8 +129,11 @@ def since_tick(done: Slice, tick: int, cycle_us: int) -> Slice:
 class BranchState:
     """A branch of a realtime cycle at this tick.
 
-    ``truth``: of its condition at its last evaluation, ``None`` before the first. ``is_evaluated``
-    and ``has_run``: in the last tick. ``count``: how often its body ran.
+    ``truth``: of its condition at its last evaluation, ``None`` before the first, and after
+    one that a fault has broken off. ``is_evaluated``
+    and ``has_run``: in the last tick. ``count``: how often its body ran. ``evaluated_at``: the tick
+    of the last evaluation, ``seen``: what it compared, ``now``: what it would compare at this tick,
+    ``None`` where that is not defined.
     """
 
     span: Span
@@ -135,11 +142,14 @@ class BranchState:
     is_evaluated: bool
     has_run: bool
     count: int
+    evaluated_at: int | None = None
+    seen: Compared | None = None
+    now: Compared | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class CycleState:
-    """A living realtime cycle: its name, its state and its branches in the order of the text."""
+    """A realtime cycle: its name, its state and its branches in the order of the text."""
 
     name: str
     state: str
@@ -151,13 +161,18 @@ class CycleState:
 
 @dataclass(frozen=True, slots=True)
 class Glance:
-    """Values of signals, living cycles, what waits for the PLC, and channels, before one tick."""
+    """Values of signals, living cycles, what waits for the PLC, and channels, before one tick.
+
+    ``ended``: the cycles that have ended and were defined at a place where none lives now, the
+    newest of each place, at most 100.
+    """
 
     tick: int
     values: tuple[float | bool | str, ...]
     cycles: tuple[CycleState, ...]
     waiting: tuple[tuple[int, TechnologyEntry | SpindleEntry], ...]
     channels: tuple[ChannelState, ...]
+    ended: tuple[CycleState, ...] = ()
 
 
 class Engine:
@@ -184,6 +199,7 @@ class Engine:
         self._differs: int | None = None
         self._stop_builder = StopBuilder(machine)
         self._cycles: dict[int, tuple[str, CycleDefinition]] = {}
+        self._newest: dict[Span, int] = {}
         self._stops: Sequence[StopAt] = ()
         self._listed: list[int | str] = []
         self._told_diagnostics = self._told_messages = 0
@@ -248,6 +264,8 @@ class Engine:
 
     def _add_cycle(self, name: str, definition: CycleDefinition) -> None:
         self._cycles[definition.serial] = name, definition
+        self._newest.pop(definition.span, None)  # the newest place comes last
+        self._newest[definition.span] = definition.serial
         self._stop_builder.add_cycle(definition)
 
     def _note(self, cells: Cells) -> None:
@@ -525,42 +543,47 @@ class Engine:
 
     def cycles(self) -> list[CycleState]:
         """Return the living realtime cycles with the truth of their conditions."""
-        last = self.tick - 1
-        found = []
-        for manager in (channel.manager for channel in self._machine.channels):
-            for cycle in manager.loaded:
-                name, definition = self._cycles[cycle.serial]
-                branches = []
-                for branch in definition.reactions:
-                    node, condition = branch.node, branch.node.condition
-                    truth = None if condition.truth == codes.UNKNOWN else bool(condition.truth)
-                    branches.append(
-                        BranchState(
-                            branch.span,
-                            branch.frequency,
-                            truth,
-                            condition.next_tick == last + 1,
-                            node.next_tick == last + 1,
-                            node.count,
-                        )
-                    )
-                found.append(
-                    CycleState(
-                        name,
-                        _STATES[manager.state_of(cycle.slot)],
-                        definition.scope,
-                        definition.span,
-                        cycle.runs,
-                        tuple(branches),
-                    )
-                )
-        return found
+        return [
+            self._cycle_state(cycle.serial, _STATES[manager.state_of(cycle.slot)])
+            for manager in (channel.manager for channel in self._machine.channels)
+            for cycle in manager.loaded
+        ]
+
+    def _ended_cycles(self) -> list[CycleState]:
+        """Return the newest cycle of each place where none lives; at most so many places."""
+        managers = [channel.manager for channel in self._machine.channels]
+        living = {cycle.serial for manager in managers for cycle in manager.loaded}
+        newest = list(self._newest.values())[-_ENDED_SHOWN:]
+        return [self._cycle_state(serial, "ended") for serial in newest if serial not in living]
+
+    def _cycle_state(self, serial: int, state: str) -> CycleState:
+        name, definition = self._cycles[serial]
+        branches = tuple(self._branch_state(branch) for branch in definition.reactions)
+        return CycleState(
+            name, state, definition.scope, definition.span, definition.cycle.runs, branches
+        )
+
+    def _branch_state(self, branch: CycleBranch) -> BranchState:
+        node, condition = branch.node, branch.node.condition
+        seen = compared_last(condition)
+        return BranchState(
+            branch.span,
+            branch.frequency,
+            None if seen is None else seen.truth,
+            condition.next_tick == self.tick,
+            node.next_tick == self.tick,
+            node.count,
+            None if seen is None else condition.next_tick - 1,
+            seen,
+            None if seen is None else compared_now(condition, context_of(self._machine.memory)),
+        )
 
     def glance(self, names: Sequence[str]) -> Glance:
         """Return values, cycles and what waits, all of this tick; raises as ``read``."""
         values = tuple(self.read(names))
         channels = channel_states(self._machine, self._loop.channels)
-        return Glance(self.tick, values, tuple(self.cycles()), tuple(self.waiting()), channels)
+        cycles, ended = tuple(self.cycles()), tuple(self._ended_cycles())
+        return Glance(self.tick, values, cycles, tuple(self.waiting()), channels, ended)
 
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""

@@ -35,12 +35,16 @@ class Reaction(Counted):
 
 
 def judge(reaction: Reaction, context: Context) -> int:
-    """Evaluate the condition: ``codes.FALSE``, ``codes.TRUE`` or ``codes.STOPS``."""
+    """Evaluate the condition: ``codes.FALSE``, ``codes.TRUE`` or ``codes.STOPS``.
+
+    An evaluation that a fault breaks off has no truth.
+    """
     context.steps += reaction.cost
     if context.steps > context.check_at and context.over_limit(reaction.source):
         return codes.STOPS
     truth = reaction.condition.decide(context)
     if context.fault:
+        reaction.condition.forget()
         instructions.stop(reaction, context)
         return codes.STOPS
     return truth

@@ -10,6 +10,8 @@ cdef class Condition:
     cdef public long long probe
     cdef readonly int truth
     cdef readonly long long next_tick
+    cdef readonly double seen_left
+    cdef readonly double seen_right
     cdef readonly bint was_ever_true
     cdef readonly double nearest
     cdef readonly double nearest_left
@@ -33,6 +35,7 @@ cdef class Comparison(Condition):
     cdef Expression right
 
 cdef class CellComparison(Condition):
+    cdef Expression load
     cdef Py_ssize_t cell
     cdef double number
 

@@ -20,13 +20,16 @@ class Condition:
     """Base, and null object: always true, nothing recorded.
 
     ``probe`` is its number in the probe rows; ``truth`` the last one, ``codes.UNKNOWN`` from its
-    cycle's START on. ``next_tick`` is the tick behind its last evaluation, -1 before the first.
+    cycle's START on. ``next_tick`` is the tick behind its last evaluation, -1 before the first;
+    ``seen_left`` and ``seen_right`` are the values that this evaluation compared.
     """
 
     def __init__(self) -> None:
         self.probe = 0
         self.truth = codes.UNKNOWN
         self.next_tick = -1
+        self.seen_left = 0.0
+        self.seen_right = 0.0
         self.was_ever_true = False
         self.nearest = 1.7976931348623157e308
         self.nearest_left = 0.0
@@ -36,6 +39,10 @@ class Condition:
     def decide(self, context: Context) -> int:
         """Evaluate the condition: 1 true, 0 false. A fault is noted in the context."""
         return 1
+
+    def sides(self, context: Context) -> tuple[float, float]:
+        """Return what an evaluation would compare now, for Python's side; it changes nothing."""
+        return 0.0, 0.0
 
     def forget(self) -> None:
         """Forget the last truth: the next evaluation is as the first one (START, RC-111)."""
@@ -50,6 +57,8 @@ def note(condition: Condition, context: Context, truth: int, left: float, right:
     if context.tick != condition.next_tick or truth != condition.truth:
         record_change(condition, context, truth, left, right)
     condition.next_tick = context.tick + 1
+    condition.seen_left = left
+    condition.seen_right = right
     distance = left - right
     if distance < condition.nearest and distance > -condition.nearest:
         approach(condition, context, left, right)
@@ -91,14 +100,21 @@ class Comparison(Condition):
         self.left = left
         self.right = right
 
+    def sides(self, context: Context) -> tuple[float, float]:
+        return self.left.measure(context), self.right.measure(context)
+
 
 class CellComparison(Condition):
     """Base of the comparisons of a variable with a number (fused)."""
 
     def __init__(self, load: Load, number: float) -> None:
         super().__init__()
+        self.load = load
         self.cell = load.cell
         self.number = number
+
+    def sides(self, context: Context) -> tuple[float, float]:
+        return self.load.measure(context), self.number
 
 
 class IsTrue(Condition):
@@ -107,6 +123,9 @@ class IsTrue(Condition):
     def __init__(self, operand: Expression) -> None:
         super().__init__()
         self.operand = operand
+
+    def sides(self, context: Context) -> tuple[float, float]:
+        return self.operand.measure(context), 0.5
 
     def decide(self, context: Context) -> int:
         value = self.operand.value(context)

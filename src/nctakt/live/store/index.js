@@ -2,11 +2,12 @@
 // What a browser knows of the session: curves, marks, blocks, the cursor. Scope, path and editor
 // share it; the server adds to it (track.py).
 
-const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000;
+const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 5000;
 
 export const run = {
-  names: [], units: [], hidden: 0, ticks: [], columns: [], marks: [], blocks: [], bars: [],
-  tick: 0, latest: 0, isPlaying: false, cycleUs: 1000, detail: null, words: {},
+  names: [], units: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],
+  conditions: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
+  tick: -1, latest: -1, // the last tick that has run: all values are those after it isPlaying: false, cycleUs: 1000, detail: null, words: {},
   cursor: null, line: 0, from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
@@ -23,7 +24,7 @@ const trim = (list, size) => { if (list.length > size) list.splice(0, list.lengt
 
 // Adds what the server sends: each part is new as a whole or goes on behind what is here.
 export const take = (news) => {
-  for (const name of ["names", "units", "hidden", "words", "cycleUs", "tick", "latest", "isPlaying", "bars"]) {
+  for (const name of ["names", "units", "hidden", "now", "conditions", "words", "cycleUs", "tick", "latest", "isPlaying", "bars"]) {
     if (news[name] !== undefined) run[name] = news[name];
   }
   if (news.rows) {
@@ -39,7 +40,7 @@ export const take = (news) => {
     trim(run.ticks, MAX_POINTS);
     for (const column of run.columns) trim(column, MAX_POINTS);
   }
-  for (const [name, size] of [["marks", MAX_MARKS], ["blocks", MAX_BLOCKS]]) {
+  for (const [name, size] of [["marks", MAX_MARKS], ["blocks", MAX_BLOCKS], ["lanes", MAX_SAMPLES]]) {
     const part = news[name];
     if (!part) continue;
     run[name] = part.whole ? part.added : run[name].concat(part.added);
@@ -114,6 +115,23 @@ export const blockAt = (tick) => {
   const index = indexAt(run.blocks, tick, (block) => block[0]);
   return index < 0 ? null : run.blocks[index];
 };
+// When the condition in a line was true: first tick, end, and whether that is exact.
+export const laneBars = (line, row) => {
+  const exact = run.bars.lines.find((one) => one.line === line), known = exact ? run.bars.end : 0;
+  const found = exact ? exact.bars.filter(([begin]) => begin < known).map(([begin, end]) => [begin, Math.min(end, known), true]) : [];
+  const add = (begin, end) => {
+    const last = found[found.length - 1];
+    if (last && !last[2] && last[1] === begin) last[1] = end;
+    else if (begin < end) found.push([begin, end, false]);
+  };
+  run.lanes.forEach((sample, index) => {
+    if (!(sample[row + 1] > 0)) return;
+    const end = index + 1 < run.lanes.length ? run.lanes[index + 1][0] : sample[0] + 1;
+    if (exact && sample[0] < exact.first) add(sample[0], Math.min(end, exact.first));
+    if (end > known) add(Math.max(sample[0], known), end);
+  });
+  return found;
+};
 export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
 
-globalThis.nctaktRun = { run, show, zoom, pan, fit, changed, listen, blockAt };
+globalThis.nctaktRun = { run, show, zoom, pan, fit, changed, listen, blockAt, laneBars };

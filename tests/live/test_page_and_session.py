@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""What stands on the page at a tick is what the engine had after it: walks on the page, compared.
+
+Beside the page a session of the same program stands at the same tick.
+"""
+
+import random
+import re
+from collections.abc import Iterator, Sequence
+from importlib.util import find_spec
+from typing import Any
+
+import pytest
+from support.page_driving import BROWSER, chromium, opened, served
+
+from nctakt import Session
+from nctakt.live import view
+from nctakt.live.explaining import bars_of
+from nctakt.live.texts import Texts
+
+if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
+    pytest.skip("the live page needs NiceGUI", allow_module_level=True)
+playwright = pytest.importorskip("playwright.sync_api", reason="driving a browser needs Playwright")
+expect = playwright.expect
+
+pytestmark = BROWSER
+
+PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF EDGE V.RTA.ACS.ACT_POS.X > 5 && V.E.VALUE < 0.5
+    V.E.COUNT += 1
+  $ENDIF
+  $IF V.RTA.ACS.ACT_POS.Y >= 2
+    V.E.VALUE = 0.25
+  $ELSE
+    V.E.FLAG = 1
+  $ENDIF
+#RT CYCLE END
+G01 X10 F6000
+Y4
+X0 Y0
+X8
+M30
+"""
+LINES = PROGRAM.split("\n")
+TEXTS = Texts("en")
+
+#: What a walk does: keys of the page.
+STEPS = [".", ",", "b", "B", "r", "R", "."]
+
+
+@pytest.fixture(scope="module")
+def walk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Any, Session, str]]:
+    """A page, and a session of its program."""
+    path = tmp_path_factory.mktemp("walk") / "walk.nc"
+    path.write_text(PROGRAM, "utf-8")
+    with chromium() as browser, served(str(path)) as address, Session(path) as session:
+        page = opened(browser, address)
+        yield page, session, str(path)
+        page.close()
+
+
+def shown_tick(page: Any) -> int:
+    """Return the tick that the bar names, -1 before the first."""
+    found = re.match(r"Tick (\d+) ", page.get_by_test_id("clock").inner_text())
+    return int(found[1]) if found else -1
+
+
+def on_the_page(page: Any) -> list[Any]:
+    """Return what the page shows: tick of bar and scope, texts beside conditions, values."""
+    tick, names, now = page.evaluate("[nctaktRun.run.tick, nctaktRun.run.names, nctaktRun.run.now]")
+    axes = [page.get_by_test_id(f"axis-{axis}").inner_text() for axis in "XY"]
+    beside = page.locator(".nc-inline").all_inner_texts()
+    return [shown_tick(page), tick, beside, dict(zip(names, now, strict=True)), axes]
+
+
+def in_the_session(session: Session, tick: int, names: Sequence[str], file: str) -> list[Any]:
+    """Return the same of the session after a tick."""
+    if session.branches[1] <= tick:
+        session.step(tick + 1 - session.branches[1])
+    session.go_to(tick + 1)
+    glance = session.glance()
+    branches = view.branches_in([*glance.ended, *glance.cycles], file)
+    beside = [
+        view.branch_text(branch, LINES[line - 1], TEXTS, has_ended=cycle.state == "ended")
+        for line, (cycle, branch) in sorted(branches.items())
+    ]
+    values = [view.rounded(float(value)) for value in session.read(*names)]
+    now = dict(zip(names, values, strict=True))
+    axes = [f"{value:.3f}" for value in session.read("X.ACS.ACT_POS", "Y.ACS.ACT_POS")]
+    return [tick, tick, beside, now, axes]
+
+
+def compare(page: Any, session: Session, file: str) -> int:
+    """Wait until all that the page shows is as the session has it at the same tick; return it."""
+    for _ in range(100):
+        shown = on_the_page(page)
+        expected = in_the_session(session, shown[0], shown[3].keys(), file)
+        if shown == expected:
+            return int(shown[0])
+        page.wait_for_timeout(200)
+    assert shown == expected
+    return -1
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("seed", [1])
+def test_a_walk(walk: tuple[Any, Session, str], seed: int) -> None:
+    """By keys and clicks, forward and back: values, conditions, events are those of the tick."""
+    page, session, file = walk
+    choice = random.Random(seed)
+    page.get_by_test_id("tab-events").click()
+    for _ in range(12):
+        if choice.random() < 0.3 and page.evaluate("nctaktRun.run.latest") > 20:
+            scope = page.get_by_test_id("scope").bounding_box()
+            x = scope["x"] + 60 + choice.random() * (scope["width"] - 80)
+            page.mouse.click(x, scope["y"] + scope["height"] / 2)
+        else:
+            page.keyboard.press(choice.choice(STEPS))
+        page.wait_for_timeout(300)  # until the command has come
+        tick = compare(page, session, file)
+    rows = page.get_by_test_id("events").locator(".nc-finding > .nc-rows > :first-child")
+    expected = [view.event_row(one, "en").text for one in session.events(0, tick + 1)[0]]
+    expect(rows).to_have_text(expected[::-1][:80])
+
+
+@pytest.mark.nightly
+def test_lanes_and_answers(walk: tuple[Any, Session, str]) -> None:
+    """Lanes are there when the run stops, become exact, and stay in the past; so does the answer.
+
+    When the program has ended, the answer is that of the last tick of the cycle.
+    """
+    page, session, file = walk
+    page.keyboard.press("End")
+    page.get_by_test_id("speed").click()
+    page.get_by_role("option", name="max").click()
+    page.get_by_test_id("toggle").click()
+    expect(page.get_by_test_id("state")).to_have_text(re.compile("^ended"))
+    session.run()
+    exact = bars_of(session.why(), file)
+    page.wait_for_function("nctaktRun.run.bars.end === nctaktRun.run.latest + 1")
+    assert page.evaluate("nctaktRun.run.bars.lines") == exact
+    compare(page, session, file)
+    page.locator(".nc-inline").first.click()
+    answer = page.get_by_test_id("why")
+    expect(answer).to_contain_text("the last one of its cycle")
+    assert answer.inner_text().splitlines()[0].startswith("line 2: ")
+
+    page.keyboard.press("Home")
+    for _ in range(3):
+        page.keyboard.press("b")
+        page.wait_for_timeout(300)
+    tick = compare(page, session, file)
+    expect(answer).to_contain_text(f"in tick {tick} (")
+    assert page.evaluate("nctaktRun.run.bars.lines") == exact
+    compare(page, session, file)

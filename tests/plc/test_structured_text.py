@@ -28,6 +28,9 @@ from nctakt.run.plc_view import AnyPlc, PlcView
 from nctakt.run.realtime_plc import PlcGroup
 from nctakt.run.stimuli import Stimulus, StimulusLike, parse_stimulus
 from nctakt.run.tape import Tape
+from nctakt.testing.expectations import read_expectation
+from nctakt.testing.queries import NcRun
+from nctakt.testing.verdict import differences
 
 OPEN = "IF NOT fbHli.Initialized THEN fbHli(); RETURN; END_IF\n"
 
@@ -423,6 +426,33 @@ def test_a_reset_does_not_touch_the_plc(tmp_path: Path) -> None:
     assert plc.read("MAIN.n") == controller.tick
     controller.step(5)
     assert plc.read("MAIN.n") == controller.tick
+
+
+STATES = """TYPE E_Gate : (Closed, Opening := 5, Open); END_TYPE
+PROGRAM MAIN VAR n : INT := 7; eGate : E_Gate; bOpen : BOOL; END_VAR
+n := n + 1; IF n = 10 THEN eGate := E_Gate.Open; END_IF bOpen := eGate = E_Gate.Open; END_PROGRAM
+"""
+
+
+def test_expectations_name_items_of_enumerations(tmp_path: Path) -> None:
+    """RC-002: n is 7 before the first cycle and 10 after the third; what holds then counts."""
+    plc = loaded(tmp_path, STATES)
+    names = ["MAIN.n", "MAIN.eGate", "MAIN.bOpen"]
+    nc = NcText("part.nc", "G04 0.01\nM30")
+    run = NcRun(
+        Controller().run(nc, plc=plc, ticks=8, signals=names, set={"MAIN.eGate": "Opening"})
+    )
+    texts = (
+        "MAIN.n = 7 at 0ms", "MAIN.eGate = E_Gate.Opening at 0ms", "MAIN.eGate = opening at 2ms",
+        "MAIN.eGate = E_Gate.Open at 3ms", "MAIN.eGate = 6 at end", "MAIN.bOpen = TRUE at 3ms",
+        "MAIN.bOpen = FALSE at 2ms",
+    )  # fmt: skip
+    assert list(differences(run, [read_expectation(text) for text in texts], "part.nc")) == []
+    wrong = [read_expectation("MAIN.eGate = Closed"), read_expectation("MAIN.eGate = Ajar")]
+    first, second = differences(run, wrong, "part.nc")
+    assert "+ MAIN.eGate = E_Gate.Open" in first
+    assert "902631" in second
+    assert "E_Gate.Closed, E_Gate.Opening, E_Gate.Open" in second
 
 
 def test_the_project_file_names_axes(tmp_path: Path) -> None:

@@ -144,6 +144,15 @@ NO_BRANCH_IN_LINE = error(
     remedy_de="Zeilen mit Zweigen: {known}.",
     known=("the lines with branches", "die Zeilen mit Zweigen"),
 )
+UNKNOWN_ITEM = error(
+    902631,
+    en="{name} has no value {item}; its values are {known}",
+    de="{name} hat keinen Wert {item}; seine Werte sind {known}",
+    remedy_en="Write one of its values, or a number.",
+    remedy_de="Einen seiner Werte oder eine Zahl schreiben.",
+    item=("the item that is expected", "der erwartete Wert"),
+    known=("the items of the enumeration", "die Werte der Aufzählung"),
+)
 INVALID_GIVEN_INPUT = error(
     900661,
     en="'{text}' is not a valid input of a run",

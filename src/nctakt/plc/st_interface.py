@@ -161,7 +161,7 @@ def connect(
     machine: AssembledMachine, found: StInterface, context: PlcContext, memory: bytearray
 ) -> CncInterface:
     """Return what keeps the interface in a program's memory equal to the machine."""
-    signals = {name: cell for name, (cell, _, _) in machine.signals().items()}
+    signals = {name: found.cell for name, found in machine.signals().items()}
     places = [one for one in found.placed if one.area.shape.root != "gpPform"]
     values = _shown(found.placed, signals, memory, machine.memory)
     banks, bank_numbers = _banks(places, context)

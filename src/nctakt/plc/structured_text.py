@@ -45,18 +45,18 @@ from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
 from nctakt.plc.st_interface import StInterface, connect, lay_out
 from nctakt.project.project_file import find_project
+from nctakt.run.named_values import SignalCell
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
-from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType
+from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType, Type
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.project import Translation, translate
 from nctakt.translation.variables import PlacedVariable, find_variable, retained_paths
 
 if TYPE_CHECKING:
     from nctakt.run.assembly import AssembledMachine
-    from nctakt.run.machine_names import SignalCell
 
 #: What a task counts in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle")
@@ -372,16 +372,20 @@ class StructuredPlc(RealtimePlc):
         kind = kind_of(sought)
         if kind is None:
             return data.hex(" ")
+        number = self._number(variable, kind)
+        if isinstance(sought, EnumType):
+            return dict(_labels(sought)).get(int(number), number)
+        return bool(number) if kind == kinds.BOOL or variable.bit >= 0 else number
+
+    def _number(self, variable: PlacedVariable, kind: int) -> float:
+        """Return the value of a variable that is a number or a truth."""
+        sought = variable.type
+        data = self.context.peek(variable.address, max(sought.size, 1))
         if is_real(sought):
             number: float = struct.unpack("<f" if sought.size == 4 else "<d", data)[0]
             return number
         whole = int.from_bytes(data, "little", signed=kinds.I8 <= kind <= kinds.I64)
-        if variable.bit >= 0:
-            return bool(whole >> variable.bit & 1)
-        if isinstance(sought, EnumType):
-            names = (one.name for one in sought.values.values() if one.number == whole)
-            return next((f"{sought.name}.{name}" for name in names), whole)
-        return bool(whole) if kind == kinds.BOOL else whole
+        return whole if variable.bit < 0 else whole >> variable.bit & 1
 
     def check(self, name: str, value: float | bool | str) -> bytes:
         """Return the bytes of a value; raises ``Failure`` where the variable cannot hold it."""
@@ -434,7 +438,19 @@ class StructuredPlc(RealtimePlc):
         if cell is None:
             return None
         self._tasks.show(variable.address, kind, cell)
-        return cell, "", not is_real(variable.type)
+        value = self._number(variable, kind)
+        self._machine.cells[cell] = value
+        return SignalCell(cell, "", not is_real(variable.type), _labels(variable.type))
+
+
+def _labels(sought: Type) -> tuple[tuple[int, str], ...]:
+    """Return number and name of each item of an enumeration, the first name of each number."""
+    if not isinstance(sought, EnumType):
+        return ()
+    found: dict[int, str] = {}
+    for one in sought.values.values():
+        found.setdefault(one.number, f"{sought.name}.{one.name}")
+    return tuple(found.items())
 
 
 def _enumeration_value(sought: EnumType, text: str, refused: Diagnostic) -> int:

@@ -7,7 +7,7 @@ Plain records, the same for the same inputs: they hold no wall-clock time.
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal, Protocol
@@ -230,6 +230,7 @@ class Run:
     ticks from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are those of the
     trace in memory (``None`` and empty without one); messages and counts are always there. ``why``
     has the history of each condition, ``coverage`` the counts, if the run recorded them.
+    ``before``: the values of the recorded signals before the first tick.
     ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
     ``drawer`` makes what draws the run (``plot``), ``None`` without a trace in memory.
 
@@ -263,6 +264,7 @@ class Run:
     overflows: tuple[OverflowCount, ...] = ()
     coverage: Coverage | None = None
     drawer: Callable[[], RunDrawer] | None = field(default=None, compare=False)
+    before: Mapping[str, float] = field(default_factory=dict)
 
     def __reduce__(self) -> tuple[Callable[[], Run], tuple[()]]:
         values = {member.name: getattr(self, member.name) for member in fields(self)}

@@ -38,7 +38,8 @@ from nctakt.run.decoder_signals import SignalsOfChannel
 from nctakt.run.event_registry import EventRegistry
 from nctakt.run.input_words import API
 from nctakt.run.inputs import Inputs
-from nctakt.run.machine_names import SignalCell, channel_names, names_of_machine, prefix_of
+from nctakt.run.machine_names import channel_names, names_of_machine, prefix_of
+from nctakt.run.named_values import SignalCell
 from nctakt.run.realtime_part import NAMED_SIGNALS, RealtimePart
 from nctakt.run.spindle_setup import all_names, at_start_up, follow_executed
 from nctakt.run.variable_access import VariableAccess
@@ -352,7 +353,7 @@ class AssembledMachine:
     # --- signals --------------------------------------------------------------------------------
 
     def signals(self) -> Mapping[str, SignalCell]:
-        """Return all signals: name -> cell, unit, whether it is an integer.
+        """Return all signals by their names.
 
         ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix one of the first.
         """

@@ -24,7 +24,7 @@ def with_condition_signals(
 ) -> list[str]:
     """Return ``names`` and behind them the further signals that conditions of programs read."""
     of_cell: dict[int, str] = {}
-    for name, (cell, _, _) in machine.signals().items():
+    for name, (cell, *_) in machine.signals().items():
         of_cell.setdefault(cell, name)
     further = (
         of_cell[cell]

@@ -205,10 +205,7 @@ class Controller:
 
     def signals(self) -> list[Signal]:
         """Return all signals that a run can record, with their units."""
-        return [
-            Signal(name, unit, is_whole)
-            for name, (_, unit, is_whole) in self._machine.signals().items()
-        ]
+        return [Signal(name, *found[1:]) for name, found in self._machine.signals().items()]
 
     def interface_image(self, name: str | None = None) -> SharedImage:
         """Return the HLI as bytes, live until it is closed, and shared under ``name`` if given.

@@ -43,7 +43,8 @@ from nctakt.messages.hli_table import (
 )
 from nctakt.messages.inputs import VALUE_NOT_OF_TYPE
 from nctakt.run.inputs import PLC, Inputs
-from nctakt.run.machine_names import SignalCell, prefix_of
+from nctakt.run.machine_names import prefix_of
+from nctakt.run.named_values import SignalCell
 
 _T = TypeVar("_T")
 
@@ -117,8 +118,7 @@ class _Values(Mapping[str, Scalar]):
             return cast("Scalar", self._machine.waiting_functions(int(number) - 1))
         if "HLI." in name:
             return self._machine.read(name)  # what was written counts before it is latched
-        cell, _, _ = self._signals[name]
-        return float(self._machine.cells[cell])
+        return float(self._machine.cells[self._signals[name].cell])
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._signals)

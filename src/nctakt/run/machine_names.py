@@ -15,9 +15,7 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.axes_by_number import path_axes
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, NameTable
-
-#: A signal: cell, unit, whether it is an integer.
-SignalCell = tuple[int, str, bool]
+from nctakt.run.named_values import SignalCell
 
 #: Machines whose names are kept.
 _KEPT = 8
@@ -103,14 +101,17 @@ def prefix_of(index: int) -> str:
 
 def _signals_of(names: NameTable, panel: Mapping[str, PanelValue]) -> dict[str, SignalCell]:
     """Return the signals of a channel."""
-    signals = {name: (cell, row.unit, row.type != "REAL64") for name, cell, row in names.signals()}
+    signals = {
+        name: SignalCell(cell, row.unit, row.type != "REAL64")
+        for name, cell, row in names.signals()
+    }
     for name, cell, type_ in names.values():
         scalar = SCALARS[type_]
         if scalar.is_numeric:
-            signals[name] = (cell, "", scalar.is_integer)
+            signals[name] = SignalCell(cell, "", scalar.is_integer)
     for value in panel.values():
         entry = value.entry
-        signals[value.name] = (value.cell, entry.unit, entry.type != "REAL64")
+        signals[value.name] = SignalCell(value.cell, entry.unit, entry.type != "REAL64")
     return signals
 
 

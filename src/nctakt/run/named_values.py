@@ -5,7 +5,19 @@ interface by the controller's paths.
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import NamedTuple, Protocol
+
+
+class SignalCell(NamedTuple):
+    """Where a signal is: its cell, its unit, whether it is a whole number.
+
+    ``labels``: numbers and names of the items of an enumeration.
+    """
+
+    cell: int
+    unit: str = ""
+    is_whole: bool = False
+    labels: tuple[tuple[int, str], ...] = ()
 
 
 class NamedValues(Protocol):
@@ -23,7 +35,7 @@ class NamedValues(Protocol):
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from its next cycle on."""
 
-    def signal(self, name: str) -> tuple[int, str, bool] | None:
+    def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""
 
 

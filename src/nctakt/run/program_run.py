@@ -98,6 +98,9 @@ class ProgramRun:
         self._bodies_before = machine.registry.bodies()
         machine.show_named(options["signals"] or ())
         self._signals = loop.recording.checked(options["signals"])
+        known = machine.signals()
+        #: The values of its signals before the first tick.
+        self.before = {name: machine.cells[known[name].cell] for name in self._signals}
         replay = options["replay"]
         loop.connect(plc, has_plc=plc is not None or (replay is not None and replay.has_plc))
         loop.recording.messages = []
@@ -348,6 +351,7 @@ class ProgramRun:
             why=report,
             coverage=coverage,
             drawer=None if self._memory is None else functools.partial(_drawer, machine),
+            before=self.before,
         )
 
 

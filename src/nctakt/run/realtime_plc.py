@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel.st.tasks import PlcPair, PlcSide
-from nctakt.run.named_values import NamedValues
+from nctakt.run.named_values import NamedValues, SignalCell
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 
 if TYPE_CHECKING:
@@ -155,6 +155,6 @@ class NamedGroup:
         """Set a variable from its next cycle on."""
         self._of(name).write(name, value)
 
-    def signal(self, name: str) -> tuple[int, str, bool] | None:
+    def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""
         return self._of(name).signal(name)

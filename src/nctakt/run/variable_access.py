@@ -36,7 +36,7 @@ from nctakt.nc.vocabulary.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
 from nctakt.run.bound_values import BoundValue, InputNotes
 from nctakt.run.input_words import API, WRITE
-from nctakt.run.named_values import InterfaceValues, NamedValues
+from nctakt.run.named_values import InterfaceValues, NamedValues, SignalCell
 
 #: Names that are kept bound; there are as many spellings of them as one likes.
 _MAX_BOUND = 10_000
@@ -74,7 +74,7 @@ class VariableAccess:
         #: The variables of a PLC that runs in the tick, by their paths.
         self.named: NamedValues | None = None
         #: Those of them that are signals: their cells, units, and whether they are integers.
-        self.named_signals: dict[str, tuple[int, str, bool]] = {}
+        self.named_signals: dict[str, SignalCell] = {}
         #: The interface by the controller's paths, when it is first used.
         self.interface: Callable[[], InterfaceValues] | None = None
         self.notes = InputNotes(kernel)

@@ -217,7 +217,7 @@ class Engine:
         self.description = Description(
             configuration.cycle_time_us,
             len(machine.channels),
-            {name: unit for name, (_, unit, _) in self._signals.items()},
+            {name: found.unit for name, found in self._signals.items()},
             {text.source.file: tuple(text.source.lines) for text in self._run.texts},
             tuple(self._diagnostics),
             self._planned(stimuli, setup.inputs),

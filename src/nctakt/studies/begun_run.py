@@ -9,7 +9,7 @@ from __future__ import annotations
 import copy
 import hashlib
 from array import array
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.run.controller import Controller
@@ -93,13 +93,12 @@ class BegunRun:
         controller: Controller,
         run: ProgramRun,
         inputs: RunInputs,
-        before: Mapping[str, float],
         digest: Digest,
         lent: LentPart | None,
     ) -> None:
         self.controller = controller
         self.run = run
-        self.before = before
+        self.before = run.before
         self.digest = digest
         self.lent = lent
         self._inputs = inputs
@@ -129,7 +128,7 @@ class BegunRun:
             self.run.close()
         scheduled = self.run.scheduled_run
         simulation = scheduled.simulation() if isinstance(scheduled, ScheduledRun) else None
-        outcome = Outcome(self.run.result(), self.before, injected_us, simulation)
+        outcome = Outcome(self.run.result(), injected_us, simulation)
         if self.lent is not None:
             self.lent.give_back()
         return FinishedRun(outcome, self._inputs, self.digest.text())
@@ -142,7 +141,7 @@ class BegunRun:
             self.run.advance(look)
             if self.run.state is not None:
                 return
-            run, signals = decided_run(look, injection.cycle_time_us), tuple(self.before)
-            outcome = WindowOutcome(run, self.before, injection, signals, self.digest.tail)
+            run = decided_run(look, injection.cycle_time_us, self.before)
+            outcome = WindowOutcome(run, injection, tuple(self.before), self.digest.tail)
             if injection.is_decided(outcome):
                 return

@@ -44,7 +44,6 @@ from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
 from nctakt.studies.schedule_measures import problems_of_numbers
 from nctakt.studies.units import REACTION, units_of
 from nctakt.studies.window import Injection
-from nctakt.testing.queries import values_before
 
 #: Parameters of the lists that a run changes, with their values.
 Parameters = tuple[tuple[tuple[str, str], float | str], ...]
@@ -242,7 +241,6 @@ class Bench:
         part = None if lent is None else lent.part
         controller = Controller(machine, schedule, self.access, part)
         program = self._program_of(inputs, controller)
-        before = values_before(controller, self.signals, inputs.assignments)
         digest = Digest()
         further: RunKeywords = {
             "set": inputs.assignments,
@@ -257,7 +255,7 @@ class Bench:
         statistics = why or schedule is not None or self._asks_all
         options = merged(self.plan.options, further)
         run = controller.begin({1: (program,)}, statistics=statistics, **options)
-        return BegunRun(controller, run, inputs, before, digest, lent)
+        return BegunRun(controller, run, inputs, digest, lent)
 
     def _controller(self, inputs: RunInputs) -> Controller:
         """Return a controller with the machine and the schedule of a run."""

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 
 from nctakt.results.run import Run
@@ -18,7 +18,7 @@ class NotMeasuredError(Exception):
 
 
 class Outcome:
-    """A run, with the values of its signals ``before`` its first tick.
+    """A run, as measures and expectations look at it.
 
     Times are microseconds of the run. ``injected_us``: that of the stimulus of an each-tick study.
     ``simulation``: the schedule that the run went by, or that was simulated without one.
@@ -27,15 +27,13 @@ class Outcome:
     def __init__(
         self,
         run: Run,
-        before: Mapping[str, float],
         injected_us: int | None = None,
         simulation: Simulation | None = None,
     ) -> None:
         self.simulation = simulation
         self.run = run
-        self.queries = NcRun(run, before)
+        self.queries = NcRun(run)
         self.injected_us = injected_us
-        self._before = before
         self._columns: dict[str, Sequence[float]] = {}
 
     @cached_property
@@ -54,7 +52,7 @@ class Outcome:
         signal = signal_of(self.queries, name)
         if signal not in self._columns:
             assert self.run.trace is not None
-            self._columns[signal] = [self._before[signal], *self.run.trace[signal].tolist()]
+            self._columns[signal] = [self.run.before[signal], *self.run.trace[signal].tolist()]
         return self._columns[signal]
 
     def value_at(self, name: str, time_us: int) -> float:

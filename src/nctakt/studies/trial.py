@@ -87,8 +87,8 @@ class Trials:
                 events.append(new)
                 taken.append(data)
                 values.frombytes(data)
-            run = decided_run(look, injection.cycle_time_us)
-            outcome = WindowOutcome(run, before, injection, self._signals, values)
+            run = decided_run(look, injection.cycle_time_us, before)
+            outcome = WindowOutcome(run, injection, self._signals, values)
             if injection.is_decided(outcome):
                 break
         return Tried(outcome, b"".join(events), b"".join(taken))

@@ -81,12 +81,11 @@ class WindowOutcome(Outcome):
     def __init__(
         self,
         run: Run,
-        before: Mapping[str, float],
         injection: Injection,
         signals: Sequence[str],
         rows: array[float],
     ) -> None:
-        super().__init__(run, before, injection.time_us)
+        super().__init__(run, injection.time_us)
         self._injection = injection
         self._signals = signals
         self._rows = rows
@@ -97,6 +96,6 @@ class WindowOutcome(Outcome):
         return ValuesFrom(self._injection.tick, self._rows[number :: len(self._signals)])
 
 
-def decided_run(ticks: int, cycle_time_us: int) -> Run:
+def decided_run(ticks: int, cycle_time_us: int, before: Mapping[str, float]) -> Run:
     """Return the result of a run that was left after so many ticks, as far as rows name it."""
-    return Run((), cycle_time_us, 0, ticks, "interrupted")
+    return Run((), cycle_time_us, 0, ticks, "interrupted", before=before)

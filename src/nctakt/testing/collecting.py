@@ -20,7 +20,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
-from nctakt.testing.queries import NcRun, values_before
+from nctakt.testing.queries import NcRun
 from nctakt.testing.settings_under_test import settings_of_test
 from nctakt.testing.verdict import differences
 
@@ -68,32 +68,27 @@ class NcItem(pytest.Item):
         folder = self.path.parent
         settings = settings_of_test(self.config, self.path, script.named(folder))
         try:
-            run, start = self._run_with(settings, script, text)
+            run = self._run_with(settings, script, text)
         except Failure as failure:
             raise settings.placed(failure) from failure
         note_coverage(self.config, run)
-        return NcRun(run, start)
+        return NcRun(run)
 
-    def _run_with(
-        self, settings: RunSettings, script: Script, text: str
-    ) -> tuple[Run, dict[str, float]]:
-        """Return the run and the values of its signals before the first tick."""
+    def _run_with(self, settings: RunSettings, script: Script, text: str) -> Run:
         controller = Controller(load_machine(settings.machine))
         names = [*controller.default_signals]
         names += [name for name in self._signals(script) if f"{name}.ACS.ACT_POS" not in names]
-        values = {**settings.values, **script.assignments}
-        start = values_before(controller, dict.fromkeys(names), values)
         options: RunKeywords = {
             **script.options,
-            "set": values,
+            "set": {**settings.values, **script.assignments},
             "at": script.stimuli,
             "until": settings.until,
             "plc": None if settings.plc is None else load_plc(settings.plc),
             "fmu": None if settings.fmu is None else fmu_of(settings.fmu),
-            "signals": list(start),
+            "signals": list(dict.fromkeys(names)),
             "why": session_coverage(self.config) is not None,
         }
-        run = controller.run(
+        return controller.run(
             NcText(self._shown(), text),
             channels={
                 number: [self.path.parent / program for program in programs]
@@ -101,7 +96,6 @@ class NcItem(pytest.Item):
             },
             **options,
         )
-        return run, start
 
     def _signals(self, script: Script) -> list[str]:
         return [

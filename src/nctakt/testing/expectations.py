@@ -15,6 +15,8 @@ several, separated by ``;``. An expectation behind a block is about its line.
     ; expect: M100                    a function; H7
     ; expect: message "done"          #MSG
     ; expect: X = 200.25 at 463ms     an axis, V.E.COUNT, PATH.SPEED …; within 0.1
+    ; expect: MAIN.eGate = E_Gate.Open at 2s    an item of an enumeration of the PLC; TRUE, FALSE
+    ; expect: MAIN.eGate = E_Gate.Open    a variable of the PLC; TRUE, FALSE, an item
     ; expect: error 22009             in this line; warning 20824
     ; expect: ended                   the program came to its end
 
@@ -67,10 +69,12 @@ _FUNCTION = re.compile(r"[MHT]\d+", re.IGNORECASE)
 _MESSAGE = re.compile(r'message\s+"(?P<text>.*)"', re.IGNORECASE)
 _ERROR = re.compile(r"(?P<severity>error|warning)\s+(?P<number>\d+)", re.IGNORECASE)
 _VALUE = re.compile(
-    r"(?P<name>[A-Z#][\w.#\[\]]*)\s*=\s*(?P<value>[+-]?[\d.]+(?:e[+-]?\d+)?)"
+    r"(?P<name>[A-Z#][\w.#\[\]]*)\s*=\s*"
+    r"(?:(?P<value>[+-]?[\d.]+(?:e[+-]?\d+)?)|(?P<item>[A-Z_][\w.]*))"
     rf"(?:\s+within\s+(?P<within>[\d.]+))?(?:\s+at\s+(?P<at>end|{_TIME}))?\s*$",
     re.IGNORECASE,
 )
+_TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 _CHANNEL = re.compile(r"channel\s+(?P<number>\d{1,3})\s+(?P<path>\S.*)", re.IGNORECASE)
 _FILE = re.compile(r"(?P<what>plc|machine)\s+(?P<path>\S.*)", re.IGNORECASE)
 _UNTIL = re.compile(rf"until\s+(?P<time>{_TIME})", re.IGNORECASE)
@@ -88,7 +92,8 @@ class Expectation:
     """An expected result: the ``line`` of its comment and its ``text`` as written.
 
     ``about``: the line that it is about, ``None``: any. ``at``: exactly these times, all of
-    them; ``count``: the expected number of events, ``None``: at least one.
+    them; ``item``: the item of an enumeration whose number is expected; ``count``: the expected
+    number of events, ``None``: at least one.
     """
 
     line: int
@@ -97,6 +102,7 @@ class Expectation:
     about: int | None
     name: str = ""
     number: float = 0.0
+    item: str = ""
     within: float = 0.0
     at: tuple[Time, ...] = ()
     before: Time | None = None
@@ -241,6 +247,7 @@ def _parts(text: str) -> list[str]:
 def _expectation(text: str, line: int, about: int | None) -> Expectation:
     value = _VALUE.fullmatch(text)
     if value is not None:
+        item = value["item"] or ""
         at_end = value["at"] is None or value["at"].lower() == "end"
         return Expectation(
             line,
@@ -248,7 +255,8 @@ def _expectation(text: str, line: int, about: int | None) -> Expectation:
             "value",
             None,
             value["name"],
-            float(value["value"]),
+            float(value["value"] or _TRUTH.get(item.upper(), 0.0)),
+            item="" if item.upper() in _TRUTH else item,
             within=float(value["within"] or TOLERANCE),
             at=() if at_end else (read_time(value["at"]),),
         )

@@ -8,7 +8,7 @@ assertion fails.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol, Unpack
@@ -88,7 +88,6 @@ def run_program(
     values = {**settings.values, **own_values}
     names = list(dict.fromkeys([*controller.default_signals, *(options.get("signals") or ())]))
     try:
-        start = values_before(controller, names, values)
         run = controller.run(
             source,
             **merged(
@@ -110,7 +109,7 @@ def run_program(
     if limit_fails and run.state == "limit":
         message = diagnostic(RUN_NOT_ENDED, time=str(Time(run.virtual_time_us)))
         raise Failure(message, *run.diagnostics)
-    return NcRun(run, start)
+    return NcRun(run)
 
 
 def _settings_beside(
@@ -121,16 +120,6 @@ def _settings_beside(
         settings = run_settings([named.base], FileAccess(), replace(named, plc=plc))
         return settings, None if settings.plc is None else load_plc(settings.plc)
     return run_settings([named.base], FileAccess(), replace(named, has_plc=True)), plc
-
-
-def values_before(
-    controller: Controller, names: Iterable[str], assignments: Mapping[str, float | str]
-) -> dict[str, float]:
-    """Return the signals' values before the first tick, including the assigned ones."""
-    return {
-        name: float(assignments[name]) if name in assignments else controller.signal(name)
-        for name in names
-    }
 
 
 @dataclass(frozen=True, slots=True)
@@ -242,9 +231,8 @@ class AxisTrace:
 class NcRun:
     """The queries of a test on a run; ``run`` is its complete result."""
 
-    def __init__(self, run: Run, start: Mapping[str, float]) -> None:
+    def __init__(self, run: Run) -> None:
         self.run = run
-        self._start = start
 
     def __repr__(self) -> str:
         return f"<run of {', '.join(self.run.programs)}: {self.ended!r}>"
@@ -343,7 +331,7 @@ class NcRun:
 
     def has_axis(self, name: str) -> bool:
         """Return whether it is the name of an axis."""
-        return f"{name}.ACS.ACT_POS" in self._start
+        return f"{name}.ACS.ACT_POS" in self.run.before
 
     def value_at(self, name: str, time: TimeLike) -> float:
         """Return the value of a signal at a time, as a realtime cycle reads it then.
@@ -354,13 +342,19 @@ class NcRun:
         __tracebackhide__ = True
         trace = self.run.trace
         assert trace is not None
-        if name not in self._start:
+        if name not in self.run.before:
             raise KeyError(f"{name} is not recorded: name it in signals")
         ticks = read_time(time).ticks(self.run.cycle_time_us)
         if ticks <= 0 or self.run.ticks == 0:
-            return self._start[name]
+            return self.run.before[name]
         last = self.run.first_tick + min(ticks, self.run.ticks) - 1
         return trace.at(last, name)
+
+    def labels(self, name: str) -> Mapping[int, str]:
+        """Return the names of an enumeration's items by their numbers, none for another signal."""
+        trace = self.run.trace
+        signals = () if trace is None else trace.signals
+        return dict(next((one.labels for one in signals if one.name == name), ()))
 
 
 def _line(event: Event) -> int | None:

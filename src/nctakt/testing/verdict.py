@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUN_NOT_ENDED
+from nctakt.messages.inputs import UNKNOWN_ITEM
 from nctakt.testing.expectations import Expectation
 from nctakt.testing.queries import NcRun, Occurrences
 from nctakt.trace.events import number_text
@@ -61,9 +62,26 @@ def _wrong(run: NcRun, expectation: Expectation) -> list[str]:
 
 def _wrong_value(run: NcRun, expectation: Expectation) -> list[str]:
     value = run.value_at(signal_of(run, expectation.name), _value_time(run, expectation))
-    if abs(value - expectation.number) <= expectation.within:
+    if abs(value - _expected_number(run, expectation)) <= expectation.within:
         return []
-    return [f"{expectation.name} = {number_text(value)}"]
+    shown = run.labels(expectation.name).get(int(value), number_text(value))
+    return [f"{expectation.name} = {shown}"]
+
+
+def _expected_number(run: NcRun, expectation: Expectation) -> float:
+    """Return the expected number, that of an item of an enumeration where it is one.
+
+    Raises ``Failure`` (902631) for an item that the signal's type does not have.
+    """
+    name, item = expectation.name, expectation.item.lower()
+    if not item:
+        return expectation.number
+    labels = run.labels(name)
+    for number, label in labels.items():
+        if item in (label.lower(), label.lower().rpartition(".")[2]):
+            return number
+    known = ", ".join(labels.values()) or NOTHING
+    raise Failure(diagnostic(UNKNOWN_ITEM, name=name, item=expectation.item, known=known))
 
 
 def _value_time(run: NcRun, expectation: Expectation) -> Time:
@@ -132,7 +150,7 @@ def _in_words_of_events(run: NcRun, expectation: Expectation) -> str:
     length_us = run.run.cycle_time_us
     if expectation.kind == "value":
         at = _value_time(run, expectation)
-        return f"{expectation.name} = {number_text(expectation.number)} at {at}"
+        return f"{expectation.name} = {expectation.item or number_text(expectation.number)} at {at}"
     words = {"function": expectation.name, "error": f"{expectation.number:.0f}"}
     subject = words.get(expectation.kind, f"{expectation.kind} {expectation.name}".strip())
     parts = [subject, *(_when(time, length_us) for time in expectation.at)]

@@ -41,11 +41,15 @@ PARQUET = ".parquet"
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """One recorded value per tick; ``integral``: its values are whole numbers."""
+    """One recorded value per tick; ``integral``: its values are whole numbers.
+
+    ``labels``: numbers and names of the items of an enumeration.
+    """
 
     name: str
     unit: str = ""
     integral: bool = False
+    labels: tuple[tuple[int, str], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -209,11 +209,11 @@ class _Project:
         steps: list[Step] = []
         for pou in reversed(self._blocks):
             if pou.kind is Kind.PROGRAM and pou.type is not None:
-                place = Location(Origin.DATA, self.layout.address(pou.instance), pou.type)
-                steps += exits_of(self, place, pou.type)
+                location = Location(Origin.DATA, self.layout.address(pou.instance), pou.type)
+                steps += exits_of(self, location, pou.type)
         for one in reversed(list(self._variables())):
-            place = Location(Origin.DATA, self.layout.address(one.offset), one.type)
-            steps += exits_of(self, place, one.type)
+            location = Location(Origin.DATA, self.layout.address(one.offset), one.type)
+            steps += exits_of(self, location, one.type)
         return _called_alone(steps, 0)
 
     def _tried(self, body: Initialisation, variable: Variable) -> list[Step]:

@@ -7,12 +7,12 @@ import numpy
 import pytest
 
 from nctakt.base.diagnostics import Span
+from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.alignment import Alignment, Curve, align
 from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.deviations import deviation_of
 from nctakt.comparison.log import LogColumn, Samples
 from nctakt.comparison.mapping import Pair, suggestion
-from nctakt.base.unit_factors import factor_between
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal
 

@@ -102,3 +102,18 @@ def test_wrong_entries_have_their_line(folder: Path, text: str, number: int) -> 
     (folder / "nctakt.toml").write_text(text, "utf-8")
     done = CliRunner().invoke(command, [str(folder / "Cell.plcproj")])
     assert f"nctakt.toml:2:1: error {number}" in done.output
+
+
+def test_lists_and_structures_of_a_library_begin_with_their_values(folder: Path) -> None:
+    """Initial values of its variables are checked and count, those of members as well (ST-403)."""
+    text = """VAR_GLOBAL nFirst : INT := 3 + 4; stFirst : ST_First; END_VAR
+        TYPE ST_First : STRUCT n : INT := 5; END_STRUCT END_TYPE
+        """
+    path = folder / "libraries" / "Vendor_Valves" / "valves.st"
+    path.write_text(VALVES + text, "utf-8")
+    body = "fb(bOpen := TRUE); n := nFirst; m := stFirst.n;"
+    declared = "PROGRAM MAIN\nVAR fb : FB_Valve; n, m : INT; END_VAR"
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, body), "utf-8")
+    plc = load_structured(folder / "Cell.plcproj")
+    assert not run(plc, 2).errors
+    assert (plc.read("MAIN.n"), plc.read("MAIN.m")) == (7, 5)

@@ -399,7 +399,6 @@ def test_a_value_that_a_variable_cannot_hold_is_refused(
 @pytest.mark.parametrize(
     "text",
     [
-        "PROGRAM MAIN TcUnit.RUN(); END_PROGRAM",
         "PROGRAM MAIN VAR a : AXIS_REF; h : MC_Home; END_VAR h(Axis := a); END_PROGRAM",
     ],
 )

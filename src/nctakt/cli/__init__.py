@@ -54,7 +54,8 @@ _GROUPS: Mapping[Text, Mapping[str, str]] = {
         "disassemble": "nctakt.cli.disassemble",
         "explain": "nctakt.cli.explain",
     },
-    Text("Test many times", "Vielfach testen"): {
+    Text("Test", "Testen"): {
+        "test": "nctakt.cli.test",
         "study": "nctakt.cli.study",
         "replay": "nctakt.cli.replay",
         "schedule": "nctakt.cli.schedule",

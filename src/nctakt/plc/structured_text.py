@@ -81,31 +81,31 @@ def load_structured(path: str | Path, axes: Mapping[str, str] | None = None) -> 
     ``axes``: names of axes by paths of variables of the type AXIS_REF, before those of the project
     file.
     """
-    programs, findings, named = _inspected(path)
+    programs, findings, named = inspected(path)
     if len(programs) > 1:
         names = ", ".join(one.name for one in programs)
         raise PlcError(diagnostic(SEVERAL_PLC_PROJECTS, file=str(path), names=names))
-    return _plc_of(programs[0], path, findings, {**named, **(axes or {})})
+    return plc_of(programs[0], path, findings, {**named, **(axes or {})})
 
 
 def load_projects(path: str | Path) -> AnyPlc:
     """Return the PLC of a file; of a system with several projects all of them together."""
-    programs, findings, axes = _inspected(path)
-    plcs = [_plc_of(one, path, () if i else findings, axes) for i, one in enumerate(programs)]
+    programs, findings, axes = inspected(path)
+    plcs = [plc_of(one, path, () if i else findings, axes) for i, one in enumerate(programs)]
     return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
 
 
-def _inspected(
-    path: str | Path,
+def inspected(
+    path: str | Path, *others: Path
 ) -> tuple[list[Program], Sequence[Diagnostic], Mapping[str, str]]:
     """Return the projects of a file, the warnings, and the axes that the project file names.
 
-    Raises ``PlcError`` with all mistakes.
+    ``others``: further files that make one project with it. Raises ``PlcError`` with all mistakes.
     """
     collector = Collector()
     project = find_project(Path(path), FileAccess())
     folders = () if project is None else project.libraries
-    programs = inspect_paths([Path(path)], _read, collector, folders=folders)
+    programs = inspect_paths([Path(path), *others], _read, collector, folders=folders)
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
     if errors:
         raise PlcError(*errors)
@@ -115,12 +115,13 @@ def _inspected(
     return programs, collector.diagnostics, axes
 
 
-def _plc_of(
+def plc_of(
     program: Program,
     path: str | Path,
     findings: Sequence[Diagnostic],
     axes: Mapping[str, str],
 ) -> StructuredPlc:
+    """Return the PLC of a checked program; raises ``PlcError`` for what does not run here."""
     if not any(task.programs for task in program.tasks):
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
     plc = StructuredPlc(program, findings, axes)
@@ -151,7 +152,7 @@ class StructuredPlc(RealtimePlc):
         findings: Sequence[Diagnostic],
         axes: Mapping[str, str] | None = None,
     ) -> None:
-        self._program = program
+        self.program = program
         #: The axes that variables of the type AXIS_REF mean, by their paths.
         self.axes = axes or {}
         self._findings = findings
@@ -180,7 +181,7 @@ class StructuredPlc(RealtimePlc):
         context.outside = self._outside(machine, interface)
         self._bind_axes(machine)
         tasks = PlcTask()
-        for task in sorted(self._program.tasks, key=_priority, reverse=True):
+        for task in sorted(self.program.tasks, key=_priority, reverse=True):
             bodies = [self.translated.bodies[pou.name.lower()] for pou in task.programs]
             limit = task.cycle_us * _STEPS_PER_US
             body = steps_in_order(bodies)
@@ -209,36 +210,36 @@ class StructuredPlc(RealtimePlc):
     @property
     def files(self) -> Sequence[str]:
         """The files that it was read from."""
-        return self._program.files
+        return self.program.files
 
     def span_of(self, start: int) -> Span | None:
         """Return where a statement stands, by its number in events."""
-        return _span(self._program, start)
+        return _span(self.program, start)
 
     def _bind_axes(self, machine: AssembledMachine) -> None:
         """Give each AXIS_REF its axis; raises ``PlcError`` for those without one (ST-742)."""
-        found, missing = bound_axes(self._program, machine.configuration, self.axes)
+        found, missing = bound_axes(self.program, machine.configuration, self.axes)
         if missing:
             raise PlcError(*missing)
         for one in found:
-            variable = find_variable(self._program, one.number_path)
+            variable = find_variable(self.program, one.number_path)
             if variable is not None:
                 self.context.poke(variable.address, self.check(one.number_path, one.number))
 
     def _task_info(self, task: Task) -> tuple[int, tuple[int, int]]:
         """Fill in what code reads of a task (ST-721); return its number and what it counts in."""
-        number = self._program.tasks.index(task) + 1
+        number = self.program.tasks.index(task) + 1
         path = f"TwinCAT_SystemInfoVarList._TaskInfo[{number}]"
         for name, value in (
             ("CycleTime", 10 * task.cycle_us),
             ("Priority", task.priority),
             ("TaskName", task.name),
         ):
-            variable = find_variable(self._program, f"{path}.{name}")
+            variable = find_variable(self.program, f"{path}.{name}")
             if variable is None:
                 return number, (0, 0)
             self.context.poke(variable.address, self.check(f"{path}.{name}", value))
-        counted = (find_variable(self._program, f"{path}.{name}") for name in _COUNTED)
+        counted = (find_variable(self.program, f"{path}.{name}") for name in _COUNTED)
         count, first = (0 if one is None else one.address for one in counted)
         return number, (count, first)
 
@@ -247,7 +248,7 @@ class StructuredPlc(RealtimePlc):
         pointers = []
         for (root, index), value in interface.pointers.items():
             suffix = "" if root in SINGLE_ROOTS else f"[{index}]"
-            pointer = find_variable(self._program, f"{root}{suffix}")
+            pointer = find_variable(self.program, f"{root}{suffix}")
             if pointer is not None:
                 pointers.append((pointer.address, value))
         axes = machine.configuration.axes
@@ -303,13 +304,13 @@ class StructuredPlc(RealtimePlc):
             words["depth"] = str(context.fault_a)
         else:
             words["values"] = self._values(context.fault_source)
-        return diagnostic(message, _span(self._program, context.fault_source), **words)
+        return diagnostic(message, _span(self.program, context.fault_source), **words)
 
     def _calls(self) -> str:
         context = self.context
         shown = []
         for source in context.trail[: context.trail_length : 2]:
-            span = _span(self._program, source)
+            span = _span(self.program, source)
             if span is not None:
                 shown.append(f"{span.file}:{span.line}")
         return "".join(f" < {one}" for one in shown[:-1])
@@ -319,17 +320,17 @@ class StructuredPlc(RealtimePlc):
 
         Elsewhere a name may mean a variable of an instance or of a call, which is not known here.
         """
-        span, owner = _span(self._program, start), self._owner(start)
+        span, owner = _span(self.program, start), self._owner(start)
         if span is None or not isinstance(owner, Pou) or owner.kind is not Kind.PROGRAM:
             return "-"
-        line = self._program.sources.line(span.file, span.line)
+        line = self.program.sources.line(span.file, span.line)
         found = dict(self._shown(owner, line))
         return ", ".join(f"{name} = {value}" for name, value in found.items()) or "-"
 
     def _owner(self, start: int) -> Callable | None:
         """Return whose text holds a position: the last one that begins before it."""
         called: list[Callable] = []
-        for pou in self._program.pous.values():
+        for pou in self.program.pous.values():
             called += (pou, *pou.methods.values())
             called += (
                 one for part in pou.properties.values() for one in (part.get, part.set) if one
@@ -340,7 +341,7 @@ class StructuredPlc(RealtimePlc):
     def _shown(self, program: Pou, line: str) -> Iterator[tuple[str, object]]:
         for name in _words(line):
             for path in (f"{program.name}.{name}", name):
-                variable = find_variable(self._program, path)
+                variable = find_variable(self.program, path)
                 if variable is not None and kind_of(variable.type) is not None:
                     yield name, self._value(variable)
                     break
@@ -349,15 +350,15 @@ class StructuredPlc(RealtimePlc):
 
     def knows(self, name: str) -> bool:
         """Return whether a name is the path of a variable."""
-        return find_variable(self._program, name) is not None
+        return find_variable(self.program, name) is not None
 
     def retained_paths(self) -> Iterator[str]:
         """Yield the paths of what is RETAIN or PERSISTENT."""
-        return retained_paths(self._program)
+        return retained_paths(self.program)
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; raises ``KeyError`` for an unknown one."""
-        variable = find_variable(self._program, name)
+        variable = find_variable(self.program, name)
         if variable is None:
             raise KeyError(name)
         return self._value(variable)
@@ -389,7 +390,7 @@ class StructuredPlc(RealtimePlc):
 
     def check(self, name: str, value: float | bool | str) -> bytes:
         """Return the bytes of a value; raises ``Failure`` where the variable cannot hold it."""
-        variable = find_variable(self._program, name)
+        variable = find_variable(self.program, name)
         if variable is None:
             raise KeyError(name)
         sought, kind = variable.type, kind_of(variable.type)
@@ -420,7 +421,7 @@ class StructuredPlc(RealtimePlc):
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from the next cycle on."""
         data = self.check(name, value)
-        variable, tasks = find_variable(self._program, name), self._tasks
+        variable, tasks = find_variable(self.program, name), self._tasks
         if variable is None or tasks is None or self._machine is None:
             return
         if self._machine.kernel.tick == self._first_tick:  # it has not run: no bound on how much
@@ -430,7 +431,7 @@ class StructuredPlc(RealtimePlc):
 
     def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""
-        variable = find_variable(self._program, name)
+        variable = find_variable(self.program, name)
         kind = None if variable is None else kind_of(variable.type)
         if variable is None or kind is None or self._tasks is None or self._machine is None:
             return None

@@ -8,7 +8,7 @@ needs it.
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
     from nctakt.testing.queries import NcRun, RunNc
+
+
+#: Files that may hold suites in Structured Text.
+_SUITE_SUFFIXES = (".plcproj", ".st", ".iecst", ".exp")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -58,7 +62,18 @@ def pytest_configure(config: pytest.Config) -> None:
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:
-    """Collect an NC file with at least one expectation in its comments, even a misspelt one."""
+    """Collect an NC file with at least one expectation in its comments, even a misspelt one.
+
+    Of Structured Text: files with suites.
+    """
+    if file_path.suffix.lower() in _SUITE_SUFFIXES:
+        from nctakt.plc.unit_tests import may_hold_suites  # noqa: PLC0415 - see above
+
+        if not may_hold_suites(file_path, file_path.read_bytes()):
+            return None
+        from nctakt.testing.suites import SuiteFile  # noqa: PLC0415 - see above
+
+        return SuiteFile.from_parent(parent, path=file_path)
     patterns = parent.config.getini("nctakt_files")
     if not any(file_path.match(pattern) for pattern in patterns):
         return None
@@ -79,6 +94,18 @@ def pytest_terminal_summary(
 
     for text in config.stash.get(REPORTED_MACHINES, {}):
         terminalreporter.write_line(f"nctakt: {text}")
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(
+    item: pytest.Item, call: pytest.CallInfo[None]
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Give the report of a suite's test its time on the machine, which JUnit has then, too."""
+    report = yield
+    seconds = getattr(item, "virtual_seconds", None)
+    if seconds is not None:
+        report.duration = seconds if call.when == "call" else 0.0
+    return report
 
 
 @pytest.hookimpl(wrapper=True)

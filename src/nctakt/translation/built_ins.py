@@ -15,6 +15,7 @@ from nctakt.kernel.st.axis_calls import (
     TaskNumber,
 )
 from nctakt.kernel.st.blocks_of_bytes import CompareBytes, FillBytes, MoveBytes
+from nctakt.kernel.st.calls import CallerSource
 from nctakt.kernel.st.kept import WholeAfter
 from nctakt.kernel.st.reals import (
     ExtremeReal,
@@ -326,6 +327,10 @@ def _task_number(body: BuiltIns, call: Call, operands: list[Expression]) -> Node
     return TaskNumber()
 
 
+def _called_from(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return CallerSource()
+
+
 def _open_interface(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
     return OpenInterface()
 
@@ -390,6 +395,7 @@ _BUILDERS: dict[str, Function[[BuiltIns, Call, list[Expression]], Node]] = {
     "__AXIS_LOOK": _look_at_axis,
     "__AXIS_MEASURE": _measure_axis,
     "__AXIS_POWER": _switch_axis(is_lock=False),
+    "__CALLED_FROM": _called_from,
     "__CNC_OPEN": _open_interface,
     "__ISVALIDREF": _is_valid_reference,
     "__QUERYINTERFACE": _query,

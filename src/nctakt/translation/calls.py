@@ -6,7 +6,7 @@ from __future__ import annotations
 from abc import abstractmethod
 
 from nctakt.kernel.st.calls import Call as CallNode
-from nctakt.kernel.st.calls import Callee, ResultPlace
+from nctakt.kernel.st.calls import Callee, NoteCaller, ResultPlace
 from nctakt.kernel.st.reals import RealOfWhole
 from nctakt.kernel.st.steps import CopyBytes, Step, steps_in_order
 from nctakt.kernel.st.texts import AssignString
@@ -33,6 +33,7 @@ from nctakt.st.types import (
     same_type,
 )
 from nctakt.st.vocabulary.elementary import DINT, PVOID, string
+from nctakt.st.vocabulary.libraries import TEST_LIBRARY
 from nctakt.translation.body import CannotRunError, block_of, is_standard, value_type
 from nctakt.translation.built_ins import BuiltIns
 from nctakt.translation.layout import is_real, is_unsigned, kind_of
@@ -62,6 +63,8 @@ class Calls(BuiltIns):
             instance = WholeConstant(self.layout.address(called.instance))
         shared = 0 if fills_instance else self.project.shared_bytes(called)
         arguments, outputs = self._arguments(call, called, fills_instance)
+        if _library_of(called) == TEST_LIBRARY != _library_of(self.called):
+            arguments = steps_in_order([arguments, NoteCaller(call.start)])
         return CallNode(callee, instance, shared, arguments, outputs, fills_instance, call.start)
 
     def callee(
@@ -274,6 +277,12 @@ class Calls(BuiltIns):
 
 
 _NO_POU = Pou("", "")
+
+
+def _library_of(called: Callable) -> str:
+    """Return the library that declares a function, a block or its method, "" for the project."""
+    owner = called.owner if isinstance(called, Method) else called
+    return owner.library if isinstance(owner, Pou) else ""
 
 
 def has_address(value: Expression) -> bool:

@@ -16,6 +16,7 @@ from nctakt.st.types import (
     InterfaceType,
     Kind,
     PointerType,
+    Pou,
     ReferenceType,
     Section,
     Storage,
@@ -105,6 +106,65 @@ def _retained_parts(path: str, sought: Type, *, is_kept: bool) -> Iterator[str]:
     elif is_kept and (isinstance(sought, StringType) or kind_of(sought) is not None):
         if not isinstance(sought, PointerType | ReferenceType | InterfaceType):
             yield path
+
+
+def instances_of(program: Program, base: Pou) -> Iterator[tuple[str, int, Pou]]:
+    """Yield path, address and type of each instance of a block and those derived from it."""
+    known: dict[int, bool] = {}
+    for group in program.lists:
+        prefix = f"{group.name}." if group.name else ""
+        for one in group.variables.values():
+            if one.storage is Storage.GLOBAL:
+                address = kinds.NULL_BYTES + one.offset
+                yield from _instances(f"{prefix}{one.name}", one.type, address, base, known)
+    for pou in program.pous.values():
+        if pou.kind is Kind.PROGRAM and pou.type is not None:
+            address = kinds.NULL_BYTES + pou.instance
+            yield from _instances(pou.name, pou.type, address, base, known)
+
+
+def _instances(
+    path: str, sought: Type, address: int, base: Pou, known: dict[int, bool]
+) -> Iterator[tuple[str, int, Pou]]:
+    if not _holds(sought, base, known):
+        return
+    if isinstance(sought, BlockType) and base in sought.pou.bases():
+        yield path, address, sought.pou
+    if isinstance(sought, ArrayType):
+        ranges = [range(low, high + 1) for low, high in sought.bounds]
+        for number, indices in enumerate(itertools.product(*ranges)):
+            element, at = sought.element, address + number * sought.element.size
+            name = f"{path}[{','.join(map(str, indices))}]"
+            yield from _instances(name, element, at, base, known)
+    for one in _parts(sought):
+        yield from _instances(f"{path}.{one.name}", one.type, address + one.offset, base, known)
+
+
+def _parts(sought: Type) -> list[Variable]:
+    """Return the variables that lie in an instance or a structure."""
+    if isinstance(sought, BlockType):
+        members = sought.pou.members.values()
+    elif isinstance(sought, StructType):
+        members = sought.members.values()
+    else:
+        return []
+    return [
+        one
+        for one in members
+        if one.section is not Section.IN_OUT and one.storage is not Storage.GLOBAL
+    ]
+
+
+def _holds(sought: Type, base: Pou, known: dict[int, bool]) -> bool:
+    """Return whether a type is that of an instance of a block, or has one within."""
+    if isinstance(sought, ArrayType):
+        return _holds(sought.element, base, known)
+    found = known.get(id(sought))
+    if found is None:
+        found = isinstance(sought, BlockType) and base in sought.pou.bases()
+        found = found or any(_holds(one.type, base, known) for one in _parts(sought))
+        known[id(sought)] = found
+    return found
 
 
 def _at_address(program: Program, address: str) -> PlacedVariable | None:

@@ -50,3 +50,10 @@ cdef class ResultPlace(Whole):
     cdef long long kept
     @cython.locals(frame=cython.longlong, address=cython.longlong, origin=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
+
+cdef class NoteCaller(Step):
+    cdef long long source
+    cdef int run(self, PlcContext context) noexcept nogil
+
+cdef class CallerSource(Whole):
+    cdef long long value(self, PlcContext context) noexcept nogil

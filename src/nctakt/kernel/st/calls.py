@@ -176,3 +176,21 @@ class ResultPlace(Whole):
         origin = context.checked(frame + self.offset, self.size)
         words.copy(context.memory, context.checked_target(address, self.size), origin, self.size)
         return address
+
+
+class NoteCaller(Step):
+    """Note where a function of the tests was called, once its arguments are there (ST-903)."""
+
+    def __init__(self, source: int) -> None:
+        self.source = source
+
+    def run(self, context: PlcContext) -> int:
+        context.caller = self.source
+        return kinds.GOES_ON
+
+
+class CallerSource(Whole):
+    """Where the latest function of the tests was called."""
+
+    def value(self, context: PlcContext) -> int:
+        return context.caller

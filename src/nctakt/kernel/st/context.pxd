@@ -19,6 +19,7 @@ cdef class PlcContext:
     cdef public long long instance
     cdef public long long passing
     cdef public long long depth
+    cdef public long long caller
     cdef public long long now
     cdef public long long steps
     cdef public long long max_steps

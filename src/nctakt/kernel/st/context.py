@@ -45,6 +45,7 @@ class PlcContext:
         self.instance = stack
         self.passing = stack
         self.depth = 0
+        self.caller = 0
         self.now = 0
         self.steps = 0
         self.max_steps = 1000000

@@ -63,6 +63,11 @@ DEFAULT_TASK, DEFAULT_PROGRAM, DEFAULT_CYCLE_US = "PlcTask", "MAIN", 10_000
 class ProjectChecker(StatementChecker):
     """Checks one project; it also evaluates constants for the resolver."""
 
+    def __init__(self, names: Names, resolver: Resolver, reporter: Reporter) -> None:
+        super().__init__(names, resolver, reporter)
+        #: Libraries that have been read, whose variables have not been checked yet.
+        self.libraries_read: list[tuple[Namespace, list[Declaration]]] = []
+
     # --- what the resolver asks -------------------------------------------------------------------
 
     def constant(self, node: Expression, scope: Scope) -> int | None:
@@ -265,9 +270,13 @@ class ProjectChecker(StatementChecker):
 
     def _finish_layout(self) -> None:
         checked = 0
-        while checked < len(self.resolver.library_pous):  # they may need further ones
-            self._library_pou(self.resolver.library_pous[checked])
-            checked += 1
+        while self.libraries_read or checked < len(self.resolver.library_pous):
+            # Each may need further ones.
+            if self.libraries_read:
+                self._initial_values(*self.libraries_read.pop())
+            else:
+                self._library_pou(self.resolver.library_pous[checked])
+                checked += 1
         for space in (self.names.project, *self.names.libraries.values()):
             for declared in space.declared.values():
                 if isinstance(declared.target, Type):
@@ -275,6 +284,26 @@ class ProjectChecker(StatementChecker):
                         declared.node, lambda kind=declared.target: self.resolver.layout(kind, None)
                     )
         self._guarded(None, self.resolver.lay_out_globals)
+
+    def _initial_values(self, space: Namespace, nodes: list[Declaration]) -> None:
+        """Check what variables of a library's lists and members of its structures begin with."""
+        for node in nodes:
+            if isinstance(node, GlobalListNode):
+                title = node.attributes.get("list", node.name)
+                variables = space.lists[title.lower()].variables
+                items = [item for block in node.blocks for item in block.variables]
+            elif isinstance(node, TypeDeclaration) and isinstance(node.type, StructNode):
+                target = space.declared[node.name.lower()].target
+                variables = target.members if isinstance(target, StructType) else {}
+                items = node.type.members
+            else:
+                continue
+            self.scope = Scope(space.library, variables, title=node.name)
+            for item in items:
+                variable = variables.get(item.name.lower())
+                is_begun = item.initial is not None or item.arguments
+                if is_begun and variable is not None and variable.start == item.start:
+                    self._variable(item, variable)
 
     def _library_pou(self, pou: Pou) -> None:
         """Check a POU of a library, whose bodies run as they are written."""
@@ -367,6 +396,7 @@ def check_project(
             nodes = library.declarations
         resolver.declare(space, nodes)
         resolver.declare_values(space)
+        checker.libraries_read.append((space, nodes))
 
     names.load = load
     resolver.declare(names.project, declarations)

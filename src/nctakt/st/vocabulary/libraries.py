@@ -41,6 +41,8 @@ _DECLARED = re.compile(r"(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
 _NATIVE = "{attribute 'native'} "
 #: The file of the bodies of blocks with pins of the interface's table.
 _BODIES = "CncBlocks"
+#: Text that a library has for each of several types: the types, the text.
+_REPEATED = re.compile(r"^// for each T in ([\w ]+):\n(.*?)^// end\n", re.DOTALL | re.MULTILINE)
 _BODY = re.compile(r"^BODY (\w+)\n(.*?)^END_BODY", re.DOTALL | re.MULTILINE)
 _HIGHEST_CHANNEL, _HIGHEST_AXIS = 31, 127
 #: Types that pins have and no source describes.
@@ -67,7 +69,12 @@ def text_of(name: str) -> str:
         return _interface()
     if name == CNC_AXES:
         return _blocks("MC_")
-    return (_FOLDER / f"{name}.st").read_text("utf-8")
+    return _REPEATED.sub(_each, (_FOLDER / f"{name}.st").read_text("utf-8"))
+
+
+def _each(match: re.Match[str]) -> str:
+    """Return text that stands once in a file, for each of the types that it names."""
+    return "".join(match[2].replace("{T}", name) for name in match[1].split())
 
 
 @cache

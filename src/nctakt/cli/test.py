@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt test``: expectations of NC files, suites in Structured Text, and Python tests.
+
+In: files and folders, which of their tests. Out: what pytest shows with the plugins of nctakt, a
+JUnit file if asked for, and the exit code as that of ``nctakt check``.
+"""
+
+from __future__ import annotations
+
+from importlib.metadata import entry_points
+from pathlib import Path
+
+import click
+
+from nctakt.base.diagnostics import Language, Text
+from nctakt.base.failure import Failure
+from nctakt.cli import EXIT_INTERNAL, EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
+from nctakt.cli.help import described, option
+from nctakt.cli.options import language_option
+from nctakt.cli.terminal import print_diagnostics
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile
+from nctakt.messages import diagnostic
+from nctakt.messages.unit_tests import NOTHING_TESTED, PYTEST_MISSING
+
+#: The plugins of nctakt, where the installation does not announce them.
+_PLUGINS = ("nctakt.testing.plugin", "nctakt.studies.fixture")
+#: Exit codes of pytest: all passed, failed, interrupted or not read, internal error, wrong usage.
+_CODES = {
+    0: EXIT_RAN,
+    1: EXIT_NC_ERROR,
+    2: EXIT_NC_ERROR,
+    3: EXIT_INTERNAL,
+    4: EXIT_USAGE,
+    5: EXIT_USAGE,
+}
+_NO_TESTS = 5
+
+
+@described(
+    "test",
+    summary=Text("Run tests of programs and of the PLC.", "Programme und SPS testen."),
+    text=Text(
+        "Run the tests of a project: expectations in NC files, suites of the PLC, Python tests.",
+        "Tests eines Projekts: Erwartungen in NC-Dateien, Suiten der SPS, Tests in Python.",
+    ),
+    codes=(
+        Text("all tests passed", "alle Tests bestanden"),
+        Text(
+            "a test failed, or a file has errors", "ein Test scheitert oder eine Datei hat Fehler"
+        ),
+    ),
+    notes=Text(
+        "It is pytest with the plugins of nctakt; further words after -- go to pytest. Times in "
+        "the JUnit file are those of the machine.",
+        "Es ist pytest mit den Plugins von nctakt; weitere Wörter nach -- gehen an pytest. Zeiten "
+        "in der JUnit-Datei sind die der Maschine.",
+    ),
+    examples=(
+        "nctakt test plc/",
+        'nctakt test -x -k "gate and not open"',
+        "nctakt test . --junit report.xml -- -n 2",
+    ),
+)
+@click.argument("paths", metavar="[FILE|FOLDER...]", nargs=-1)
+@option(
+    "-k",
+    "expression",
+    metavar="EXPRESSION",
+    text=Text(
+        "Only tests whose names match: 'gate and not open'.",
+        "Nur Tests, deren Namen passen: 'gate and not open'.",
+    ),
+)
+@option(
+    "-x",
+    "at_first",
+    is_flag=True,
+    text=Text("End at the first failure.", "Beim ersten Fehler enden."),
+)
+@option(
+    "--junit",
+    metavar="FILE",
+    group="files",
+    text=Text("Write the results as JUnit XML.", "Die Ergebnisse als JUnit-XML schreiben."),
+)
+@language_option("en")
+def command(
+    paths: tuple[str, ...],
+    expression: str | None,
+    at_first: bool,
+    junit: str | None,
+    language: Language,
+) -> int:
+    """Run tests."""
+    words = [*(["-k", expression] if expression else ()), *(["-x"] if at_first else ())]
+    try:
+        return _tested([*paths], words, junit, language)
+    except Failure as failure:
+        print_diagnostics(failure.diagnostics, language)
+        return EXIT_USAGE
+
+
+def _tested(paths: list[str], words: list[str], junit: str | None, language: Language) -> int:
+    """Run pytest; raises ``Failure`` without pytest, and for a file that cannot be written."""
+    try:
+        import pytest  # noqa: PLC0415 - only this command needs it
+    except ImportError as error:
+        raise Failure(diagnostic(PYTEST_MISSING)) from error
+    known = {one.name for one in entry_points(group="pytest11")}
+    plugins = [] if "nctakt" in known else [part for name in _PLUGINS for part in ("-p", name)]
+    # This process has imported what pytest would rewrite: no assert of nctakt is a test's.
+    plugins += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]
+    code = _NO_TESTS
+    if junit is None:
+        code = int(pytest.main([*plugins, *words, *paths]))
+    else:
+        access = FileAccess()
+        for path in filter(Path.is_file, map(Path, paths)):
+            access.note(path)
+
+        def write(report: Path) -> None:
+            nonlocal code
+            code = int(pytest.main([*plugins, *words, f"--junitxml={report}", *paths]))
+
+        with OutputFile(junit, "--junit", access) as output:
+            output.fill(write)
+    if code == _NO_TESTS:
+        named = [path for path in paths if Path(path).exists()]
+        found = diagnostic(NOTHING_TESTED, paths=", ".join(named) or ".")
+        print_diagnostics([found], language)
+    return _CODES.get(code, EXIT_INTERNAL)

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""Messages about suites of unit tests in Structured Text (ST-901 … ST-904)."""
+
+from __future__ import annotations
+
+from nctakt.messages.catalogue import error
+
+_NAME = ("name of the test", "Name des Tests")
+_SUITE = ("path of the suite", "Pfad der Suite")
+_TIME = ("time of the run", "Zeit des Laufs")
+
+TEST_UNFINISHED = error(
+    902540,
+    en="{name} in {suite} has not ended after {time}",
+    de="{name} in {suite} ist nach {time} nicht beendet",
+    remedy_en="Let each path through it come to TEST_FINISHED.",
+    remedy_de="Jeden Weg durch ihn zu TEST_FINISHED führen.",
+    name=_NAME,
+    suite=_SUITE,
+    time=_TIME,
+)
+NOTHING_TESTED = error(
+    902541,
+    en="no test in {paths}",
+    de="kein Test in {paths}",
+    remedy_en="Name files or folders with expectations, suites or Python tests.",
+    remedy_de="Dateien oder Ordner mit Erwartungen, Suiten oder Python-Tests nennen.",
+    paths=("the files and folders", "die Dateien und Ordner"),
+)
+OUTSIDE_OF_TESTS = error(
+    902542,
+    en="this does not belong to a test: none has been opened",
+    de="das gehört zu keinem Test: keiner ist eröffnet",
+    remedy_en="Call TEST before it, in a suite that TcUnit.RUN calls.",
+    remedy_de="Vorher TEST aufrufen, in einer Suite, die TcUnit.RUN aufruft.",
+)
+TEST_NAME_TWICE = error(
+    902543,
+    en="{suite} opens {name} twice in one cycle: what the second one asserts does not count",
+    de="{suite} eröffnet {name} zweimal in einem Zyklus: Prüfungen des zweiten zählen nicht",
+    remedy_en="Give each test of the suite a name of its own.",
+    remedy_de="Jedem Test der Suite einen eigenen Namen geben.",
+    name=_NAME,
+    suite=_SUITE,
+)
+UNKNOWN_TEST_FINISHED = error(
+    902544,
+    en="{name} is no test of the suite; the suites end here",
+    de="{name} ist kein Test der Suite; die Suiten enden hier",
+    remedy_en="Pass TEST_FINISHED_NAMED the name that TEST has.",
+    remedy_de="TEST_FINISHED_NAMED den Namen geben, den TEST hat.",
+    name=_NAME,
+)
+TOO_MANY_TESTS = error(
+    902545,
+    en="more suites or tests than one run holds: 1000 suites, 5000 tests",
+    de="mehr Suiten oder Tests, als ein Lauf fasst: 1000 Suiten, 5000 Tests",
+    remedy_en="Divide them among several projects.",
+    remedy_de="Auf mehrere Projekte verteilen.",
+)
+SUITE_NOT_CALLED = error(
+    902546,
+    en="no task calls {suite}",
+    de="keine Task ruft {suite} auf",
+    remedy_en="Call TcUnit.RUN() in each cycle of a program of a task.",
+    remedy_de="TcUnit.RUN() in jedem Zyklus eines Programms einer Task aufrufen.",
+    suite=_SUITE,
+)
+PYTEST_MISSING = error(
+    902547,
+    en="pytest, which runs the tests, is not installed",
+    de="pytest, das die Tests ausführt, ist nicht installiert",
+    remedy_en='Install it: .venv/bin/pip install ".[test]"',
+    remedy_de='Installieren: .venv/bin/pip install ".[test]"',
+)

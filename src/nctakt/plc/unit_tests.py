@@ -1,0 +1,335 @@
+# SPDX-License-Identifier: MIT
+"""Suites of unit tests in Structured Text, under the names of TcUnit (ST-901 … ST-904).
+
+In: a project or a file with suites. Out: its suites with the tests that their texts name, found
+without a run; and what has become of each test after a run in virtual time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+from pathlib import Path
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.lists.format.times import Time, TimeLike, read_time
+from nctakt.lists.machine.machine import Machine
+from nctakt.messages import diagnostic
+from nctakt.messages.unit_tests import (
+    OUTSIDE_OF_TESTS,
+    SUITE_NOT_CALLED,
+    TEST_NAME_TWICE,
+    TEST_UNFINISHED,
+    TOO_MANY_TESTS,
+    UNKNOWN_TEST_FINISHED,
+)
+from nctakt.plc.structured_text import StructuredPlc, inspected, plc_of
+from nctakt.run.controller import Controller, NcText
+from nctakt.st.check.project import DEFAULT_CYCLE_US, DEFAULT_TASK
+from nctakt.st.files.objects import TEXT_SUFFIXES
+from nctakt.st.program import Program, Task
+from nctakt.st.tree import Call
+from nctakt.st.types import Callable, Kind, Node, Pou
+from nctakt.st.vocabulary.libraries import TEST_LIBRARY
+from nctakt.translation.project import methods_of
+from nctakt.translation.variables import instances_of
+
+#: How long suites may take if nothing else is said, in s of the machine's time.
+DEFAULT_UNTIL = 600
+_SUITE, _RUNNERS, _OPENERS = "fb_testsuite", ("run", "run_in_sequence"), ("test", "test_ordered")
+_DISABLED = "disabled_"
+#: Ticks between two looks at whether the suites have ended.
+_TICKS_AT_ONCE = 200
+#: The library keeps what a run finds under this name.
+_RUN = "__TestRun"
+
+
+@dataclass(frozen=True, slots=True)
+class NamedTest:
+    """A test that the text of a suite names; ``line``: where it is opened."""
+
+    name: str
+    file: str
+    line: int
+
+
+@dataclass(slots=True, eq=False)
+class Suite:
+    """An instance of a suite by its path, with the tests that its text names.
+
+    ``has_others``: it may open tests whose names are known in a run only.
+    """
+
+    path: str
+    address: int
+    tests: dict[str, NamedTest] = field(default_factory=dict)
+    has_others: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class Outcome:
+    """What has become of a test; all is well if ``problems`` is empty.
+
+    ``problems``: what is wrong, as texts; ``duration_us``: from its begin to its end.
+    """
+
+    name: str
+    is_disabled: bool = False
+    problems: list[str] = field(default_factory=list)
+    duration_us: int = 0
+    asserts: int = 0
+
+
+@dataclass(slots=True, eq=False)
+class SuiteResults:
+    """The tests of a run by suite and name; ``problems`` of a suite concern all its tests."""
+
+    outcomes: dict[str, dict[str, Outcome]] = field(default_factory=dict)
+    problems: dict[str, list[str]] = field(default_factory=dict)
+
+
+def may_hold_suites(path: Path, data: bytes) -> bool:
+    """Return whether a file is one with suites, as far as its bytes show."""
+    lower = data.lower()
+    if path.suffix.lower() == ".plcproj":
+        return TEST_LIBRARY.lower().encode() in lower
+    return path.suffix.lower() in TEXT_SUFFIXES and _SUITE.encode() in lower
+
+
+def load_suites(path: Path, plc: Path | None = None) -> StructuredPlc:
+    """Return the PLC that runs the suites of a file; raises ``PlcError`` with its mistakes.
+
+    ``plc``: the project's own text, which belongs to a single file with suites; of its tasks none
+    runs then, but the programs of the file.
+    """
+    if path.suffix.lower() not in TEXT_SUFFIXES:
+        programs, findings, axes = inspected(path)
+        return plc_of(programs[0], path, findings, axes)
+    is_text = plc is not None and plc.suffix.lower() in TEXT_SUFFIXES
+    others = [plc] if plc is not None and is_text and plc.resolve() != path.resolve() else []
+    programs, findings, axes = inspected(path, *others)
+    _choose_tasks(programs[0], path)
+    return plc_of(programs[0], path, findings, axes)
+
+
+def _choose_tasks(program: Program, path: Path) -> None:
+    """Let the tasks run whose programs are in a file, else its programs that call the suites."""
+    own = [
+        pou
+        for pou in program.pous.values()
+        if pou.kind is Kind.PROGRAM and _file_of(program, pou) == path.as_posix()
+    ]
+    tasks = [task for task in program.tasks if any(pou in own for pou in task.programs)]
+    running = [pou for pou in own if any(_is_of(call, _RUNNERS) for call in _calls(pou))]
+    if any(pou in running for task in tasks for pou in task.programs):
+        program.tasks = tasks
+    elif running:
+        program.tasks = [Task(DEFAULT_TASK, DEFAULT_CYCLE_US, 0, running)]
+
+
+def _file_of(program: Program, called: Callable) -> str:
+    span = program.sources.span(called.start, called.start + 1)
+    return "" if span is None else span.file
+
+
+def suites_of(program: Program) -> list[Suite]:
+    """Return all suites of a checked program in the order of their paths' declarations."""
+    base = next((one for one in program.blocks if one.name.lower() == _SUITE and one.library), None)
+    if base is None:
+        return []
+    found = [
+        (Suite(path, address), pou)
+        for path, address, pou in instances_of(program, base)
+        if not pou.is_abstract
+    ]
+    known: dict[int, tuple[dict[str, NamedTest], bool]] = {}
+    helpers = _opens_elsewhere(program, base)
+    for suite, pou in found:
+        if id(pou) not in known:
+            known[id(pou)] = _tests_of(program, pou)
+        tests, has_others = known[id(pou)]
+        suite.tests = dict(tests)
+        suite.has_others = has_others or helpers
+    return [suite for suite, _ in found]
+
+
+def _tests_of(program: Program, pou: Pou) -> tuple[dict[str, NamedTest], bool]:
+    """Return the tests that a suite and its bases name, and whether others may come."""
+    tests: dict[str, NamedTest] = {}
+    has_others = False
+    for block in reversed([one for one in pou.bases() if not one.library]):
+        for called in (block, *methods_of(block)):
+            for call in _calls(called):
+                if not _is_of(call, _OPENERS):
+                    continue
+                value = call.bound[0][1].value if call.bound else None
+                span = program.sources.span(call.start, call.end)
+                if not isinstance(value, bytes) or span is None:
+                    has_others = True
+                    continue
+                name = value.decode("latin-1").strip(" ")
+                if name.lower().startswith(_DISABLED):
+                    name = name[len(_DISABLED) :]
+                tests.setdefault(name, NamedTest(name, span.file, span.line))
+    return tests, has_others
+
+
+def _opens_elsewhere(program: Program, base: Pou) -> bool:
+    """Return whether code outside of suites opens tests."""
+    return any(
+        _is_of(call, _OPENERS)
+        for pou in program.pous.values()
+        if pou.library != TEST_LIBRARY and base not in pou.bases()
+        for called in (pou, *methods_of(pou))
+        for call in _calls(called)
+    )
+
+
+def _is_of(call: Call, names: tuple[str, ...]) -> bool:
+    target = call.target
+    if not isinstance(target, Pou) or target.library != TEST_LIBRARY:
+        return False
+    return target.name.lower() in names
+
+
+def _calls(called: Callable) -> Iterator[Call]:
+    """Yield all calls in a body, in the order of the text."""
+    waiting: list[object] = list(reversed(called.body))
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, Call):
+            yield node
+        if isinstance(node, Node):
+            # What the checker has written into a call is in its arguments, too.
+            parts = [one.name for one in fields(node) if one.name not in ("bound", "operands")]
+            waiting += [getattr(node, name) for name in reversed(parts)]
+        elif isinstance(node, list):
+            waiting += reversed(node)
+
+
+class SuiteRun:
+    """A run of all suites of a project on a machine, in virtual time."""
+
+    def __init__(self, plc: StructuredPlc, machine: Machine, until: TimeLike | None = None) -> None:
+        self._plc = plc
+        self._until = read_time(DEFAULT_UNTIL if until is None else until)
+        self._controller = Controller(machine)
+        self._suites = {one.address: one for one in suites_of(plc.program)}
+        self._numbers: dict[int, Suite] = {}
+        self._fault: Diagnostic | None = None
+
+    def results(self) -> SuiteResults:
+        """Run until all suites have ended, the PLC stops, or the time is over."""
+        controller, plc = self._controller, self._plc
+        controller.start(NcText("no program", "M30\n"), plc=plc)
+        end = self._until.ticks(controller.cycle_time_us)
+        while controller.tick < end and not self._fault and not self._value("bIsFinished"):
+            step = controller.step(min(_TICKS_AT_ONCE, end - controller.tick))
+            if plc.context.fault:
+                self._fault = step.diagnostics[-1]
+        return self._read()
+
+    def _value(self, path: str) -> int:
+        return int(self._plc.read(f"{_RUN}.{path}"))
+
+    def _text(self, path: str) -> str:
+        return str(self._plc.read(f"{_RUN}.{path}"))
+
+    def _span(self, path: str) -> Span | None:
+        start = self._value(path)
+        return self._plc.span_of(start) if start else None
+
+    def _read(self) -> SuiteResults:
+        results = SuiteResults({suite.path: {} for suite in self._suites.values()})
+        general = self._general_problems()
+        for number in range(1, self._value("nSuites") + 1):
+            suite = self._suites.get(self._value(f"aSuites[{number}].pSuite"))
+            if suite is not None:
+                self._numbers[number] = suite
+                results.problems[suite.path] = [*general, *self._stray(f"aSuites[{number}].")]
+        for number in range(1, self._value("nTests") + 1):
+            suite = self._numbers.get(self._value(f"aTests[{number}].nSuite"))
+            if suite is not None:
+                outcome = self._outcome(f"aTests[{number}].", suite)
+                results.outcomes[suite.path][outcome.name] = outcome
+        if not self._value("nCycle"):
+            for suite in self._suites.values():
+                message = diagnostic(SUITE_NOT_CALLED, suite=suite.path)
+                results.problems[suite.path].append(self._rendered(message))
+        return results
+
+    def _general_problems(self) -> list[str]:
+        """Return what concerns the tests of all suites."""
+        found = self._stray("")
+        if self._value("nTooMany"):
+            span = self._span("nTooMany")
+            found.append(self._rendered(diagnostic(TOO_MANY_TESTS, span)))
+        return found
+
+    def _stray(self, prefix: str) -> list[str]:
+        span = self._span(f"{prefix}nStray")
+        return [] if span is None else [self._rendered(diagnostic(OUTSIDE_OF_TESTS, span))]
+
+    def _rendered(self, message: Diagnostic) -> str:
+        span = message.span
+        if span is None:
+            return message.render()
+        line = self._plc.program.sources.line(span.file, span.line)
+        return diagnostic(message.message, span, line, **message.values).render()
+
+    def _outcome(self, row: str, suite: Suite) -> Outcome:
+        outcome = Outcome(
+            self._text(f"{row}sName"),
+            bool(self._value(f"{row}bIsDisabled")),
+            asserts=self._value(f"{row}nAsserts"),
+        )
+        if self._value(f"{row}bHasFailed"):
+            outcome.problems.append(self._failure(row))
+        double = self._span(f"{row}nDouble")
+        if double is not None:
+            message = diagnostic(TEST_NAME_TWICE, double, name=outcome.name, suite=suite.path)
+            outcome.problems.append(self._rendered(message))
+        begin = self._value(f"{row}tBegan")
+        if self._value(f"{row}bIsFinished"):
+            outcome.duration_us = (self._value(f"{row}tFinished") - begin) // 1000
+        elif not outcome.is_disabled:
+            outcome.problems.append(self._unfinished(row, outcome.name, suite))
+        return outcome
+
+    def _failure(self, row: str) -> str:
+        """Return where and when an assertion failed, its message, what it expects, what was."""
+        failed = self._value(f"{row}nFailure")
+        span, nanoseconds = self._span(f"{row}nFailedFrom"), self._value(f"{row}tFailed")
+        time = Time(nanoseconds // 1000)
+        tick = nanoseconds // (1000 * self._controller.cycle_time_us)
+        where = "" if span is None else f"{span.file}:{span.line}: "
+        if not failed:
+            return f"{where}an assertion failed at {time}, tick {tick}"
+        message = self._text(f"aFailures[{failed}].sMessage")
+        line = "" if span is None else self._plc.program.sources.line(span.file, span.line)
+        return "\n".join(
+            (
+                f"{where}{message or line.strip()}",
+                f"    - {self._text(f'aFailures[{failed}].sExpected')}",
+                f"    + {self._text(f'aFailures[{failed}].sActual')} at {time}, tick {tick}",
+            )
+        )
+
+    def _unfinished(self, row: str, name: str, suite: Suite) -> str:
+        """Return why a test has not ended: a fault, an unknown name, the time."""
+        if self._fault is not None:
+            return self._rendered(self._fault)
+        unknown = self._span("nUnknown")
+        if unknown is not None:
+            text = self._text("sUnknown")
+            return self._rendered(diagnostic(UNKNOWN_TEST_FINISHED, unknown, name=text))
+        time = Time(self._controller.tick * self._controller.cycle_time_us)
+        span = self._span(f"{row}nSource")
+        message = diagnostic(TEST_UNFINISHED, span, name=name, suite=suite.path, time=time)
+        return self._rendered(message)
+
+
+def run_suites(plc: StructuredPlc, machine: Machine, until: TimeLike | None = None) -> SuiteResults:
+    """Run the suites of a PLC on a machine; raises ``Failure`` for what cannot begin."""
+    return SuiteRun(plc, machine, until).results()

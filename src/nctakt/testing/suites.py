@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""Suites in Structured Text as tests: each test of a suite is one test of pytest (ST-904).
+
+The suites of a file run together, once in a process, when the first of their tests is asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.lists.machine.machine import load_machine
+from nctakt.plc.structured_text import StructuredPlc
+from nctakt.plc.unit_tests import (
+    NamedTest,
+    Outcome,
+    Suite,
+    SuiteResults,
+    load_suites,
+    run_suites,
+    suites_of,
+)
+from nctakt.project.run_settings import Named, RunSettings
+from nctakt.testing.collecting import UnmetError
+from nctakt.testing.settings_under_test import settings_of_test
+
+#: The test of a suite for all tests whose names its text does not say.
+OTHER_TESTS = "tests with computed names"
+
+
+class SuiteFile(pytest.File):
+    """A file with suites: a project, or a text that is checked with the project's PLC."""
+
+    def collect(self) -> Iterator[pytest.Collector]:
+        """Yield the suites of the file; raises ``CollectError`` with all its mistakes."""
+        try:
+            self._plc, self._settings = self._load()
+        except Failure as failure:
+            raise self.CollectError(_text(failure)) from failure
+        self._found: SuiteResults | None = None
+        for suite in suites_of(self._plc.program):
+            yield SuiteNode.from_parent(self, name=suite.path, suite=suite)
+
+    def _load(self) -> tuple[StructuredPlc, RunSettings]:
+        settings = settings_of_test(self.config, self.path, Named(has_plc=True))
+        own = None if settings.project is None else settings.project.plc
+        return load_suites(self.path, own), settings
+
+    def results(self) -> SuiteResults:
+        """Return what has become of all tests; the first call runs them."""
+        if self._found is None:
+            machine = load_machine(self._settings.machine)
+            self._found = run_suites(self._plc, machine, self._settings.until)
+        return self._found
+
+
+class SuiteNode(pytest.Collector):
+    """An instance of a suite."""
+
+    def __init__(self, suite: Suite, **words: Any) -> None:
+        super().__init__(**words)
+        self.suite = suite
+
+    def collect(self) -> Iterator[pytest.Item]:
+        """Yield its tests in the order of the text."""
+        for test in self.suite.tests.values():
+            yield SuiteItem.from_parent(self, name=test.name, test=test)
+        if self.suite.has_others:
+            yield SuiteItem.from_parent(self, name=OTHER_TESTS, test=None)
+
+
+class SuiteItem(pytest.Item):
+    """One test of a suite; without ``test`` all those whose names the text does not say.
+
+    ``funcargs``: it has no fixtures; plugins such as pytest-lsp look for them in each item.
+    ``virtual_seconds``: how long the test takes on the machine, once it has run.
+    """
+
+    def __init__(self, test: NamedTest | None, **words: Any) -> None:
+        super().__init__(**words)
+        self.funcargs: dict[str, object] = {}
+        self.virtual_seconds = 0.0
+        self._test = test
+
+    @property
+    def _suite(self) -> Suite:
+        assert isinstance(self.parent, SuiteNode)
+        return self.parent.suite
+
+    def runtest(self) -> None:
+        """Look up what has become of the test; raises ``UnmetError`` with what is wrong."""
+        assert self.parent is not None and isinstance(self.parent.parent, SuiteFile)
+        try:
+            results = self.parent.parent.results()
+        except Failure as failure:
+            raise UnmetError(_text(failure)) from failure
+        outcomes = self._outcomes(results.outcomes.get(self._suite.path, {}))
+        self.virtual_seconds = sum(one.duration_us for one in outcomes) / 1e6
+        problems = [*results.problems.get(self._suite.path, [])]
+        problems += [problem for one in outcomes for problem in one.problems]
+        if problems:
+            root = f"{self.config.rootpath.as_posix()}/"
+            raise UnmetError("\n\n".join(problems).replace(root, ""))
+        if self._test is not None and not outcomes:
+            pytest.skip("the suite never opens this test")
+        if outcomes and all(one.is_disabled for one in outcomes):
+            pytest.skip("disabled")
+
+    def _outcomes(self, by_name: dict[str, Outcome]) -> list[Outcome]:
+        if self._test is None:
+            return [one for name, one in by_name.items() if name not in self._suite.tests]
+        return [by_name[self._test.name]] if self._test.name in by_name else []
+
+    def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
+        """Return what is wrong without a traceback."""
+        if isinstance(excinfo.value, UnmetError):
+            return str(excinfo.value)
+        return super().repr_failure(excinfo, style)
+
+    def reportinfo(self) -> tuple[Path, int | None, str]:
+        """Return the position and the name of the test."""
+        title = f"{self._suite.path}: {self.name}"
+        if self._test is None:
+            return self.path, None, title
+        return Path(self._test.file), self._test.line - 1, title
+
+
+def _text(failure: Failure) -> str:
+    return "\n".join(found.render() for found in failure.diagnostics)

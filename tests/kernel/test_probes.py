@@ -73,6 +73,27 @@ def test_a_condition_that_was_never_true_keeps_its_nearest_miss(condition: str) 
     assert kept.nearest_tick == 3
 
 
+def test_a_condition_that_was_never_false_keeps_its_nearest_sides() -> None:
+    """The same for the other side; what has been both keeps nothing."""
+    kept = reaction(rows_of("V.E.VALUE > 2", [9, 3, 4])[0]).condition
+    assert not kept.was_ever_false
+    assert (kept.nearest, kept.nearest_left, kept.nearest_tick) == (1.0, 3.0, 1)
+    assert reaction(rows_of("V.E.VALUE > 2", [9, 3, 1])[0]).condition.nearest == -1.0
+
+
+def test_a_combination_keeps_how_near_one_side_came_beside_the_other() -> None:
+    """As d / (d + 1); of ``||``, which is false where both are, beside the one that is false."""
+    kept = reaction(rows_of("V.E.VALUE < 2 && V.E.VALUE > 4", [1, 3, 5, 1.5])[0]).condition
+    assert not kept.was_ever_true
+    assert kept.beside_first == 2.5 / 3.5  # 1.5 < 2: 1.5 > 4 misses by 2.5
+    assert kept.beside_second == 3.0 / 4.0  # 5 > 4: 5 < 2 misses by 3
+    assert kept.nearest == 2.5 / 3.5
+    either = reaction(rows_of("V.E.VALUE < 2 || V.E.VALUE > 0", [1, 3, 5])[0]).condition
+    assert not either.was_ever_false
+    assert either.beside_first == 3.0 / 4.0  # 3 is not below 2: 3 > 0 is true by 3
+    assert either.beside_second > 1e300  # 3 > 0 is never false
+
+
 def test_a_branch_counts_its_firings() -> None:
     """Every run-through of the body counts; the first tick is kept."""
     controller, _ = rows_of("V.E.VALUE > 2", [1, 3, 3, 1, 3])

@@ -56,6 +56,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
         "nctakt study plan.toml --out results.parquet",
         "nctakt study plan.toml --out results.parquet --resume",
         "nctakt study report plan.toml results.parquet --report results.html",
+        "nctakt study plan.toml --cover --sample 2000 --corpus plan.corpus",
         'nctakt study part.nc --set V.E.LIMIT=5 --each-tick "V.E.STOP=1 for 20 ms" \\',
         '    --expect "Z.ACS.ACT_POS < 50 within 100 ms"',
     ),
@@ -154,8 +155,17 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     "--cover",
     is_flag=True,
     text=Text(
-        "Try inputs until every branch of a cycle has run.",
-        "Eingaben versuchen, bis jeder Zweig eines Zyklus gelaufen ist.",
+        "Look for inputs until every branch of a cycle has run.",
+        "Eingaben suchen, bis jeder Zweig eines Zyklus gelaufen ist.",
+    ),
+)
+@option(
+    "--corpus",
+    metavar="FILE",
+    group="files",
+    text=Text(
+        "With --cover: begin with the inputs of this file, and add those that were good.",
+        "Mit --cover: mit den Eingaben dieser Datei beginnen und die guten ergänzen.",
     ),
 )
 @option(
@@ -206,7 +216,7 @@ def _study(file: str, words: dict[str, Any]) -> int:
     finds = bool(study.plan.goals) and words["only"] is None
     if words["cover"] or finds:
         _check_rows(words, "--cover" if words["cover"] else "a plan with find")
-    _check_outputs(study, [file], {name: words[name] for name in ("out", "report")})
+    _check_outputs(study, [file], {name: words[name] for name in ("out", "report", "corpus")})
     _tell_unchanged(study, words)
     if words["cover"]:
         return _cover(study, words)
@@ -305,6 +315,8 @@ def _check_words(file: str, words: dict[str, Any]) -> None:
         raise click.UsageError("--resume needs --out, with the results to go on with")
     if words["upload"] and words["scheduler"] is None:
         raise click.UsageError("--upload needs --scheduler: this machine has the files")
+    if words["corpus"] is not None and not words["cover"]:
+        raise click.UsageError("--corpus needs --cover: it keeps the inputs that reach branches")
     if not _is_plan(file):
         return
     given = {"--each-tick": words["each_tick"], "--expect": words["expect"]}
@@ -364,14 +376,16 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
 
 def _cover(study: Study, words: dict[str, Any]) -> int:
     """Show which branches the points of a plan reach; exit code 1 if they miss any."""
-    from nctakt.results.coverage_text import CoverageText  # noqa: PLC0415 - as above
-    from nctakt.studies.cover import reach  # noqa: PLC0415
+    from nctakt.cli.study_cover import cover_lines  # noqa: PLC0415 - as above
+    from nctakt.messages import diagnostic  # noqa: PLC0415
+    from nctakt.messages.studies import IMPOSSIBLE_RUNS  # noqa: PLC0415
 
-    reached = reach(study.bench, words["sample"] or len(study))
-    click.echo(CoverageText(reached.coverage, words["language"]).table(), nl=False)
-    for file, line, number in reached.first:
-        command = study.command(number) or f"--only {number}"
-        click.echo(f"{file}:{line}: {command}")
+    reached = study.cover(words["sample"], words["corpus"])
+    for line in cover_lines(study, reached, words["record"], words["language"]):
+        click.echo(line)
+    if reached.failed:
+        found = diagnostic(IMPOSSIBLE_RUNS, count=reached.failed)
+        print_diagnostics([*reached.failure, found], words["language"])
     return EXIT_RAN if reached.is_whole else EXIT_NC_ERROR
 
 

@@ -257,3 +257,17 @@ RUN_WITHOUT_TRACE = error(
     remedy_en="Run with memory_trace=True, which is the default.",
     remedy_de="Mit memory_trace=True laufen lassen; das ist die Voreinstellung.",
 )
+INVALID_CORPUS = error(
+    902530,
+    en="this is not a line of a corpus of --cover",
+    de="das ist keine Zeile eines Korpus von --cover",
+    remedy_en="Delete the line, or name another file; --corpus writes each line as a JSON object.",
+    remedy_de="Die Zeile löschen oder eine andere Datei angeben; --corpus schreibt jede Zeile als "
+    "JSON-Objekt.",
+)
+IMPOSSIBLE_RUNS = warning(
+    902531,
+    en="so many of the runs were not possible: {count}; the first of them reported the above",
+    de="so viele der Läufe waren nicht möglich: {count}; der erste von ihnen meldete das Obige",
+    count=("the number of runs", "die Zahl der Läufe"),
+)

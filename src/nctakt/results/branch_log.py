@@ -35,6 +35,10 @@ CHANGES_KEPT = 1000
 SERIES_KEPT = 1000
 
 
+#: What the realtime part has for a distance before any.
+_NEVER = 1.7976931348623157e308
+
+
 class SeriesLog:
     """Begins of series, each with the tick after the previous series -> closed series."""
 
@@ -123,20 +127,41 @@ class ConditionLog:
         broken_off = fault_tick is not None and node.next_tick == fault_tick + 1
         false_ticks, true_ticks = self.truths.finish(node.next_tick - broken_off)
         nearest = None
-        if node.nearest_tick >= 0 and not node.was_ever_true:
-            nearest = Nearest(
-                node.nearest_tick, node.nearest_left, node.nearest_right, node.nearest
-            )
+        if node.nearest_tick >= 0:
+            distance = node.nearest
+            if isinstance(node, conditions.Combination):
+                distance = _left(node, to=not node.was_ever_true)
+            nearest = Nearest(node.nearest_tick, node.nearest_left, node.nearest_right, distance)
         return ConditionHistory(
             "" if expression is None else format_expression(expression),
             OPERATORS.get(type(node), ""),
             tuple(self._changes),
             self._left_out,
             self._was_true,
-            nearest,
+            None if node.was_ever_true else nearest,
             true_ticks,
             false_ticks,
+            None if node.was_ever_false else nearest,
         )
+
+
+def _left(node: conditions.Condition, *, to: bool) -> float:
+    """Return how much is left until a condition has been so; 0 if it was.
+
+    Of operands that have to be so together, it is less the nearer one of them came while the other
+    one was so: ``V.E.GO == 1 && X > 200`` is nearer the later ``V.E.GO`` is 1 before X is at 200.
+    """
+    if node.was_ever_true if to else node.was_ever_false:
+        return 0.0
+    if not isinstance(node, conditions.Combination):
+        return max(node.nearest / (node.nearest + 1.0), 1e-9) if node.nearest_tick >= 0 else 1.0
+    first, second = _left(node.first, to=to), _left(node.second, to=to)
+    if isinstance(node, conditions.Both) is not to:
+        return min(first, second)
+    return sum(
+        beside if beside < _NEVER else 1.0 + left
+        for beside, left in ((node.beside_first, first), (node.beside_second, second))
+    ) + min(node.nearest, 2.0)
 
 
 def _leaves(node: conditions.Condition) -> list[conditions.Condition]:

@@ -15,7 +15,7 @@ from typing import Literal, get_args
 
 from nctakt.base.dataclass import dataclass
 from nctakt.nc.check.branches import BranchWord
-from nctakt.results.histories import BranchHistory, ConditionHistory, CycleHistory
+from nctakt.results.histories import BranchHistory, ConditionHistory, CycleHistory, Nearest
 
 #: The state of a branch: ``ran`` its body ran; ``never false`` its body ran in each evaluation of a
 #: plain ``$IF`` or ``$ELSEIF``; ``never true`` its condition was always false; ``no rise`` its EDGE
@@ -32,7 +32,7 @@ _RAN = ("ran", "never false")
 
 @dataclass(frozen=True, slots=True)
 class NearestMiss:
-    """The compared values at which a condition came nearest to being true."""
+    """The compared values at which a condition came nearest to being true, or false."""
 
     left: float
     right: float
@@ -43,8 +43,9 @@ class NearestMiss:
 class ConditionCounts:
     """Ticks in which a condition, or an operand of its ``&&`` or ``||``, was true and false.
 
-    ``operator`` is that of its comparison, empty for a single value. ``nearest`` is ``None`` once
-    it was true, and if it was never evaluated.
+    ``operator`` is that of its comparison, empty for a single value. ``nearest`` to true is
+    ``None`` once it was true, ``nearest_to_false`` once it was false; both if it was never
+    evaluated.
     """
 
     text: str
@@ -52,14 +53,21 @@ class ConditionCounts:
     true: int
     false: int
     nearest: NearestMiss | None = None
+    nearest_to_false: NearestMiss | None = None
 
     def plus(self, other: ConditionCounts) -> ConditionCounts:
         """Return the sum of two runs."""
-        true = self.true + other.true
-        misses = [counts.nearest for counts in (self, other) if counts.nearest is not None]
-        nearest = None if true or not misses else min(misses, key=lambda counts: counts.distance)
+        true, false = self.true + other.true, self.false + other.false
         evaluated = self if self.true or self.false else other
-        return replace(evaluated, true=true, false=self.false + other.false, nearest=nearest)
+        return replace(
+            evaluated,
+            true=true,
+            false=false,
+            nearest=None if true else _nearer(self.nearest, other.nearest),
+            nearest_to_false=(
+                None if false else _nearer(self.nearest_to_false, other.nearest_to_false)
+            ),
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -242,13 +250,26 @@ def _branch(history: BranchHistory) -> BranchCounts:
 
 
 def _condition(history: ConditionHistory) -> ConditionCounts:
-    nearest = history.nearest
-    miss = None
-    if nearest is not None and not history.true_ticks:
-        miss = NearestMiss(nearest.left, nearest.right, nearest.distance)
     return ConditionCounts(
-        history.text, history.operator, history.true_ticks, history.false_ticks, miss
+        history.text,
+        history.operator,
+        history.true_ticks,
+        history.false_ticks,
+        None if history.true_ticks else _miss(history.nearest),
+        None if history.false_ticks else _miss(history.nearest_to_false),
     )
+
+
+def _miss(nearest: Nearest | None) -> NearestMiss | None:
+    if nearest is None:
+        return None
+    return NearestMiss(nearest.left, nearest.right, nearest.distance)
+
+
+def _nearer(one: NearestMiss | None, other: NearestMiss | None) -> NearestMiss | None:
+    """Return the one with less distance, the first of equals."""
+    misses = [miss for miss in (one, other) if miss is not None]
+    return min(misses, key=lambda miss: miss.distance, default=None)
 
 
 def _sums(

@@ -103,14 +103,18 @@ def _branch_in(read: Any) -> BranchCounts:
 
 
 def _condition_in(read: Any) -> ConditionCounts:
-    nearest = read["nearest"]
     return ConditionCounts(
         _text(read["text"]),
         _text(read["operator"]),
         _count(read["true"]),
         _count(read["false"]),
-        None if nearest is None else NearestMiss(*(float(nearest[key]) for key in _MISS)),
+        _miss_in(read["nearest"]),
+        _miss_in(read.get("nearest_to_false")),  # absent in files of earlier versions
     )
+
+
+def _miss_in(read: Any) -> NearestMiss | None:
+    return None if read is None else NearestMiss(*(float(read[key]) for key in _MISS))
 
 
 _MISS = ("left", "right", "distance")

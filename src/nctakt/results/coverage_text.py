@@ -16,6 +16,7 @@ from nctakt.results.coverage import (
     ConditionCounts,
     Coverage,
     CycleCounts,
+    NearestMiss,
 )
 from nctakt.results.histories import WITHOUT_VALUES
 from nctakt.trace.events import number_text
@@ -134,18 +135,20 @@ class CoverageText:
 
     def _state(self, state: BranchState, condition: ConditionCounts) -> str:
         text = self._get(_STATES[state])
-        nearest = self._nearest(condition)
-        return f"{text}, {nearest}" if state == "never true" and nearest else text
+        if state == "never false":
+            nearest = self._nearest(condition, condition.nearest_to_false)
+        else:
+            nearest = self._nearest(condition, condition.nearest) if state == "never true" else ""
+        return f"{text}, {nearest}" if nearest else text
 
     def _part(self, part: ConditionCounts) -> str:
         counts = f"{self._get(_COLUMNS[2])} {part.true}, {self._get(_COLUMNS[3])} {part.false}"
-        nearest = self._nearest(part)
+        nearest = self._nearest(part, part.nearest)
         text = f"{self._get(_PART, text=part.text)}: {counts}"
         return f"{text}, {nearest}" if nearest else text
 
-    def _nearest(self, condition: ConditionCounts) -> str:
-        """Return how near to true a condition came; empty for a combination of conditions."""
-        miss = condition.nearest
+    def _nearest(self, condition: ConditionCounts, miss: NearestMiss | None) -> str:
+        """Return how near to a change a condition came; empty for a combination of conditions."""
         if miss is None or condition.operator in WITHOUT_VALUES:
             return ""
         values = number_text(miss.left)

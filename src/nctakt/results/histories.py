@@ -89,9 +89,10 @@ class Change:
 
 @dataclass(frozen=True, slots=True)
 class Nearest:
-    """The first evaluation in which a condition that was never true came nearest to being true.
+    """The first evaluation in which a condition that never changed came nearest to changing.
 
-    ``distance`` is the difference of the compared values.
+    ``distance`` is the difference of the compared values. Of ``&&`` and ``||``, which have none, it
+    is a measure of what is left for their operands, by which runs can be compared.
     """
 
     tick: int
@@ -145,8 +146,8 @@ class ConditionHistory:
 
     ``operator`` is that of the comparison, ``&&`` or ``||``, empty for a single value, ``text`` for
     a comparison of texts. ``changes`` are its changes of truth, the newest ``CHANGES_KEPT``.
-    ``was_true``: its truth before the run, ``None`` without one. ``nearest``: ``None`` if it was
-    true once or never evaluated.
+    ``was_true``: its truth before the run, ``None`` without one. ``nearest`` to true: ``None`` if
+    it was true once or never evaluated; ``nearest_to_false``: ``None`` if it was false once.
     ``true_ticks`` and ``false_ticks`` count the evaluations of the whole run by their result; an
     evaluation that an error broke off has none.
     """
@@ -159,6 +160,7 @@ class ConditionHistory:
     nearest: Nearest | None = None
     true_ticks: int = 0
     false_ticks: int = 0
+    nearest_to_false: Nearest | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,30 +1,67 @@
 # SPDX-License-Identifier: MIT
-"""Which branches of realtime cycles no run of a study reaches, and which run reaches each first.
+"""Looks for runs of a study that reach the branches of realtime cycles, and says which do.
 
-In: a bench and how many runs it may take. Out: ``Reached``. The points of the plan are tried spread
-over its whole range, not one behind the other, until every branch has run.
+In: a bench, how many runs it may take, points that were good before. Out: ``Reached``. Points are
+spread over the whole range first; then each branch that has not run is approached from the run that
+came nearest to it, dimension by dimension, until its comparisons hold. The distances are those
+that the realtime part keeps anyway (``branch_distance.py``).
 """
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
 from nctakt.results.coverage import Coverage
 from nctakt.studies.bench import Bench
+from nctakt.studies.branch_distance import NOT_THERE, BranchDistance, BranchKey, distances
+from nctakt.studies.coordinates import Coordinates, PlanCoordinates
+from nctakt.studies.dimension import Value, chance
 from nctakt.studies.inputs import inputs_of
 
-#: The share of a plan between two points that are tried one after the other: the golden ratio.
-_SPREAD = 0.6180339887498949
+#: Runs that are spread before a branch is approached: at most so many, and this part of the budget.
+_FIRST_RUNS, _FIRST_PART = 16, 8
+
+#: Known points that an approach may ask for in a row before another one has its turn.
+_MAX_KNOWN = 64
+
+#: Between two steps of a dimension that are tried.
+_STEP_FACTOR = 8
+
+#: What came of a run: its distance to each branch.
+_Distances = dict[BranchKey, BranchDistance]
+
+#: Asks for coordinates, and gets the distance to its branch there.
+_Approach = Generator[Coordinates, BranchDistance, None]
+
+
+@dataclass(frozen=True, slots=True)
+class FirstRun:
+    """The run that reached a branch first: file and line, the values, its number if it has any."""
+
+    file: str
+    line: int
+    point: tuple[Value, ...]
+    number: int | None
 
 
 @dataclass(frozen=True, slots=True)
 class Reached:
-    """The sum of all runs, and for each branch (file, line) the run that reached it first."""
+    """The sum of all runs, for each branch the run that reached it first, and the best points.
+
+    ``best``: points for the next search: those that reached a branch or came nearest to one.
+    ``untried``: how many points of the plan are left. ``failed``: how many runs were not possible,
+    and what the first of them reported.
+    """
 
     coverage: Coverage
-    first: tuple[tuple[str, int, int], ...]
+    first: tuple[FirstRun, ...]
+    best: tuple[tuple[Value, ...], ...]
+    untried: int
+    failed: int = 0
+    failure: tuple[Diagnostic, ...] = ()
 
     @property
     def is_whole(self) -> bool:
@@ -32,29 +69,228 @@ class Reached:
         return self.coverage.ran == self.coverage.branches
 
 
-def spread(size: int) -> Iterator[int]:
-    """Yield each number below a size once, neighbours far from each other."""
-    step = max(1, round(size * _SPREAD))
-    while math.gcd(step, size) != 1:
-        step += 1
-    return (index * step % size for index in range(size))
+def reach(bench: Bench, budget: int, earlier: Sequence[Sequence[Value]] = ()) -> Reached:
+    """Make runs until every branch has run, at most so many; return what they reached.
 
-
-def reach(bench: Bench, budget: int) -> Reached:
-    """Make runs until every branch has run, at most so many; return what they reached."""
-    coverage = Coverage()
-    first: list[tuple[str, int, int]] = []
-    known: set[tuple[str, int]] = set()
-    for _, number in zip(range(budget), spread(bench.plan.size), strict=False):
-        inputs = inputs_of(bench.plan, bench.plan.point(number), bench.cycle_time_us)
-        run = bench.begin(inputs, why=True).finish().outcome.run
-        assert run.coverage is not None
-        coverage = coverage.plus(run.coverage)
-        for cycle in coverage.cycles:
-            for branch in cycle.branches:
-                if branch.bodies and (cycle.file, branch.line) not in known:
-                    known.add((cycle.file, branch.line))
-                    first.append((cycle.file, branch.line, number))
-        if coverage.ran == coverage.branches:
+    ``earlier``: points to begin with.
+    """
+    search = _Search(bench)
+    for coordinates in search.order(budget, earlier):
+        search.make(coordinates)
+        if search.coverage.ran == search.coverage.branches or search.runs == budget:
             break
-    return Reached(coverage, tuple(first))
+    return search.result()
+
+
+def covered(bench: Bench, point: Sequence[Value]) -> Coverage:
+    """Return the coverage of the run with these values; raises ``Failure`` for a wrong one."""
+    inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
+    coverage = bench.begin(inputs, why=True).finish().outcome.run.coverage
+    assert coverage is not None
+    return coverage
+
+
+class _Search:
+    """The runs so far, and the nearest one to each branch."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        self._space = PlanCoordinates(bench.plan)
+        self.coverage = Coverage()
+        self._known: dict[Coordinates, _Distances] = {}
+        self._nearest: dict[BranchKey, tuple[Coordinates, BranchDistance]] = {}
+        self._first: list[FirstRun] = []
+        self._failures: list[Failure] = []
+        self._good: list[Coordinates] = []
+        self._reached: set[BranchKey] = set()
+        self._turns: dict[BranchKey, _Turn] = {}
+        self._draws = 0
+
+    @property
+    def runs(self) -> int:
+        """The number of runs so far."""
+        return len(self._known)
+
+    def make(self, coordinates: Coordinates) -> None:
+        """Make the run with these coordinates."""
+        point = self._space.point(coordinates)
+        self._known[coordinates] = {}
+        try:
+            coverage = covered(self._bench, point)
+        except Failure as failure:
+            self._failures.append(failure)
+            return
+        self.coverage = self.coverage.plus(coverage)
+        lines = {
+            (cycle.file, cycle.line, index): branch.line
+            for cycle in coverage.cycles
+            for index, branch in enumerate(cycle.branches)
+        }
+        found = distances(coverage)
+        for key, distance in found.items():
+            known = self._nearest.get(key)
+            if known is None or distance.key < known[1].key:
+                self._nearest[key] = coordinates, distance
+            if not distance.levels and key not in self._reached:
+                self._reached.add(key)
+                self._good.append(coordinates)
+                number = self._space.number(coordinates)
+                self._first.append(FirstRun(key[0], lines[key], point, number))
+        self._known[coordinates] = found
+
+    def order(self, budget: int, earlier: Sequence[Sequence[Value]]) -> Iterator[Coordinates]:
+        """Yield the coordinates of the runs, each once, in the order in which they are made."""
+        first = [self._space.of_point(point) for point in earlier]
+        rest = [dimension.rest_value for dimension in self._bench.plan.dimensions]
+        for coordinates in (*first, self._space.of_point(rest)):
+            if coordinates is not None and coordinates not in self._known:
+                yield coordinates
+        spread = (one for one in self._space.spread() if one not in self._known)
+        for number, coordinates in enumerate(spread):
+            if number >= min(_FIRST_RUNS, budget // _FIRST_PART):
+                yield from self._approaches()
+            if coordinates not in self._known:
+                yield coordinates
+
+    def _approaches(self) -> Iterator[Coordinates]:
+        """Approach the branches in turn, until only known points are asked for."""
+        asked = True
+        while asked:
+            asked = False
+            for key in [key for key in self._nearest if key not in self._reached]:
+                turn = self._turns.setdefault(key, _Turn(self._approach(key)))
+                coordinates = turn.next_unknown(key, self._known)
+                if coordinates is not None:
+                    asked = True
+                    yield coordinates
+
+    # --- one branch -----------------------------------------------------------------------------
+
+    def _approach(self, key: BranchKey) -> _Approach:
+        """Go down from the nearest run, then again and again from one beside it or elsewhere."""
+        current = self._nearest[key]
+        while True:
+            gained = True
+            while gained:
+                gained = False
+                for axis in range(len(self._space.sizes)):
+                    better = yield from self._along(current, axis)
+                    if better is not None:
+                        current, gained = better, True
+            start = self._elsewhere(self._nearest[key][0])
+            current = start, (yield start)
+
+    def _along(
+        self, current: tuple[Coordinates, BranchDistance], axis: int
+    ) -> Generator[Coordinates, BranchDistance, tuple[Coordinates, BranchDistance] | None]:
+        """Return a better point along an axis; ``None`` if no step finds any."""
+        begin, size = current[0][axis], self._space.sizes[axis]
+        step = 1
+        while step < size:
+            for sign in (1, -1):
+                moved = begin + sign * step
+                if not 0 <= moved < size:
+                    continue
+                tried = _moved(current[0], axis, moved)
+                distance = yield tried
+                zero = _where_zero(begin, current[1], moved, distance)
+                if zero is not None and 0 <= zero < size and zero not in (begin, moved):
+                    jumped = _moved(current[0], axis, zero)
+                    closer = yield jumped
+                    if closer.key < min(current[1].key, distance.key):
+                        return jumped, closer
+                if distance.key < current[1].key:
+                    return (yield from self._onward((tried, distance), axis, sign * step))
+            step *= _STEP_FACTOR
+        return None
+
+    def _onward(
+        self, current: tuple[Coordinates, BranchDistance], axis: int, step: int
+    ) -> Generator[Coordinates, BranchDistance, tuple[Coordinates, BranchDistance]]:
+        """Go on with doubled steps as long as they make it better."""
+        while True:
+            step *= 2
+            moved = current[0][axis] + step
+            if not 0 <= moved < self._space.sizes[axis]:
+                return current
+            tried = _moved(current[0], axis, moved)
+            distance = yield tried
+            if not distance.key < current[1].key:
+                return current
+            current = tried, distance
+
+    def _elsewhere(self, nearest: Coordinates) -> Coordinates:
+        """Return in turn any point, the nearest one with one dimension changed, and a mixed one.
+
+        That takes each dimension from one of the points that reached a branch or came nearest.
+        """
+        self._draws += 1
+        sizes = self._space.sizes
+        drawn = tuple(self._draw(axis, size) for axis, size in enumerate(sizes))
+        if self._draws % 3 == 0:
+            return drawn
+        if self._draws % 3 == 1:
+            axis = self._draw(len(sizes), len(sizes))
+            return _moved(nearest, axis, drawn[axis])
+        good = [*self._good, *(coordinates for coordinates, _ in self._nearest.values())]
+        return tuple(
+            good[self._draw(len(sizes) + axis, len(good))][axis] for axis in range(len(sizes))
+        )
+
+    def _draw(self, what: int, size: int) -> int:
+        """Return a number below a size that belongs to this draw."""
+        return min(int(chance(what, self._draws) * size), size - 1)
+
+    def result(self) -> Reached:
+        """Return what the runs have reached."""
+        reached = [one.point for one in self._first]
+        left = [near for key, near in self._nearest.items() if key not in self._reached]
+        best = dict.fromkeys(
+            [*reached, *(self._space.point(coordinates) for coordinates, _ in left)]
+        )
+        failure = self._failures[0].diagnostics if self._failures else ()
+        return Reached(
+            self.coverage,
+            tuple(self._first),
+            tuple(best),
+            self._space.count - self.runs,
+            len(self._failures),
+            tuple(failure),
+        )
+
+
+class _Turn:
+    """An approach, and what it has asked for last."""
+
+    def __init__(self, approach: _Approach) -> None:
+        self._approach = approach
+        self._asked: Coordinates | None = None
+
+    def next_unknown(
+        self, key: BranchKey, known: dict[Coordinates, _Distances]
+    ) -> Coordinates | None:
+        """Return the next coordinates that no run has had; ``None`` after many known ones."""
+        for _ in range(_MAX_KNOWN):
+            if self._asked is None:
+                self._asked = next(self._approach)
+            else:
+                distance = known[self._asked].get(key, NOT_THERE)
+                self._asked = self._approach.send(distance)
+            if self._asked not in known:
+                return self._asked
+        return None
+
+
+def _moved(coordinates: Coordinates, axis: int, number: int) -> Coordinates:
+    return (*coordinates[:axis], number, *coordinates[axis + 1 :])
+
+
+def _where_zero(first: int, one: BranchDistance, second: int, other: BranchDistance) -> int | None:
+    """Return where the difference of a comparison would be 0 if it were a straight line."""
+    if one.levels != other.levels or one.difference is None or other.difference is None:
+        return None
+    change = other.difference - one.difference
+    if not change:
+        return None
+    zero = first - one.difference * (second - first) / change
+    return round(zero) if abs(zero) < 1e15 else None

@@ -13,6 +13,8 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.base.plain_values import plain_data
 from nctakt.studies.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
+from nctakt.studies.corpus import Corpus
+from nctakt.studies.cover import Reached, reach
 from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.effects import without_effect, without_shown_effect
@@ -263,6 +265,20 @@ class Study:
     def find(self) -> list[Answer]:
         """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``."""
         return [search(self.bench, goal) for goal in self.plan.goals]
+
+    def cover(self, budget: int | None = None, corpus: str | Path | None = None) -> Reached:
+        """Look for runs that reach every branch of the realtime cycles; return what they reached.
+
+        ``budget``: how many runs it may take, by default as many as the plan has. ``corpus``: a
+        file with points to begin with, to which those that were good are added. Raises ``Failure``
+        as ``run``, and for a file that is no corpus or cannot be written.
+        """
+        kept = None if corpus is None else Corpus(Path(corpus))
+        earlier = () if kept is None else kept.points(self.plan)
+        reached = reach(self.bench, len(self) if budget is None else budget, earlier)
+        if kept is not None:
+            kept.add(self.plan, reached.best)
+        return reached
 
     def shrink(self, number: int) -> Answer:
         """Return the smallest change from the unchanged run that breaks as a run does."""

@@ -6,6 +6,8 @@ from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.context cimport Context
 
+cdef class Combination
+
 cdef class Condition:
     cdef public long long probe
     cdef readonly int truth
@@ -13,6 +15,8 @@ cdef class Condition:
     cdef readonly double seen_left
     cdef readonly double seen_right
     cdef readonly bint was_ever_true
+    cdef readonly bint was_ever_false
+    cdef readonly double distance
     cdef readonly double nearest
     cdef readonly double nearest_left
     cdef readonly double nearest_right
@@ -24,6 +28,11 @@ cdef class Condition:
 cdef inline void note(
     Condition condition, Context context, int truth, double left, double right
 ) noexcept nogil
+cdef void note_combination(
+    Combination condition, Context context, int truth, double distance
+) noexcept nogil
+@cython.locals(distance=double)
+cdef double share(Condition condition) noexcept nogil
 cdef void record_change(
     Condition condition, Context context, int truth, double left, double right
 ) noexcept nogil
@@ -54,7 +63,12 @@ cdef class IsTextTrue(IsTrue):
 cdef class Combination(Condition):
     cdef readonly Condition first
     cdef readonly Condition second
+    cdef readonly double beside_first
+    cdef readonly double beside_second
     cdef void forget(self) noexcept nogil
+
+@cython.locals(first=double, second=double)
+cdef double far(Combination combination, bint first_holds, bint second_holds) noexcept nogil
 
 cdef class Both(Combination):
     @cython.locals(first=int, second=int, truth=int)

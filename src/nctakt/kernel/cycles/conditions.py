@@ -2,10 +2,13 @@
 """Conditions of ``$IF`` in realtime cycles, each with its probe (RC-202).
 
 A condition keeps its last truth and records a probe row (``record.py``) when its truth changes, and
-where asked for one when a series of evaluations in consecutive ticks begins. While it has never
-been true it keeps the nearest miss: the smallest distance between its two sides, and when that was.
+where asked for one when a series of evaluations in consecutive ticks begins. As long as it has only
+been false, or only true, it keeps the smallest distance between its two sides, and when that was.
 A condition that is no comparison compares its value with 0.5. ``&&`` and ``||`` combine conditions
-with probes of their own. What a fault leaves is not recorded.
+with probes of their own; their distance is how far they are from changing: the sum of those of the
+operands that all have to change, each as a share of 1, or the least one where one is enough. They
+also keep how near one operand came while the other one was as it has to be. What a fault leaves is
+not recorded.
 """
 
 from __future__ import annotations
@@ -22,6 +25,7 @@ class Condition:
     ``probe`` is its number in the probe rows; ``truth`` the last one, ``codes.UNKNOWN`` from its
     cycle's START on. ``next_tick`` is the tick behind its last evaluation, -1 before the first;
     ``seen_left`` and ``seen_right`` are the values that this evaluation compared.
+    ``distance``: left side less right side in that evaluation.
     """
 
     def __init__(self) -> None:
@@ -31,6 +35,8 @@ class Condition:
         self.seen_left = 0.0
         self.seen_right = 0.0
         self.was_ever_true = False
+        self.was_ever_false = False
+        self.distance = 0.0
         self.nearest = 1.7976931348623157e308
         self.nearest_left = 0.0
         self.nearest_right = 0.0
@@ -50,7 +56,7 @@ class Condition:
 
 
 def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
-    """Record a change of truth; while never true, keep the nearest miss.
+    """Record a change of truth; until it has been both, keep the nearest sides.
 
     Most evaluations are as the one in the tick before; they end here, in the caller's own code.
     """
@@ -60,8 +66,29 @@ def note(condition: Condition, context: Context, truth: int, left: float, right:
     condition.seen_left = left
     condition.seen_right = right
     distance = left - right
+    condition.distance = distance
     if distance < condition.nearest and distance > -condition.nearest:
         approach(condition, context, left, right)
+
+
+def note_combination(condition: Combination, context: Context, truth: int, distance: float) -> None:
+    """Record a change of truth of ``&&`` or ``||``, which has no sides, and its distance."""
+    if context.tick != condition.next_tick or truth != condition.truth:
+        record_change(condition, context, truth, truth, 0.5)
+    condition.next_tick = context.tick + 1
+    condition.seen_left = truth
+    condition.seen_right = 0.5
+    condition.distance = distance
+    if distance < condition.nearest:
+        approach(condition, context, distance, 0.0)
+
+
+def share(condition: Condition) -> float:
+    """Return the distance of a condition from changing as a share of 1, never 0."""
+    distance = condition.distance
+    if distance < 0.0:
+        distance = 0.0 - distance
+    return max(distance / (distance + 1.0), 1e-9)
 
 
 def record_change(
@@ -75,6 +102,9 @@ def record_change(
     condition.truth = truth
     if truth == codes.TRUE:
         condition.was_ever_true = True
+    else:
+        condition.was_ever_false = True
+    if condition.was_ever_true and condition.was_ever_false:
         condition.nearest = -1.0
     context.record.probe(condition.probe, truth, left, right)
 
@@ -152,17 +182,44 @@ class IsTextTrue(IsTrue):
 
 
 class Combination(Condition):
-    """Base of a combination of two conditions, both of which are evaluated (RC-501)."""
+    """Base of a combination of two conditions, both of which are evaluated (RC-501).
+
+    ``beside_first``: the least distance of the second operand while the first one alone was as
+    ``&&`` (true) or ``||`` (false) wants both of them; ``beside_second`` the reverse.
+    """
 
     def __init__(self, first: Condition, second: Condition) -> None:
         super().__init__()
         self.first = first
         self.second = second
+        self.beside_first = 1.7976931348623157e308
+        self.beside_second = 1.7976931348623157e308
 
     def forget(self) -> None:
         self.truth = codes.UNKNOWN
         self.first.forget()
         self.second.forget()
+
+
+def far(combination: Combination, first_holds: bool, second_holds: bool) -> float:
+    """Return how far a combination is from changing.
+
+    An operand *holds* where it is as ``&&`` (true) or ``||`` (false) wants both of them: if both
+    do, one of them is enough to change the combination, else each other one has to change.
+    """
+    if first_holds and second_holds:
+        return min(share(combination.first), share(combination.second))
+    first = 0.0
+    if not first_holds:
+        first = share(combination.first)
+        if second_holds and first < combination.beside_second:
+            combination.beside_second = first
+    second = 0.0
+    if not second_holds:
+        second = share(combination.second)
+        if first_holds and second < combination.beside_first:
+            combination.beside_first = second
+    return first + second
 
 
 class Both(Combination):
@@ -172,7 +229,7 @@ class Both(Combination):
         first = self.first.decide(context)
         second = self.second.decide(context)
         truth = 1 if first == codes.TRUE and second == codes.TRUE else 0
-        note(self, context, truth, truth, 0.5)
+        note_combination(self, context, truth, far(self, first == codes.TRUE, second == codes.TRUE))
         return truth
 
 
@@ -183,7 +240,7 @@ class Either(Combination):
         first = self.first.decide(context)
         second = self.second.decide(context)
         truth = 1 if codes.TRUE in (first, second) else 0
-        note(self, context, truth, truth, 0.5)
+        note_combination(self, context, truth, far(self, first != codes.TRUE, second != codes.TRUE))
         return truth
 
 

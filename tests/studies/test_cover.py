@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""``study --cover``: guided search for branches of realtime cycles, and its corpus."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.cli import main
+from nctakt.run.controller import NcText
+from nctakt.studies.branch_distance import distances
+from nctakt.studies.corpus import MAX_POINTS, Corpus
+from nctakt.studies.cover import covered
+from nctakt.studies.study import Study
+
+Captured = pytest.CaptureFixture[str]
+
+PLAN = """\
+program = "part.nc"
+[[vary]]
+variable = "V.E.COUNT_POS"
+from = 0
+to = 99999
+step = 1
+"""
+
+
+def program(cycle: str, blocks: str = "G04 X0.003") -> str:
+    """A program with a realtime cycle."""
+    return f"#RT CYCLE [ID=1 SCOPE=PROG]\n{cycle}\n#RT CYCLE END\n{blocks}\nM30\n"
+
+
+def on(condition: str) -> str:
+    """A branch with this condition."""
+    return f"$IF {condition}\nV.E.COUNT = 1\n$ENDIF"
+
+
+def study_of(text: str, *names: str, **entries: object) -> Study:
+    """A study of variables from 0 to 99,999."""
+    vary = [{"variable": name, "from": 0, "to": 99_999, "step": 1} for name in names]
+    return Study(program=NcText("part.nc", text), vary=[*vary, *entries.pop("vary", ())], **entries)
+
+
+@pytest.mark.parametrize(
+    ("cycle", "names", "budget"),
+    [
+        (on("V.E.COUNT_POS == 77777"), ["V.E.COUNT_POS"], 40),
+        (on("V.E.COUNT_POS == 4711 && V.E.COUNT_NEG == 815"),
+         ["V.E.COUNT_POS", "V.E.COUNT_NEG"], 80),
+        (on("V.E.COUNT_POS != 5").replace("$ENDIF", "$ELSE\nV.E.COUNT = 2\n$ENDIF"),
+         ["V.E.COUNT_POS"], 40),
+        (on("V.E.COUNT_POS < 700 || V.E.COUNT_POS > 700").replace(
+            "$ENDIF", "$ELSEIF V.E.COUNT_NEG == 31\nV.E.COUNT = 2\n$ENDIF"),
+         ["V.E.COUNT_POS", "V.E.COUNT_NEG"], 80),
+        (on("V.E.COUNT_POS == 30000").replace("V.E.COUNT = 1", on("V.E.COUNT_NEG == 9")),
+         ["V.E.COUNT_POS", "V.E.COUNT_NEG"], 80),
+        ("V.E.COUNT = 0\n" + on("V.E.COUNT_POS > 99000") + "\n"
+         + on("V.E.COUNT_NEG > 99000").replace("= 1", "+= 1") + "\n" + on("V.E.COUNT == 2"),
+         ["V.E.COUNT_POS", "V.E.COUNT_NEG"], 200),
+    ],
+    ids=["equal", "both", "else", "elseif", "nested", "flag"],
+)  # fmt: skip
+def test_guided_search_reaches_rare_branches(cycle: str, names: list[str], budget: int) -> None:
+    """One input in 100,000 or in 10^10: by the distances of the comparisons, not by luck."""
+    reached = study_of(program(cycle), *names).cover(budget)
+    assert reached.is_whole
+    assert len(reached.first) == reached.coverage.branches
+
+
+def test_a_pulse_is_moved_to_where_the_axis_is() -> None:
+    """A value of one tick, while X is between 15 and 15.2: the time of one beside the other."""
+    cycle = on("V.E.TRIGGER == 1 && V.RTA.ACS.ACT_POS.X > 15 && V.RTA.ACS.ACT_POS.X < 15.2")
+    pulse = {"time_of": "V.E.TRIGGER = 1", "for": "1 tick", "from": "0 s", "to": "20 s"}
+    study = study_of(program(cycle, "G01 X20 F6000"), vary=[pulse], method="random", count=1)
+    assert study.cover(100).is_whole
+
+
+def test_a_run_is_nearer_with_less_left() -> None:
+    """First by the branches around it, then by the sides of the comparison."""
+    cycle = on("V.E.COUNT_POS > 10").replace("V.E.COUNT = 1", on("V.E.COUNT_POS == 40"))
+    bench = study_of(program(cycle), "V.E.COUNT_POS").bench
+    inner = [[*distances(covered(bench, [value])).values()][1] for value in (0, 9, 12, 39, 40)]
+    assert [one.levels for one in inner] == [2, 2, 1, 1, 0]
+    assert inner == sorted(inner, key=lambda one: one.key, reverse=True)
+
+
+def test_what_was_found_is_kept_and_grows(tmp_path: Path, capsys: Captured) -> None:
+    """The next call begins with it: one run is enough; a changed program adds to it."""
+    plan, corpus = tmp_path / "plan.toml", tmp_path / "plan.corpus"
+    plan.write_text(PLAN)
+    part = tmp_path / "part.nc"
+    part.write_text(program(on("V.E.COUNT_POS == 77777")))
+    words = ["study", str(plan), "--cover", "--corpus", str(corpus), "--sample"]
+    assert main([*words, "300"]) == 0
+    assert '{"V.E.COUNT_POS": 77777}' in corpus.read_text()
+    assert main([*words, "1"]) == 0
+    assert f"{part}:2: nctakt run {part} --set V.E.COUNT_POS=77777" in capsys.readouterr().out
+    part.write_text(program(on("V.E.COUNT_POS == 77777") + "\n" + on("V.E.COUNT_POS == 123")))
+    assert main([*words, "300"]) == 0
+    assert main([*words, "2"]) == 0
+    assert corpus.read_text().splitlines()[:2] == [
+        '{"V.E.COUNT_POS": 77777}', '{"V.E.COUNT_POS": 123}',
+    ]  # fmt: skip
+
+
+def test_points_of_other_plans_stay(tmp_path: Path) -> None:
+    """A corpus serves several plans; values that a plan no longer has are passed over."""
+    corpus = tmp_path / "corpus"
+    corpus.write_text('{"V.E.OTHER": 1}\n\n{"V.E.COUNT_POS": 1e9}\n{"V.E.COUNT_POS": "never"}\n')
+    study = study_of(program(on("V.E.COUNT_POS == 3")), "V.E.COUNT_POS")
+    assert study.cover(200, corpus).is_whole
+    kept = Corpus(corpus)
+    assert kept.points(study.plan)[0] == (3,)
+    assert '{"V.E.OTHER": 1}' in corpus.read_text()
+    kept.add(study.plan, [(number,) for number in range(MAX_POINTS + 5)])
+    assert len(Corpus(corpus).points(study.plan)) == MAX_POINTS
+
+
+def test_each_wrong_line_of_a_corpus_is_reported(tmp_path: Path) -> None:
+    """902530 with line and caret; the file stays as it is."""
+    corpus = tmp_path / "corpus"
+    corpus.write_text('{"V.E.COUNT_POS": 1}\n{"V.E.COUNT_POS": true}\n[1]\n{"V.E\n')
+    study = study_of(program(on("V.E.COUNT_POS == 3")), "V.E.COUNT_POS")
+    with pytest.raises(Failure) as raised:
+        study.cover(5, corpus)
+    spans = [found.span for found in raised.value.diagnostics if found.id == 902530]
+    assert [span.line for span in spans if span is not None] == [2, 3, 4]
+
+
+def test_runs_that_are_not_possible_end_no_search(tmp_path: Path, capsys: Captured) -> None:
+    """A text for a number, behind the fifty values that are checked before any run (902531)."""
+    plan = tmp_path / "plan.toml"
+    plan.write_text(
+        f'program = "part.nc"\n[[vary]]\nvariable = "V.E.COUNT_POS"\n'
+        f"values = {[*range(50), 'many']}\n"
+    )
+    (tmp_path / "part.nc").write_text(program(on("V.E.COUNT_POS == 99")))
+    assert main(["study", str(plan), "--cover"]) == 1
+    shown = capsys.readouterr()
+    assert "902531" in shown.err
+    assert "all 51 points" in shown.out
+
+
+def test_a_corpus_without_a_search_is_refused(tmp_path: Path, capsys: Captured) -> None:
+    """It would have no effect."""
+    (tmp_path / "plan.toml").write_text(PLAN)
+    assert main(["study", str(tmp_path / "plan.toml"), "--corpus", "x"]) == 2
+    assert "--corpus" in capsys.readouterr().err

@@ -12,7 +12,7 @@ import sys
 import tomllib
 from array import array
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from itertools import takewhile
 from pathlib import Path
 
@@ -246,6 +246,40 @@ def test_the_index_leads_to_each_document() -> None:
         if index.name and link not in text_of(f"{index.as_posix()}/index.md"):
             missing.append(name)
     assert missing == []
+
+
+def navigation() -> dict[str, list[str]]:
+    """The groups of the site, each with the lines of its entries; those of pages end in ``.md``."""
+    groups: dict[str, list[str]] = {}
+    for line in text_of("mkdocs.yml").partition("\nnav:\n")[2].splitlines():
+        if line.startswith("  - ") and line.endswith(":"):
+            entries = groups.setdefault(line.strip("- :"), [])
+        elif line.startswith("      "):
+            entries.append(line)
+    return groups
+
+
+def pages(entries: Iterable[str]) -> list[str]:
+    """The pages in the lines of a group."""
+    return [line.split()[-1] for line in entries if line.endswith(".md")]
+
+
+def test_the_site_has_five_groups_of_at_most_eight_entries() -> None:
+    """Each page of docs is in one of them; what is built from the code is beside them."""
+    groups = navigation()
+    assert list(groups) == ["Start", "Test", "Look", "Connect", "Look up"]
+    for entries in groups.values():
+        assert sum(line.startswith("      - ") for line in entries) <= 8
+    named = [page for entries in groups.values() for page in pages(entries) if "/" not in page]
+    assert sorted([*named, "index.md"]) == sorted(one.name for one in (ROOT / "docs").glob("*.md"))
+
+
+def test_guides_are_short() -> None:
+    """At most 900 words beside what commands print; what is looked up may be longer."""
+    groups = [entries for title, entries in navigation().items() if title != "Look up"]
+    guides = [page for entries in groups for page in pages(entries)]
+    words = {one: len(_FENCE.sub("", text_of(f"docs/{one}")).split()) for one in guides}
+    assert {one: count for one, count in words.items() if count > 900} == {}
 
 
 @functools.cache

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""docs/checking.md: what it shows is what the command does."""
+"""docs/checking.md, findings.md and ci.md: what they show is what the command does."""
 
 from __future__ import annotations
 
@@ -14,8 +14,10 @@ from nctakt.cli import main
 from nctakt.messages import lints
 from nctakt.messages.catalogue import messages_of
 
-DOCUMENT = Path(__file__).parents[2] / "docs" / "checking.md"
-TEXT = DOCUMENT.read_text("utf-8")
+DOCUMENTS = Path(__file__).parents[2] / "docs"
+TEXT = "".join(
+    (DOCUMENTS / name).read_text("utf-8") for name in ("checking.md", "findings.md", "ci.md")
+)
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 

@@ -28,7 +28,7 @@ def accesses() -> list[tuple[str, str, str, str, int]]:
 
 def documented() -> str:
     """The table of what is refused, in the documentation."""
-    text = (ROOT / "docs" / "ads.md").read_text("utf-8")
+    text = (ROOT / "docs" / "ads-objects.md").read_text("utf-8")
     return text.partition("| refused with 0x703 | why |")[2].partition("\n\n")[0]
 
 
@@ -61,7 +61,7 @@ async def listed(found: Bench) -> dict[str, tuple[int, int, int, bool]]:
 
 
 def test_each_access_has_its_length_or_is_refused_by_name() -> None:
-    """Reads and writes with zeros; what is refused stands with its reason in docs/ads.md."""
+    """Reads and writes with zeros; what is refused stands with its reason in docs/ads-objects.md."""
     names = {(row.class_, row.number): row for row in object_rows()}
     classes = {
         0x120100: ("platform", ""),

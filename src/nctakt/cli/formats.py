@@ -2,7 +2,7 @@
 """The findings of a check as text for a reader, and in the formats of other tools.
 
 In: ``CheckResult``, language, the folder that paths are relative to. Out: text with a newline at
-its end. JSON is nctakt's own (docs/checking.md), ``github`` are the workflow commands of GitHub
+its end. JSON is nctakt's own (docs/ci.md), ``github`` are the workflow commands of GitHub
 Actions. SARIF is in ``sarif.py``.
 """
 

@@ -31,13 +31,13 @@ from nctakt.messages.editor import EDITOR_LIBRARY_MISSING
     codes=(Text("ended", "beendet"), None),
     notes=Text(
         "Editors start it by themselves and speak with it over its standard streams; "
-        "docs/editor.md has the few lines that each needs. --tcp waits for one editor at an "
+        "docs/editor-setup.md has the few lines that each needs. --tcp waits for one editor at an "
         "address instead, which gives the token that is printed, and kept in a file of this user. "
         "Ctrl-C and SIGTERM end it.",
-        "Editoren starten es selbst und sprechen über seine Standardströme mit ihm; docs/editor.md "
-        "enthält die wenigen Zeilen, die jeder braucht. --tcp wartet stattdessen an einer Adresse "
-        "auf einen Editor, der das Token angibt, das ausgegeben wird und in einer Datei dieses "
-        "Benutzers liegt. Strg-C und SIGTERM beenden es.",
+        "Editoren starten es selbst und sprechen über seine Standardströme mit ihm; "
+        "docs/editor-setup.md enthält die wenigen Zeilen, die jeder braucht. --tcp wartet "
+        "stattdessen an einer Adresse auf einen Editor, der das Token angibt, das ausgegeben "
+        "wird und in einer Datei dieses Benutzers liegt. Strg-C und SIGTERM beenden es.",
     ),
     examples=("nctakt lsp", "nctakt lsp --tcp 2087 --lang de"),
 )

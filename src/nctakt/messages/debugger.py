@@ -41,8 +41,8 @@ WRONG_ARGUMENT = error(
     901224,
     en="{name} must be {expected}",
     de="{name} muss {expected} sein",
-    remedy_en="docs/debugger.md explains the settings of a launch configuration.",
-    remedy_de="docs/debugger.md erklärt die Einstellungen einer Startkonfiguration.",
+    remedy_en="docs/debugger-setup.md explains the settings of a launch configuration.",
+    remedy_de="docs/debugger-setup.md erklärt die Einstellungen einer Startkonfiguration.",
     name=("the argument", "das Argument"),
 )
 NOT_LAUNCHED = error(

@@ -19,8 +19,8 @@ TOKEN_NEEDED = error(
     901921,
     en="{request} at a port needs the token of the command that listens there",
     de="{request} an einem Port braucht das Token des Kommandos, das dort lauscht",
-    remedy_en="Give it as docs/debugger.md and docs/editor.md tell; the command has printed it.",
-    remedy_de="Es angeben wie in docs/debugger.md und docs/editor.md; das Kommando zeigt es an.",
+    remedy_en="Give what the command has printed: docs/debugger-setup.md, docs/editor-setup.md.",
+    remedy_de="Angeben, was das Kommando zeigt: docs/debugger-setup.md, docs/editor-setup.md.",
     request=("the request", "die Anfrage"),
 )
 WRONG_TOKEN = error(

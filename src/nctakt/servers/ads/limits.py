@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The limits of the ADS server, each with its number; docs/ads.md lists them."""
+"""The limits of the ADS server, each with its number; docs/ads-objects.md lists them."""
 
 from __future__ import annotations
 

@@ -476,10 +476,10 @@ def test_a_pause_between_two_searches_ends_what_goes_back(
             interrupt(session)
             goes_on.set()
 
-        def not_due(*_words: Any) -> list[Any]:
+        def not_due(*_words: Any) -> tuple[None, list[Any]]:
             found.set()
             assert goes_on.wait(20.0)
-            return []
+            return None, []
 
         monkeypatch.setattr(Session, "interrupt", noted)
         monkeypatch.setattr(Debuggee, "_due_here", not_due)

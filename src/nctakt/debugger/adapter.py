@@ -22,11 +22,13 @@ from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.breakpoints import MODES, Breakpoints
 from nctakt.debugger.debuggee import Abilities, Debuggee
 from nctakt.debugger.exceptions import ExceptionFilters, filters
+from nctakt.debugger.jumps import search_block, start_block
 from nctakt.debugger.launch import Configuration, read_configuration
 from nctakt.debugger.relay import Relay, Relayed
 from nctakt.debugger.requests import Requests
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import (
+    GOTO_NEEDS_LAUNCH,
     NOT_LAUNCHED,
     PROGRAM_WITH_ERRORS,
     REQUEST_CANCELLED,
@@ -63,6 +65,9 @@ _CAPABILITIES = (
     "supportsBreakpointLocationsRequest",
     "supportsClipboardContext",
     "supportsSteppingGranularity",
+    "supportsRestartFrame",
+    "supportsDisassembleRequest",
+    "supportsGotoTargetsRequest",
 )
 
 
@@ -116,6 +121,8 @@ class Adapter:
             "launch": self._launch,
             "attach": self._attach,
             "restart": self._restart,
+            "gotoTargets": self._goto_targets,
+            "goto": self._goto,
             "configurationDone": self._configuration_done,
             "terminate": self._terminate,
             "disconnect": self._disconnect,
@@ -270,6 +277,8 @@ class Adapter:
             return
         if command in ("launch", "attach"):
             self.tell("initialized", {})
+        if command == "goto":
+            debuggee.tell_travel("goto", 1)
         if command == "configurationDone" or (command == "restart" and self._is_configured):
             self._begin(debuggee)
         requests.follow()
@@ -417,6 +426,29 @@ class Adapter:
         except Failure:
             self.tell("terminated", {})
             raise
+        return {}
+
+    def _goto_targets(self, arguments: Arguments) -> dict[str, Any]:
+        """Return the block in a line, if a block search can begin there."""
+        debuggee, configuration = self._debuggee, self._configuration
+        if debuggee is None:
+            raise Failure(diagnostic(NOT_LAUNCHED, command="gotoTargets"))
+        is_known = configuration is not None and bool(configuration.channels.get(1))
+        found = start_block(debuggee, arguments) if is_known else None
+        return {"targets": [] if found is None else [found]}
+
+    def _goto(self, arguments: Arguments) -> dict[str, Any]:
+        """Begin the first program anew at a block, by block search, and stand there."""
+        debuggee, configuration = self._debuggee, self._configuration
+        if debuggee is None or configuration is None:
+            raise Failure(diagnostic(GOTO_NEEDS_LAUNCH))
+        debuggee.check_standing("goto")
+        session, done = search_block(debuggee, configuration, arguments.number("targetId"))
+        self._leave()
+        stops_at_end = configuration.stops_at_end
+        self._take(self._debug(session, stops_at_end=stops_at_end, owns=True))
+        assert self._debuggee is not None
+        self._debuggee.report.news(done)
         return {}
 
     def _configuration_done(self, _arguments: Arguments) -> dict[str, Any]:

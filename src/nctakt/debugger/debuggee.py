@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.debugger.breakpoints import Breakpoint, Breakpoints
 from nctakt.debugger.console import Console
+from nctakt.debugger.disassembly import Disassembly
 from nctakt.debugger.exceptions import ExceptionFilters, Raised
 from nctakt.debugger.places import Places
 from nctakt.debugger.report import Report, Tell
@@ -26,10 +27,12 @@ from nctakt.debugger.values import Values
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import RUN_IS_ON
+from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.summary import headline
 from nctakt.session.engine import Slice
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
+from nctakt.trace.events import Event
 
 #: How long a part of a run takes, in seconds, and its ticks at first and at most.
 PART_S = 0.02
@@ -95,7 +98,8 @@ class Debuggee:
             has_progress=abilities.has_progress,
         )
         self.values = Values(session, session.inventory())
-        self.scopes = Scopes(session, self.values, self.sources, language)
+        self.disassembly = Disassembly(self.sources, self._listings)
+        self.scopes = Scopes(session, self.values, self.sources, self.disassembly, language)
         self.console = Console(session, self.values, language)
         self._places: dict[str, Places] = {}
         self._owners: list[Breakpoint] = []
@@ -119,6 +123,13 @@ class Debuggee:
             lines = self.sources.lines(file)
             self._places[file] = Places(file, lines, self.values.inventory.cycles)
         return self._places[file]
+
+    def _listings(self) -> dict[int, ListedCycle]:
+        """Return the listings of the living cycles by the numbers of their threads."""
+        return {
+            self.scopes.number_of_cycle(name): listed
+            for name, listed in self.session.instructions()
+        }
 
     def check_stops(self, stops: Sequence[StopAt]) -> None:
         """Raise ``Failure`` with the mistakes of stops."""
@@ -389,8 +400,21 @@ class Debuggee:
                 self.session.go_to(0)
         self.tell_travel("step", thread)
 
+    def restart_frame(self, channel: int, level: int) -> None:
+        """Go back to where the block of a program began: the last one of no called program.
+
+        ``level``: how many programs are open around that one.
+        """
+        self._travel(channel, lambda: self._restart_frame(channel, level))
+
+    def _restart_frame(self, channel: int, level: int) -> None:
+        stop = StopAt("block", channel=channel, is_of_channel=True, max_depth=level + 1)
+        if not self._held([stop])[0] and self.session.back_to(stop) is None:
+            self.session.go_to(0)
+        self.tell_travel("restart", channel)
+
     def reverse(self, thread: int) -> None:
-        """Go back to the last breakpoint, to the start without one."""
+        """Go back to the last breakpoint or exception, to the start without one."""
         self._travel(thread, lambda: self._reverse(thread))
 
     def _travel(self, thread: int, work: Callable[[], None]) -> None:
@@ -409,27 +433,47 @@ class Debuggee:
     def _reverse(self, thread: int) -> None:
         stopping = [one for one in self.breakpoints.all if not one.log and one.mistake is None]
         owners = [one for one in stopping for _ in one.stops]
-        stops = [stop for one in stopping for stop in one.stops]
+        stops = [stop for one in stopping for stop in one.stops] + self.exceptions.stops()
         for _ in range(MAX_PASSED):
             if not stops or self.session.back_to(*stops) is None:
                 break
-            due = self._due_here(stops, owners)
-            if due:
+            raised, due = self._due_here(stops, owners)
+            if raised is not None or due:
                 self._note_branch()
-                self._stop_at(due, self.session.tick - 1, thread)
+                if raised is not None:
+                    self._raise(raised, thread)
+                else:
+                    self._stop_at(due, self.session.tick - 1, thread)
                 self._tell_invalidated()
                 return
         self.session.go_to(0)
         self.tell_travel("entry", thread)
 
-    def _due_here(self, stops: Sequence[StopAt], owners: Sequence[Breakpoint]) -> list[Breakpoint]:
-        """Return the breakpoints that are due of those that held in the last tick, run again."""
+    def _due_here(
+        self, stops: Sequence[StopAt], owners: Sequence[Breakpoint]
+    ) -> tuple[Raised | None, Sequence[Breakpoint]]:
+        """Return the exception and the breakpoints that are due of what held in the last tick.
+
+        ``owners``: the breakpoints of the first stops; the others are those of exceptions.
+        """
+        tick = self.session.tick - 1
+        held, events = self._held(stops)
+        raised = None
+        if any(hit >= len(owners) for hit in held):
+            raised = self.exceptions.selected(events, tick)
+        own = _distinct(owners[hit] for hit in held if hit < len(owners))
+        return raised, [one for one in own if one.is_due(tick)]
+
+    def _held(self, stops: Sequence[StopAt]) -> tuple[list[int], Sequence[Event]]:
+        """Return which of some stops held in the last tick, which is run again, and its events."""
         session = self.session
         tick, others = session.tick, len(session.stops)
+        if not tick:
+            return [], ()
         session.back(1)
         done = session.run(Time(tick, is_in_ticks=True), until=stops)
         held = dict.fromkeys(hit - others for hit in done.hits if hit >= others)
-        return [one for one in _distinct(owners[hit] for hit in held) if one.is_due(tick - 1)]
+        return list(held), done.events
 
     def tell_travel(self, reason: str, thread: int) -> None:
         """Tell that it stands elsewhere."""

@@ -8,6 +8,7 @@ debugger restarts; what it leaves out comes from the project, as on the command 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, cast
 
@@ -62,6 +63,11 @@ class Configuration:
             )
         except Failure as failure:
             raise self.settings.placed(failure) from failure
+
+    def at_line(self, line: int) -> Configuration:
+        """Return the same, whose first program begins at the block of a line."""
+        options = cast("ProgramOptions", {**self.options, "from_line": line, "from_block": None})
+        return replace(self, options=options)
 
     @property
     def program(self) -> str:

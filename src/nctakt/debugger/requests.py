@@ -52,6 +52,8 @@ class Requests:
             "stepOut": lambda arguments: self._step("stepOut", arguments, up=1),
             "stepBack": self._step_back,
             "reverseContinue": self._reverse_continue,
+            "restartFrame": self._restart_frame,
+            "disassemble": debuggee.disassembly.answer,
             "threads": self._threads,
             "stackTrace": self._stack_trace,
             "scopes": self._scopes,
@@ -235,6 +237,13 @@ class Requests:
         debuggee.check_standing("reverseContinue")
         thread = self._known_thread(arguments)
         self._then = lambda: debuggee.reverse(thread)
+        return {}
+
+    def _restart_frame(self, arguments: Arguments) -> Body:
+        debuggee = self._debuggee
+        debuggee.check_standing("restartFrame")
+        channel, level = debuggee.scopes.program_of_frame(arguments.number("frameId"))
+        self._then = lambda: debuggee.restart_frame(channel, level)
         return {}
 
     # --- looking --------------------------------------------------------------------------------

@@ -14,13 +14,14 @@ from typing import Any
 
 from nctakt.base.diagnostics import Language, Span
 from nctakt.base.failure import Failure
+from nctakt.debugger.disassembly import Disassembly
 from nctakt.debugger.names import Node, pieces_of, tree_of
 from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Value, Values, elements_of, shown_value
 from nctakt.hli.plc_entries import SpindleEntry
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import UNKNOWN_REFERENCE
+from nctakt.messages.debugger import NOT_RESTARTED, UNKNOWN_REFERENCE
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.session import Session
@@ -57,8 +58,14 @@ class Scopes:
     """What a session shows at its tick; ``forget`` when it has gone on."""
 
     def __init__(
-        self, session: Session, values: Values, sources: Sources, language: Language
+        self,
+        session: Session,
+        values: Values,
+        sources: Sources,
+        disassembly: Disassembly,
+        language: Language,
     ) -> None:
+        self._disassembly = disassembly
         self._session = session
         self._values = values
         self._sources = sources
@@ -72,6 +79,7 @@ class Scopes:
 
     def forget(self) -> None:
         """Forget frames and references."""
+        self._disassembly.forget()
         self._frames.clear()
         self._keys.clear()
         self._references.clear()
@@ -94,6 +102,10 @@ class Scopes:
     def thread_of_cycle(self, name: str) -> int:
         """Return the thread of a realtime cycle, the same as long as the session lives."""
         return self._cycle_threads.setdefault(name, FIRST_CYCLE_THREAD + len(self._cycle_threads))
+
+    def number_of_cycle(self, name: str) -> int:
+        """Return the number of a realtime cycle among those that have a thread, from 1."""
+        return self.thread_of_cycle(name) - FIRST_CYCLE_THREAD + 1
 
     def channel_of(self, thread: int) -> int:
         """Return the channel of a thread."""
@@ -120,7 +132,12 @@ class Scopes:
             cycle = self._cycle_of(thread)
             ran = [branch.span for branch in cycle.branches if branch.has_run]
             name = f"{self._words['cycle n']} {cycle.name}"
-            return [self._frame(("cycle", cycle.name), name, ran[-1] if ran else cycle.span)]
+            latest_branch = ran[-1] if ran else cycle.span
+            frame = self._frame(("cycle", cycle.name), name, latest_branch)
+            number = self.number_of_cycle(cycle.name)
+            pointer = self._disassembly.pointer(number, latest_branch.line)
+            frame["instructionPointerReference"] = pointer
+            return [frame]
         latest = self._session.latest
         frames = []
         calls = latest.calls.get(thread, ())
@@ -159,6 +176,8 @@ class Scopes:
             "column": 0,
             "presentationHint": hint,
         }
+        if key[0] != "path":
+            frame["canRestart"] = False
         if span is not None:
             frame |= {"line": span.line, "column": 1, "source": self._sources.source(span.file)}
         return frame
@@ -168,6 +187,15 @@ class Scopes:
             if decoder.channel == channel:
                 return decoder
         return None
+
+    def program_of_frame(self, frame: int) -> tuple[int, int]:
+        """Return channel and level of the program of a frame; raises ``Failure`` for others."""
+        if not 0 < frame <= len(self._frames):
+            raise Failure(diagnostic(UNKNOWN_REFERENCE, what="frame", number=frame))
+        kind, *where = self._frames[frame - 1]
+        if kind != "path":
+            raise Failure(diagnostic(NOT_RESTARTED))
+        return int(where[0]), int(where[1])
 
     def channel_of_frame(self, frame: int) -> int:
         """Return the channel of a frame, 1 for none."""
@@ -265,6 +293,8 @@ class Scopes:
             found = self._branches(*rest)
         elif kind == "branch":
             found = self._operands(*rest)
+        elif kind == "members":
+            found = self._members(*rest)
         elif kind == "plc":
             found = self._waiting(*rest)
         else:
@@ -278,7 +308,7 @@ class Scopes:
             node = self._tree(key[1])[key[2]].find((*key[3], name))
             if node is not None and node.full:
                 return node.full, key[1]
-        if key[0] in ("decoder", "elements"):
+        if key[0] in ("decoder", "elements", "members"):
             return name, key[1]
         if key[0] == "branch":
             return name, _channel_of_cycle(key[1])
@@ -347,6 +377,9 @@ class Scopes:
             for variable in _group(decoder, level, family):
                 if variable.dimensions and variable.name.upper() == asked:
                     return self._array(variable, ("decoder", channel, level, variable.name))
+                if variable.name.upper().startswith(f"{asked}."):
+                    own = variable.name[: len(asked)]
+                    return self._structure(decoder, channel, level, own)
         return None
 
     def _array(self, variable: DecoderVariable, key: Key) -> dict[str, Any]:
@@ -419,13 +452,45 @@ class Scopes:
             return [_named(f"@P{number}", value) for number, value in frame.arguments.items()]
         if part == "parameters":
             return [_named(f"P{number}", value) for number, value in decoder.parameters.items()]
-        found = []
-        for variable in _group(decoder, level, part):
-            if not variable.dimensions:
-                found.append(_named(variable.name, variable.values[0], variable.type))
+        return self._members(channel, level, f"V.{part}")
+
+    def _members(self, channel: int, level: int, name: str) -> list[dict[str, Any]]:
+        """Return the variables of the decoder below a name: values, arrays, structures."""
+        decoder = self._decoder(channel)
+        if decoder is None or not -1 <= level < len(decoder.frames):
+            return []
+        found: dict[str, dict[str, Any]] = {}
+        for variable in _group(decoder, level, name.split(".")[1]):
+            if not variable.name.startswith(f"{name}."):
                 continue
-            found.append(self._array(variable, ("decoder", channel, level, variable.name)))
-        return found
+            piece, dot, _ = variable.name[len(name) + 1 :].partition(".")
+            own = f"{name}.{piece}"
+            if dot:
+                found.setdefault(own, self._structure(decoder, channel, level, own))
+            elif variable.dimensions:
+                found[own] = self._array(variable, ("decoder", channel, level, variable.name))
+            else:
+                found[own] = _named(variable.name, variable.values[0], variable.type)
+        return list(found.values())
+
+    def _structure(
+        self, decoder: DecoderState, channel: int, level: int, name: str
+    ) -> dict[str, Any]:
+        """Return a structure of the decoder's variables with its first values."""
+        inside = [
+            one
+            for one in _group(decoder, level, name.split(".")[1])
+            if one.name.startswith(f"{name}.")
+        ]
+        texts = [
+            f"{one.name[len(name) + 1 :]} {shown_value(one.values[0]) if one.values else '–'}"
+            for one in inside[:_PREVIEWED]
+        ]
+        more = ", …" if len(inside) > _PREVIEWED else ""
+        shown = _variable(name, ", ".join(texts) + more, "")
+        shown["variablesReference"] = self._reference(("members", channel, level, name))
+        shown["evaluateName"] = name
+        return shown
 
     def _elements(self, decoder: DecoderState, level: int, name: str) -> list[dict[str, Any]]:
         """Return the elements of an array of the decoder; how many are not shown is told."""

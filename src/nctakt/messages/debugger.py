@@ -156,6 +156,29 @@ UNREADABLE_VALUE_TEXT = error(
     remedy_de='Eine Zahl, TRUE, FALSE oder einen Text in Anführungszeichen schreiben: "A1".',
 )
 
+NOT_RESTARTED = error(
+    902570,
+    en="only a program on the path of a channel can be restarted",
+    de="neu beginnen kann nur ein Programm auf der Bahn eines Kanals",
+    remedy_en="Choose a frame of a channel that is not of its decoder.",
+    remedy_de="Einen Aufruf eines Kanals wählen, der nicht zu dessen Dekoder gehört.",
+)
+NO_INSTRUCTIONS = error(
+    902571,
+    en="there are no instructions at {reference}",
+    de="bei {reference} stehen keine Anweisungen",
+    remedy_en="Ask for the address of a frame of a realtime cycle that lives now.",
+    remedy_de="Nach der Adresse eines Aufrufs eines lebenden Echtzeit-Zyklus fragen.",
+    reference=("the address", "die Adresse"),
+)
+GOTO_NEEDS_LAUNCH = error(
+    902572,
+    en="a program that the debugger has not started cannot begin anew at another block",
+    de="ein Programm, das der Debugger nicht gestartet hat, kann nicht anderswo neu beginnen",
+    remedy_en="Launch it with fromLine instead.",
+    remedy_de="Es stattdessen mit fromLine starten.",
+)
+
 NO_VALUE = error(
     901926,
     en="{text} has no value here: {reason}",

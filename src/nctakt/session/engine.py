@@ -29,6 +29,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.plc.loading import load_plc
 from nctakt.results.compared import Compared, compared_last, compared_now
+from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.results.run import ProgramMessage, Run, RunState
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
@@ -597,6 +598,15 @@ class Engine:
             },
             tuple(cycle for text in self._run.texts for cycle in text.cycles),
         )
+
+    def instructions(self) -> list[tuple[str, ListedCycle]]:
+        """Return the living realtime cycles as their elementary instructions, with their names."""
+        found = []
+        for manager in (channel.manager for channel in self._machine.channels):
+            for cycle in manager.loaded:
+                name, definition = self._cycles[cycle.serial]
+                found.append((name, list_cycle(definition)))
+        return found
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders that have a program open."""

@@ -16,6 +16,7 @@ from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure, error_text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike
+from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
 from nctakt.run.input_words import API
@@ -436,6 +437,10 @@ class Session:
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""
         return self._ask(self._story.inventory)
+
+    def instructions(self) -> list[tuple[str, ListedCycle]]:
+        """Return the living realtime cycles as their elementary instructions, with their names."""
+        return self._ask(self._story.instructions)
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders with a program open: their programs, variables, parameters."""

@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
+from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
 from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
@@ -294,6 +295,10 @@ class Story:
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""
         return cast("Inventory", self._timeline.live.ask("inventory"))
+
+    def instructions(self) -> list[tuple[str, ListedCycle]]:
+        """Return the realtime cycles that live at this tick as their elementary instructions."""
+        return cast("list[tuple[str, ListedCycle]]", self._timeline.live.ask("instructions"))
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders that have a program open at this tick."""

@@ -6,7 +6,14 @@ from __future__ import annotations
 import pytest
 
 from nctakt.decoder.state import commands
-from nctakt.decoder.state.axis_commands import Home, MoveAlone, Refer, SetSoftwareLimits
+from nctakt.decoder.state.axis_commands import (
+    EndOscillation,
+    Home,
+    MoveAlone,
+    Oscillate,
+    Refer,
+    SetSoftwareLimits,
+)
 from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.packing import pack
 from nctakt.decoder.state.probe_commands import Touch, TouchEnd
@@ -298,6 +305,36 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
         },
     ),
     (
+        Oscillate,
+        {
+            "axis": 2,
+            "first": -5.0,
+            "second": 5.0,
+            "stroke": 10.0,
+            "speed": 100.0,
+            "first_ticks": 50,
+            "second_ticks": 60,
+            "count": -1,
+        },
+        rows.OSCILLATE,
+        {
+            rows.SWUNG_AXIS: 2,
+            rows.SWING_FIRST: -5.0,
+            rows.SWING_SECOND: 5.0,
+            rows.SWING_STROKE: 10.0,
+            rows.SWING_SPEED: 100.0,
+            rows.SWING_FIRST_TICKS: 50,
+            rows.SWING_SECOND_TICKS: 60,
+            rows.SWING_COUNT: -1,
+        },
+    ),
+    (
+        EndOscillation,
+        {"axis": 2, "how": 1, "speed": 50.0},
+        rows.END_OSCILLATION,
+        {rows.ENDED_AXIS: 2, rows.ENDED_HOW: 1, rows.ENDED_SPEED: 50.0},
+    ),
+    (
         SetSoftwareLimits,
         {"axis": 2, "low": -7.5, "high": 8.5},
         rows.SOFTWARE_LIMITS,
@@ -404,6 +441,7 @@ def test_each_command_is_packed() -> None:
         one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
     }
     declared |= {Touch, TouchEnd, Home, MoveAlone, Refer, SetSoftwareLimits, SingleStep}
+    declared |= {Oscillate, EndOscillation}
     declared |= {
         SpindleJob,
         AwaitSpindle,

@@ -9,7 +9,6 @@ from support.decided import perform
 from nctakt.reference.topics import explain
 
 WORDS = {
-    "OSC": "X[OSC ON 1ST_POS=-100 2ND_POS=100 FEED=1000]",
     "DIST_CTRL": "X[DIST_CTRL ON]",
     "LIFT": "X[LIFT DOWN=1]",
     "LIFT_START": "X[LIFT_START DOWN=1]",
@@ -39,8 +38,8 @@ def test_each_is_refused_by_name_with_what_to_do_instead(word: str) -> None:
     assert "Remove it" not in found.remedy()
 
 
-@pytest.mark.parametrize("word", [word for word in WORDS if "INDP" not in WORDS[word]])
+@pytest.mark.parametrize("word", [*(word for word in WORDS if "INDP" not in WORDS[word]), "OSC"])
 def test_explain_finds_each_as_it_is_written(word: str) -> None:
     """In any bracket, with what follows the word."""
-    articles = explain(WORDS[word])
+    articles = explain(WORDS.get(word, f"X[{word} ON]"))
     assert any(f"[{word}" in article.name for article in articles), articles

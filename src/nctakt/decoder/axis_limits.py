@@ -10,6 +10,7 @@ import math
 from collections.abc import Sequence
 
 from nctakt.decoder.state.limit_commands import AxisLimits, SetLimits
+from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.path_limits import AxisWeights, LimitState
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
@@ -167,15 +168,29 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
             low=axis.software_limit_low,
             high=axis.software_limit_high,
             speed=axis.max_speed,
-            acceleration=(
-                min(slope.min_acceleration, axis.dynamics.max_acceleration)
-                if has_jerk
-                else axis.max_acceleration
-            ),
+            acceleration=acceleration_alone(axis, index in jerky),
             jerk=slope.jerk if has_jerk else 0.0,
             is_enabled=axis.enable_single_axis,
         )
     return motions
+
+
+def acceleration_alone(axis: AxisConfiguration, is_jerk_limited: bool) -> float:
+    """Return the acceleration of independent motions of an axis, per s²."""
+    slope = axis.dynamics.jerk_slope
+    if is_jerk_limited and slope.jerk > 0.0:
+        return min(slope.min_acceleration, axis.dynamics.max_acceleration)
+    return axis.max_acceleration
+
+
+def feed_unit(axis: AxisConfiguration, state: ModalState, listed_mm_min: float) -> float:
+    """Return FEED=1 of an axis alone in mm/s or degrees/s.
+
+    ``listed_mm_min``: the unit of the lists (P-CHAN-00108).
+    """
+    if not axis.is_linear:
+        return 1.0 / 60.0
+    return (state.length_unit_mm if state.inch else listed_mm_min) / 60.0
 
 
 def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int) -> None:

@@ -58,7 +58,14 @@ cdef enum:
     TO_POSITION = 1
     ENDLESS = 2
     BY_DISTANCE = 3
-    BRAKING = 4
+    OSCILLATION = 4
+    BRAKING = 5
+    APPROACH = 0
+    FORTH = 1
+    BACK = 2
+    FINISHES = 0
+    RETURNS = 1
+    HALTS = 2
     ABORTING = 0
     BUFFERED = 1
     NEGATIVE = -1

@@ -88,8 +88,15 @@ CHANNEL_OVERRIDE, LOWER_OVERRIDE, OWN_OVERRIDE = range(3)
     TO_POSITION,
     ENDLESS,
     BY_DISTANCE,  # only as what waits: it begins as ``TO_POSITION``
+    OSCILLATION,  # likewise
     BRAKING,
-) = range(5)
+) = range(6)
+
+#: Where an oscillating axis goes: to its first position from elsewhere, on to the second, back.
+APPROACH, FORTH, BACK = range(3)
+
+#: How an oscillation ends: at its second position, at once at another speed to it, at once.
+FINISHES, RETURNS, HALTS = range(3)
 
 #: How a command of independent motion begins: instead of the present motion, behind it.
 ABORTING, BUFFERED = range(2)

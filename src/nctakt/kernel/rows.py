@@ -74,7 +74,9 @@ from __future__ import annotations
     FEED_FORWARD,  # another share of the command speed bypasses a position control
     TOOL_LIFE,  # of the tool on the path: ``codes.LIFE_SENT`` …
     MOVE_ALONE,  # an axis moves beside the path (INDP_SYN, INDP_ASYN)
-) = range(1, 55)
+    OSCILLATE,  # an axis moves to and fro beside the path (OSC ON)
+    END_OSCILLATION,  # OSC OFF
+) = range(1, 57)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -241,6 +243,17 @@ LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
 ) = _arguments(3)
 # MOVE_ALONE: number in the machine; mm, degrees; mm/s, degrees/s; 1: VALUE is a distance
 ALONE_AXIS, ALONE_VALUE, ALONE_SPEED, ALONE_IS_RELATIVE = _arguments(4)
+(
+    SWUNG_AXIS,  # number in the machine
+    SWING_FIRST,  # mm, degrees
+    SWING_SECOND,
+    SWING_STROKE,  # the way from the first position to the second, with its sign
+    SWING_SPEED,  # mm/s, degrees/s
+    SWING_FIRST_TICKS,  # how long the axis waits there
+    SWING_SECOND_TICKS,
+    SWING_COUNT,  # how often the axis comes to the second position; -1: until it is ended
+) = _arguments(8)
+ENDED_AXIS, ENDED_HOW, ENDED_SPEED = _arguments(3)  # ``codes.FINISHES`` …; mm/s of ``RETURNS``
 LIMITED_AXIS, LIMIT_LOW, LIMIT_HIGH = _arguments(3)  # number in the machine; mm, degrees
 # COUPLE: numbers in the machine, no master: -1; mm or degrees of actual positions, 0: any
 COUPLED_AXIS, COUPLED_TO, COUPLED_BY, COUPLED_WITHIN = _arguments(4)
@@ -451,7 +464,8 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_TOUCHED,  # length from the block's start to where the probe touches
     EVENT_AXIS_EXCHANGED,  # subject: axis; ``codes.AXIS_AWAITED`` …, the channel that has it
     EVENT_TOOL_LIFE,  # subject: text of the tool's ID; its number, seconds, mm
-) = range(1, 46)
+    EVENT_AXIS_OSCILLATES,  # axis, first position, second position
+) = range(1, 47)
 
 #: A text that a cycle writes is recorded in parts. The column of the cell is the cell plus this
 #: number, twice for each earlier part and once more if another part follows.

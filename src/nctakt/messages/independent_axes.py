@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Messages about independent axes of programs: INDP_SYN, INDP_ASYN."""
+"""Messages about axes that programs move beside the path: INDP_SYN, INDP_ASYN, OSC."""
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
-_FORM = ("INDP_SYN or INDP_ASYN", "INDP_SYN oder INDP_ASYN")
+_FORM = ("INDP_SYN, INDP_ASYN or OSC", "INDP_SYN, INDP_ASYN oder OSC")
 
 INDEPENDENT_SYNTAX = error(
     21068,
@@ -22,7 +22,7 @@ INDEPENDENT_SYNTAX = error(
     form=_FORM,
     reason=("what does not fit", "was nicht passt"),
 )
-INDEPENDENT_KEYWORD_NOT_FIRST = error(
+AXIS_KEYWORD_NOT_FIRST = error(
     21301,
     en="{axis}[…]: {form} must be the first keyword",
     de="{axis}[…]: {form} muss das erste Schlüsselwort sein",
@@ -38,14 +38,15 @@ DUPLICATE_AXIS_KEYWORD = error(
     remedy_de="Eines davon behalten.",
     form=_FORM,
 )
-INDEPENDENT_VALUE_INVALID = error(
+AXIS_VALUE_INVALID = error(
     21375,
     known_as=(21374,),
     en="{axis}[{form} …]: {word} cannot be {value}",
     de="{axis}[{form} …]: {word} kann nicht {value} sein",
-    remedy_en="FEED and TIME must be above 0, FEED_MAX_WEIGHT above 0 and at most 100 percent.",
-    remedy_de="FEED und TIME müssen über 0 liegen, FEED_MAX_WEIGHT über 0 und höchstens bei 100 "
-    "Prozent.",
+    remedy_en="FEED, TIME, FREQ and EXCUR must be above 0, FEED_MAX_WEIGHT above 0 and at most 100 "
+    "percent, 1ST_DELT and 2ND_DELT 0 or more.",
+    remedy_de="FEED, TIME, FREQ und EXCUR müssen über 0 liegen, FEED_MAX_WEIGHT über 0 und "
+    "höchstens bei 100 Prozent, 1ST_DELT und 2ND_DELT bei 0 oder mehr.",
     form=_FORM,
 )
 INDEPENDENT_IN_TRANSFORMATION = error(
@@ -70,4 +71,64 @@ AXIS_MOVED_TWICE = error(
     cause_de="Eine Achse hat immer nur einen Eigentümer. Ein Kreisbogen bewegt beide Achsen seiner "
     "Ebene.",
     form=_FORM,
+)
+OSCILLATION_SYNTAX = error(
+    902580,
+    en="{axis}[{form} …]: {reason}",
+    de="{axis}[{form} …]: {reason}",
+    remedy_en="Write {axis}[OSC ON 1ST_POS=-100 2ND_POS=100 FEED=1000], {axis}[OSC ON ZERO_POS=0 "
+    "EXCUR=100 FREQ=1], {axis}[OSC OFF] or {axis}[OSC OFF INSTANT].",
+    remedy_de="{axis}[OSC ON 1ST_POS=-100 2ND_POS=100 FEED=1000], {axis}[OSC ON ZERO_POS=0 "
+    "EXCUR=100 FREQ=1], {axis}[OSC OFF] oder {axis}[OSC OFF INSTANT] schreiben.",
+    cause_en="An oscillating axis needs two positions and a speed: FEED, the frequency FREQ in Hz "
+    "or the period TIME in s.",
+    cause_de="Eine pendelnde Achse braucht zwei Positionen und eine Geschwindigkeit: FEED, die "
+    "Frequenz FREQ in Hz oder die Periodendauer TIME in s.",
+    form=_FORM,
+    reason=("what does not fit", "was nicht passt"),
+)
+OSCILLATION_WITHOUT_SPEED = error(
+    50593,
+    en="{axis}[OSC …]: the oscillation has no speed",
+    de="{axis}[OSC …]: das Pendeln hat keine Geschwindigkeit",
+    remedy_en="Give FEED, FREQ or TIME a value above 0.",
+    remedy_de="FEED, FREQ oder TIME einen Wert über 0 geben.",
+)
+OSCILLATION_WITHOUT_STROKE = error(
+    120470,
+    en="{axis}[OSC …]: both reversal positions are {position}",
+    de="{axis}[OSC …]: beide Umkehrpositionen sind {position}",
+    remedy_en="Give 1ST_POS and 2ND_POS different values.",
+    remedy_de="1ST_POS und 2ND_POS verschiedene Werte geben.",
+    position=("the position, mm or degrees", "die Position, mm oder Grad"),
+)
+OSCILLATION_COUNT = error(
+    21237,
+    en="{axis}[OSC …]: NBR_OSC cannot be {value}",
+    de="{axis}[OSC …]: NBR_OSC kann nicht {value} sein",
+    remedy_en="Give it a whole number from 1 to {highest}, or leave it out: the axis oscillates "
+    "until OSC OFF.",
+    remedy_de="Eine ganze Zahl von 1 bis {highest} angeben oder weglassen: die Achse pendelt bis "
+    "OSC OFF.",
+)
+OSCILLATION_OUTSIDE_MODULO_RANGE = error(
+    22277,
+    en="{axis}[OSC …]: {position} is not in the modulo range from {low} to {high}",
+    de="{axis}[OSC …]: {position} liegt nicht im Modulobereich von {low} bis {high}",
+    remedy_en="Give both reversal positions in this range; SHORT makes the axis go the shorter way "
+    "between them.",
+    remedy_de="Beide Umkehrpositionen in diesem Bereich angeben; mit SHORT fährt die Achse den "
+    "kürzeren Weg dazwischen.",
+    position=("the position, degrees", "die Position, Grad"),
+)
+OSCILLATION_LIMITED = warning(
+    50487,
+    en="{axis}[OSC …]: an oscillation takes at least {reached} s instead of {period} s",
+    de="{axis}[OSC …]: eine Pendelung dauert mindestens {reached} s statt {period} s",
+    remedy_en="Shorten the stroke or the waiting times, or give the axis a lower frequency.",
+    remedy_de="Hub oder Wartezeiten verkürzen oder der Achse eine kleinere Frequenz geben.",
+    cause_en="The axis reaches its highest speed or its acceleration.",
+    cause_de="Die Achse erreicht ihre höchste Geschwindigkeit oder ihre Beschleunigung.",
+    reached=("s, with the limits of the axis", "s, mit den Grenzen der Achse"),
+    period=("s, as it is programmed", "s, wie programmiert"),
 )

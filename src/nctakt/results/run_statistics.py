@@ -39,6 +39,7 @@ _COUNTED = frozenset(
         rows.EVENT_TECHNOLOGY,
         rows.EVENT_AXIS_BEGUN,
         rows.EVENT_AXIS_ENDLESS,
+        rows.EVENT_AXIS_OSCILLATES,
         rows.EVENT_AXIS_ENDED,
         rows.EVENT_SPINDLE,
         rows.EVENT_STARVED,

@@ -26,10 +26,14 @@ EVENTS = frozenset(
         rows.EVENT_ENDED,
         rows.EVENT_AXIS_BEGUN,
         rows.EVENT_AXIS_ENDLESS,
+        rows.EVENT_AXIS_OSCILLATES,
         rows.EVENT_AXIS_ENDED,
         rows.EVENT_AXIS_CHANGED,
     )
 )
+
+#: Those of motions that begin.
+_BEGINNINGS = (rows.EVENT_AXIS_BEGUN, rows.EVENT_AXIS_ENDLESS, rows.EVENT_AXIS_OSCILLATES)
 
 #: An axis that is nearer to its target when it stops, in mm or degrees, has reached it.
 SMALLEST_DISTANCE = 1e-6
@@ -72,7 +76,7 @@ class EndedMotions:
                 if event.tick != self._tick:
                     self._tick, self._ends = event.tick, {}
                 self._ends[int(subject)] = int(a)
-            elif kind in (rows.EVENT_AXIS_BEGUN, rows.EVENT_AXIS_ENDLESS):
+            elif kind in _BEGINNINGS:
                 self._braking.pop(int(a), None)  # another motion has taken over
             elif kind == rows.EVENT_AXIS_ENDED and c != rows.NOT_WITH_CYCLE:
                 yield from self._give_up(event, int(subject), int(a), int(c))

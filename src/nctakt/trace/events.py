@@ -232,6 +232,12 @@ class EventDecoder:
         word = "positive" if direction > 0 else "negative"
         return "axis", f"{self.names.axis(int(axis))} begun {word}"
 
+    def _axis_oscillates(
+        self, _serial: int, axis: float, first: float, second: float
+    ) -> tuple[str, str]:
+        between = f"{number_text(first)} {number_text(second)}"
+        return "axis", f"{self.names.axis(int(axis))} begun oscillating {between}"
+
     def _axis_ended(self, _serial: int, axis: float, how: float, _c: float) -> tuple[str, str]:
         return "axis", f"{self.names.axis(int(axis))} {_MOTION_ENDED[int(how)]}"
 
@@ -377,6 +383,7 @@ _MAKERS: dict[int, Maker] = {
     rows.EVENT_USER_TEXT: EventDecoder._user_text,
     rows.EVENT_AXIS_BEGUN: EventDecoder._axis_begun,
     rows.EVENT_AXIS_ENDLESS: EventDecoder._axis_endless,
+    rows.EVENT_AXIS_OSCILLATES: EventDecoder._axis_oscillates,
     rows.EVENT_AXIS_ENDED: EventDecoder._axis_ended,
     rows.EVENT_AXIS_CHANGED: EventDecoder._axis_changed,
     rows.EVENT_RETRACED: EventDecoder._retraced,

@@ -8,12 +8,15 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.path_motion import PathWords
 from nctakt.decoder.blocks.technology_output import BlockFunction
 from nctakt.decoder.blocks.weights import Weights
-from nctakt.decoder.state.axis_commands import MoveAlone
+from nctakt.decoder.state.axis_commands import EndOscillation, MoveAlone, Oscillate
 from nctakt.decoder.state.commands import FixedStop, ProgramStop
 from nctakt.nc import tree
 
 #: Axis words and their values.
 AxisValues = list[tuple[tree.AxisWord, float]]
+
+#: Commands for axes that move beside the path.
+AloneCommand = MoveAlone | Oscillate | EndOscillation
 
 
 @dataclass(slots=True)
@@ -41,7 +44,7 @@ class BlockContent:
     selects_tool: bool = False
     kept: dict[int, float] = field(default_factory=dict)
     stops: tuple[tuple[tree.BracketCommand, FixedStop], ...] = ()
-    independent: tuple[tuple[tree.BracketCommand, MoveAlone], ...] = ()
+    independent: tuple[tuple[tree.BracketCommand, AloneCommand], ...] = ()
     awaited: tuple[str, ...] = ()
     program_stops: tuple[ProgramStop, ...] = ()
     ends_program: bool = False

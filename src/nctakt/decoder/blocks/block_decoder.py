@@ -33,6 +33,7 @@ from nctakt.decoder.blocks.independent_axes import IndependentAxes
 from nctakt.decoder.blocks.measuring import Measuring
 from nctakt.decoder.blocks.moved_axes import MovedAxes
 from nctakt.decoder.blocks.orientation import Orientation
+from nctakt.decoder.blocks.oscillations import Oscillations
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion
 from nctakt.decoder.blocks.rotating_planes import check_function
 from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions
@@ -64,6 +65,7 @@ from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.messages.decoder import INVALID_DWELL_TIME
 from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
+from nctakt.nc.vocabulary.axis_brackets import OSC, form_of
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
@@ -99,7 +101,6 @@ from nctakt.nc.vocabulary.functions import (
     WEIGHTS,
     group_of,
 )
-from nctakt.nc.vocabulary.independent_axes import form_of
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
 
 #: G functions for one block only.
@@ -136,6 +137,7 @@ class BlockDecoder:
         self._axis_functions = AxisFunctions(values, self._measuring, uncertain_axes)
         self.moved = MovedAxes(values, uncertain_axes)
         self._independent = IndependentAxes(values, self.moved, uncertain_axes)
+        self._oscillations = Oscillations(values, self.moved)
         self.tools = ToolWords(values, self.moved)
         self.orientation = Orientation(values, self.moved)
         self.has_motion = False
@@ -279,8 +281,10 @@ class BlockDecoder:
         self, word: tree.BracketCommand, number: int, content: BlockContent
     ) -> Generator[Command, Answer]:
         """Execute the fixed stop, the override or the motion of an axis, ``X[…]``."""
-        if form_of(word):
-            yield from self._independent.read(word, number, content)
+        form = form_of(word)
+        if form:
+            reader = self._oscillations if form == OSC else self._independent
+            yield from reader.read(word, number, content)
             return
         axis = self._environment.axis_numbers[word.name]
         if is_fixed_stop(word):

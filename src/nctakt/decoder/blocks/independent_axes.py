@@ -10,24 +10,26 @@ from __future__ import annotations
 
 from collections.abc import Collection, Generator
 
+from nctakt.decoder.axis_limits import feed_unit
 from nctakt.decoder.blocks.block_content import BlockContent
 from nctakt.decoder.blocks.moved_axes import MovedAxes
-from nctakt.decoder.state.axis_commands import MoveAlone
+from nctakt.decoder.state.axis_commands import EndOscillation, MoveAlone, Oscillate
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.messages.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
 from nctakt.messages.independent_axes import (
     AXIS_MOVED_TWICE,
+    AXIS_VALUE_INVALID,
     INDEPENDENT_IN_TRANSFORMATION,
-    INDEPENDENT_VALUE_INVALID,
 )
 from nctakt.nc import tree
+from nctakt.nc.vocabulary.axis_brackets import form_of
 from nctakt.nc.vocabulary.independent_axes import (
     IndependentCommand,
-    form_of,
     is_valid,
     read_independent,
 )
@@ -59,7 +61,7 @@ class IndependentAxes:
             value = speeds[word] = yield from self._values.evaluate(expression, number)
             if not is_valid(word, value):
                 values = {"word": word, "value": value}
-                self._values.fail(INDEPENDENT_VALUE_INVALID, expression.span, **values, **named)
+                self._values.fail(AXIS_VALUE_INVALID, expression.span, **values, **named)
         position = yield from self._values.evaluate(command.position, number)
         yield from self._moved.request([name], command.span, number)
         index = self._environment.axis_numbers[name]
@@ -112,12 +114,9 @@ class IndependentAxes:
     def _speed(self, axis: AxisConfiguration, speeds: dict[str, float], distance: float) -> float:
         """Return the speed of a motion, mm/s or degrees/s, at most that of the axis."""
         if "FEED" in speeds:
-            unit = 1.0
-            if axis.is_linear and self._state.inch:
-                unit = self._state.length_unit_mm
-            elif axis.is_linear:
-                unit = self._environment.parameters.program_start.feed_unit_mm_min
-            return min(speeds["FEED"] * unit / 60.0, axis.max_speed)
+            listed_mm_min = self._environment.parameters.program_start.feed_unit_mm_min
+            unit = feed_unit(axis, self._state, listed_mm_min)
+            return min(speeds["FEED"] * unit, axis.max_speed)
         if "TIME" in speeds:
             return min(distance / speeds["TIME"], axis.max_speed) if distance else axis.max_speed
         if "FEED_MAX_WEIGHT" in speeds:
@@ -132,7 +131,14 @@ class IndependentAxes:
             if bracket.name in path:
                 form = form_of(bracket)
                 self._values.fail(AXIS_MOVED_TWICE, bracket.span, axis=bracket.name, form=form)
-            self._uncertain_axes.move_alone(bracket.name)
+            match move:
+                case MoveAlone():
+                    self._uncertain_axes.move_alone(bracket.name)
+                case Oscillate():
+                    self._uncertain_axes.oscillate(bracket.name)
+                case EndOscillation(how=how):
+                    halts = how == codes.HALTS
+                    self._uncertain_axes.end_oscillation(bracket.name, anywhere=halts)
             yield move
 
     def without_resting(self, names: list[str], target: list[float]) -> list[str]:

@@ -7,6 +7,7 @@ per minute, in the unit of P-CHAN-00108 under G71. Rotary axes: degrees, degrees
 
 from __future__ import annotations
 
+from nctakt.decoder.axis_limits import feed_unit
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
@@ -68,18 +69,12 @@ class ActionBuilder:
         memory = self._feeds.setdefault(command.axis, actions.FeedMemory())
         if command.feed is not None and not command.has_idle_feed:
             expression = self._expressions.build(command.feed).node
-            return actions.Feed(axis.max_speed, memory, expression, self._feed_unit(axis))
+            listed_mm_min = self._environment.parameters.program_start.feed_unit_mm_min
+            unit = feed_unit(axis, self._state, listed_mm_min)
+            return actions.Feed(axis.max_speed, memory, expression, unit)
         if command.rapid is False:
             return actions.EarlierFeed(axis.max_speed, memory)
         return actions.Speed(axis.rapid_speed, memory)
-
-    def _feed_unit(self, axis: AxisConfiguration) -> float:
-        """Return FEED=1 in mm/s or degrees/s."""
-        if not axis.is_linear:
-            return 1.0 / 60.0
-        if self._state.inch:
-            return self._state.length_unit_mm / 60.0
-        return self._environment.parameters.program_start.feed_unit_mm_min / 60.0
 
     def _direction(self, command: AxisCommand, traits: AxisTraits) -> tuple[Expression, bool]:
         """DIR and whether it counts: on the way to a position only of a modulo axis."""

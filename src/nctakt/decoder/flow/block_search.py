@@ -16,7 +16,13 @@ from dataclasses import replace
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.path_motion import PathMotion, PathWords
-from nctakt.decoder.state.axis_commands import FeedForward, MoveAlone, SetSoftwareLimits
+from nctakt.decoder.state.axis_commands import (
+    EndOscillation,
+    FeedForward,
+    MoveAlone,
+    Oscillate,
+    SetSoftwareLimits,
+)
 from nctakt.decoder.state.commands import (
     Answer,
     AwaitAcknowledge,
@@ -180,6 +186,7 @@ class BlockSearch:
         self._uncertain_axes = uncertain_axes
         self._in_loop = in_loop
         self._jobs: dict[int, SpindleJob] = {}
+        self._oscillations: dict[int, Oscillate] = {}
         self._steps: dict[int, int] = {}
         self._shifted: dict[int, int] = {}
         self._awaits_shift = False
@@ -248,6 +255,8 @@ class BlockSearch:
             assert self._start is not None
             self._values.fail(START_BLOCK_NOT_REACHED, span, block=self._start.shown)
         if isinstance(command, PositionRequest):
+            for axis in command.axes:
+                self._oscillations.pop(axis, None)
             return tuple(self._values.state.positions)
         if self._block_cycles.keeps(command):
             return None
@@ -270,6 +279,11 @@ class BlockSearch:
             self._at = command.target
         elif isinstance(command, MoveAlone):
             self._at = None
+        elif isinstance(command, Oscillate):
+            self._oscillations[command.axis] = command
+            self._at = None
+        elif isinstance(command, EndOscillation):
+            self._oscillations.pop(command.axis, None)
         self._awaits_shift = isinstance(command, AwaitAcknowledge)
         if takes_time(command):
             self._pass_time(command)
@@ -292,6 +306,7 @@ class BlockSearch:
             slot = environment.axis_numbers[name]
             target[slot] = answer[slot]
         yield from self._approach(answer, target, span, number)
+        yield from self._oscillations.values()
         yield from self._block_cycles.waiting
 
     def _approach(

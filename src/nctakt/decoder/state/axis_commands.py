@@ -43,6 +43,33 @@ class MoveAlone(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class Oscillate(Command):
+    """An axis begins to move to and fro between two positions, mm or degrees.
+
+    ``stroke``: the way from the first to the second. ``count``: how often it comes to the second
+    one, -1 until it is ended.
+    """
+
+    axis: int
+    first: float
+    second: float
+    stroke: float
+    speed: float
+    first_ticks: int
+    second_ticks: int
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class EndOscillation(Command):
+    """The oscillation of an axis ends; ``how``: ``codes.FINISHES`` …, ``speed`` of RETURNS."""
+
+    axis: int
+    how: int
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
 class SetSoftwareLimits(Command):
     """The software limits of the independent motions of an axis, in mm or degrees."""
 

@@ -10,9 +10,11 @@ from collections.abc import Iterator
 from operator import attrgetter
 
 from nctakt.decoder.state.axis_commands import (
+    EndOscillation,
     FeedForward,
     Home,
     MoveAlone,
+    Oscillate,
     Refer,
     SetSoftwareLimits,
 )
@@ -94,6 +96,8 @@ _KINDS: dict[type[Command], int] = {
     TouchEnd: rows.TOUCH_END,
     Home: rows.HOME,
     MoveAlone: rows.MOVE_ALONE,
+    Oscillate: rows.OSCILLATE,
+    EndOscillation: rows.END_OSCILLATION,
     Refer: rows.REFER,
     SetSoftwareLimits: rows.SOFTWARE_LIMITS,
     Couple: rows.COUPLE,

@@ -6,7 +6,7 @@ a cycle may be elsewhere by then. It is *uncertain* from the moment when the cyc
 its position is requested: with SCOPE=BLOCK from the end of the cycle's block on; with PROG and
 GLOBAL from the start of the cycle on, and, while that lives, again after each block or wait in
 which the path does not move the axis. So is an axis that the program itself moves beside the path
-(SA-4), from its command on.
+(SA-4), from its command on, or lets oscillate (SA-15).
 """
 
 from __future__ import annotations
@@ -48,6 +48,7 @@ class UncertainAxes:
         self.awaits_block = False
         self._uncertain: dict[str, None] = dict.fromkeys(moving)
         self._independent: dict[str, None] = {}
+        self._oscillating: dict[str, None] = {}
         for cycle in living:
             if cycle.is_started:
                 self.start_cycle(cycle.identity)
@@ -117,19 +118,28 @@ class UncertainAxes:
         """Whether no axis is uncertain or will become so, and no BLOCK cycle is armed."""
         if self.awaits_block:
             return False
-        return not (self._uncertain or self._independent or self._running or self._without_id)
+        of_program = self._independent or self._oscillating
+        return not (self._uncertain or of_program or self._running or self._without_id)
 
     def uncertain(self, axes: Iterable[str]) -> tuple[str, ...]:
         """Return those of these axes whose positions must be requested before the path moves
         them.
         """
-        if not self._uncertain and not self._independent:
-            return ()
-        return tuple(axis for axis in axes if axis in self._uncertain or axis in self._independent)
+        doubtful = self._uncertain.keys() | self._independent.keys() | self._oscillating.keys()
+        return tuple(axis for axis in axes if axis in doubtful) if doubtful else ()
 
     def move_alone(self, axis: str) -> None:
         """Note that the program moves an axis beside the path."""
         self._independent[axis] = None
+
+    def oscillate(self, axis: str) -> None:
+        """Note that the program lets an axis oscillate."""
+        self._oscillating[axis] = None
+
+    def end_oscillation(self, axis: str, *, anywhere: bool) -> None:
+        """Note that the program ends an oscillation, at its second position or ``anywhere``."""
+        self._oscillating.pop(axis, None)
+        (self._uncertain if anywhere else self._independent)[axis] = None
 
     def of_program(self, axes: Iterable[str]) -> tuple[str, ...]:
         """Return those of these axes that nobody but the program moves beside the path."""
@@ -142,3 +152,4 @@ class UncertainAxes:
         for axis in axes:
             self._uncertain.pop(axis, None)
             self._independent.pop(axis, None)
+            self._oscillating.pop(axis, None)

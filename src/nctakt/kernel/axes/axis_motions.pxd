@@ -47,6 +47,7 @@ cdef class AxisMotions:
     cdef double[::1] next_v
     cdef long long[::1] next_direction
     cdef long long[::1] next_held
+    cdef long long[::1] next_swings
     cdef double[::1] speed
     cdef double[::1] acceleration
     cdef double[::1] last_direction
@@ -58,6 +59,14 @@ cdef class AxisMotions:
     cdef long long[::1] arrived
     cdef long long[::1] in_channel
     cdef long long[::1] closed
+    cdef long long[::1] swings
+    cdef long long[::1] swing_way
+    cdef long long[::1] pausing
+    cdef long long[::1] first_pause
+    cdef long long[::1] second_pause
+    cdef double[::1] first_d
+    cdef double[::1] second_d
+    cdef double[::1] stroke_d
     cdef Py_ssize_t failed_count
     cdef Py_ssize_t ring_size
 
@@ -65,6 +74,10 @@ cdef class AxisMotions:
     cdef int is_at_speed(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(kind=int, position=double)
     cdef void begin(self, Py_ssize_t axis) noexcept nogil
+    @cython.locals(
+        kind=int, source=cython.longlong, serial=cython.longlong, first_d=double, second_d=double
+    )
+    cdef void record_begin(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(full_d=double, brake_d=double, turns=double)
     cdef double turn(self, Py_ssize_t axis, double distance_d) noexcept nogil
     @cython.locals(full_d=double)
@@ -90,5 +103,8 @@ cdef class AxisMotions:
     cdef void plan(self, Py_ssize_t axis, double top_v) noexcept nogil
     @cython.locals(position=double)
     cdef int arrive(self, Py_ssize_t axis, double top_v) noexcept nogil
+    cdef int turn_round(self, Py_ssize_t axis) noexcept nogil
+    @cython.locals(is_there=cython.bint)
+    cdef void finish_swing(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(message=int)
     cdef int take_fault(self, Py_ssize_t axis) noexcept nogil

@@ -43,6 +43,7 @@ class AxisMotions:
         self.ring_size = count
         self.allocate_limits(count)
         self.allocate_motions(count)
+        self.allocate_swings(count)
         for axis in range(count):
             self.last_direction[axis] = 1.0
             self.axes.show_state(axis, codes.STANDSTILL)
@@ -79,6 +80,7 @@ class AxisMotions:
         self.next_v = memoryview(bytearray(8 * count)).cast("d")
         self.next_direction = memoryview(bytearray(8 * count)).cast("q")
         self.next_held = memoryview(bytearray(8 * count)).cast("q")
+        self.next_swings = memoryview(bytearray(8 * count)).cast("q")
         # State of now, and the plan's start.
         self.speed = memoryview(bytearray(8 * count)).cast("d")
         self.acceleration = memoryview(bytearray(8 * count)).cast("d")
@@ -92,6 +94,22 @@ class AxisMotions:
         # Whether a channel has the axis, and whether that one is in a reset.
         self.in_channel = memoryview(bytearray(8 * count)).cast("q")
         self.closed = memoryview(bytearray(8 * count)).cast("q")
+
+    def allocate_swings(self, count: int) -> None:
+        """Allocate what oscillating axes need besides their present motion.
+
+        ``swings``: how often an axis still comes to its second position, -1 without an end, 0 if it
+        does not oscillate. ``swing_way``: ``codes.APPROACH`` …. ``pausing``: ticks for which it
+        waits before it goes on.
+        """
+        self.swings = memoryview(bytearray(8 * count)).cast("q")
+        self.swing_way = memoryview(bytearray(8 * count)).cast("q")
+        self.pausing = memoryview(bytearray(8 * count)).cast("q")
+        self.first_pause = memoryview(bytearray(8 * count)).cast("q")
+        self.second_pause = memoryview(bytearray(8 * count)).cast("q")
+        self.first_d = memoryview(bytearray(8 * count)).cast("d")
+        self.second_d = memoryview(bytearray(8 * count)).cast("d")
+        self.stroke_d = memoryview(bytearray(8 * count)).cast("d")
 
     def configure(
         self,
@@ -144,6 +162,8 @@ class AxisMotions:
         self.direction[axis] = self.next_direction[axis]
         if self.next_direction[axis] == codes.PRESENT:
             self.direction[axis] = self.last_direction[axis]
+        self.swings[axis] = self.next_swings[axis] if kind == codes.OSCILLATION else 0
+        self.pausing[axis] = 0
         if kind == codes.ENDLESS:
             self.goal[axis] = self.high[axis] if self.direction[axis] > 0.0 else self.low[axis]
             self.end[axis] = self.goal[axis]
@@ -156,6 +176,7 @@ class AxisMotions:
             self.goal[axis] = self.next_value[axis]
             if self.axes.modulo_range[axis] > 0.0:
                 self.goal[axis] = position + self.turn(axis, self.end[axis] - position)
+            kind = codes.TO_POSITION
         if self.kind[axis] == codes.IDLE:
             self.active_count += 1
             self.axes.independent[axis] = 1
@@ -171,16 +192,24 @@ class AxisMotions:
         self.axes.show_state(
             axis, codes.CONTINUOUS_MOTION if kind == codes.ENDLESS else codes.DISCRETE_MOTION
         )
-        if kind == codes.ENDLESS:
-            self.event(rows.EVENT_AXIS_ENDLESS, axis, self.direction[axis])
-        else:
-            self.event(rows.EVENT_AXIS_BEGUN, axis, self.end[axis])
-            if self.is_beyond(axis, self.goal[axis]):
-                self.fail(axis, 1702 if self.goal[axis] > self.high[axis] else 1703)
-                return
-        if self.held[axis]:
+        self.record_begin(axis)
+        if kind == codes.TO_POSITION and self.is_beyond(axis, self.goal[axis]):
+            self.fail(axis, 1702 if self.goal[axis] > self.high[axis] else 1703)
+        elif self.held[axis]:
             self.axes.show_state(axis, codes.STANDSTILL)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
+
+    def record_begin(self, axis: int) -> None:
+        """Record that the present motion begins."""
+        source, serial = self.sources[axis], self.serials[axis]
+        if self.kind[axis] == codes.ENDLESS:
+            self.event(rows.EVENT_AXIS_ENDLESS, axis, self.direction[axis])
+        elif self.swings[axis]:
+            first_d, second_d = self.first_d[axis], self.second_d[axis]
+            kind = rows.EVENT_AXIS_OSCILLATES
+            self.record.event(kind, source, serial, axis, first_d, second_d)
+        else:
+            self.event(rows.EVENT_AXIS_BEGUN, axis, self.end[axis])
 
     def turn(self, axis: int, distance_d: float) -> float:
         """Return how far a modulo axis goes to a target ``distance_d`` away in its direction.
@@ -234,6 +263,8 @@ class AxisMotions:
         """Brake to a standstill; the motion itself has been given up."""
         self.kind[axis] = codes.BRAKING
         self.held[axis] = 0
+        self.swings[axis] = 0
+        self.pausing[axis] = 0
         self.axes.show_state(axis, codes.STOPPING)
 
     def come_to_standstill(self, axis: int) -> None:
@@ -241,6 +272,8 @@ class AxisMotions:
         self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
         self.held[axis] = 0
+        self.swings[axis] = 0
+        self.pausing[axis] = 0
         self.is_homing[axis] = 0
         self.owner[axis] = 0
         self.active_count -= 1
@@ -304,6 +337,9 @@ class AxisMotions:
 
     def step_axis(self, axis: int) -> None:
         """Advance one axis by a tick; plan anew where its limit has changed."""
+        if self.pausing[axis] > 0:
+            self.pausing[axis] -= 1
+            return
         top_v = 0.0
         if self.kind[axis] != codes.BRAKING and not self.held[axis]:
             top_v = self.commanded_v[axis] * self.axes.independent_pct[axis] / 100.0
@@ -380,11 +416,52 @@ class AxisMotions:
         self.axes.command[axis] = self.end[axis]
         if self.kind[axis] == codes.ENDLESS:
             self.fail(axis, 1702 if self.direction[axis] > 0.0 else 1703)
+        elif self.swings[axis] and self.turn_round(axis):
+            return 1
         else:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]
         self.come_to_standstill(axis)
         return 1
+
+    def turn_round(self, axis: int) -> int:
+        """Let an oscillating axis go to its other position; return 0 where its last swing is over.
+
+        Another motion that waits ends the oscillation here.
+        """
+        if self.swing_way[axis] == codes.FORTH:
+            if self.next_kind[axis] and not self.next_held[axis]:
+                return 0
+            if self.swings[axis] == 1:
+                return 0
+            if self.swings[axis] > 0:
+                self.swings[axis] -= 1
+            self.goal[axis] = self.axes.command[axis] - self.stroke_d[axis]
+            self.end[axis] = self.first_d[axis]
+            self.pausing[axis] = self.second_pause[axis]
+            self.swing_way[axis] = codes.BACK
+        else:
+            self.goal[axis] = self.axes.command[axis] + self.stroke_d[axis]
+            self.end[axis] = self.second_d[axis]
+            self.pausing[axis] = self.first_pause[axis]
+            self.swing_way[axis] = codes.FORTH
+        self.speed[axis] = 0.0
+        self.acceleration[axis] = 0.0
+        self.planned_v[axis] = -1.0
+        self.axes.target[axis] = self.goal[axis]
+        return 1
+
+    def finish_swing(self, axis: int) -> None:
+        """Let an oscillating axis stop when it comes to its second position, or there at once."""
+        if self.swings[axis] == 0:
+            return
+        is_there = self.axes.command[axis] == self.second_d[axis] and self.speed[axis] == 0.0
+        if is_there and self.swing_way[axis] == codes.BACK:
+            self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
+            self.arrived[axis] = self.owner[axis]
+            self.come_to_standstill(axis)
+        else:
+            self.swings[axis] = 1
 
     def take_fault(self, axis: int) -> int:
         """Take the error of an axis that its channel has not reported yet; 0 without one."""

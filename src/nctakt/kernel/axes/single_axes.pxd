@@ -40,6 +40,12 @@ cdef class SingleAxes(AxisMotions):
     cdef int execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(value=double, speed_v=double, direction=int)
     cdef int move_alone(self, Py_ssize_t axis, double[::1] queue, Py_ssize_t row) noexcept nogil
+    @cython.locals(message=int, kind=int, owner=cython.longlong, speed_v=double, first_d=double)
+    cdef int oscillate(self, Py_ssize_t axis, double[::1] queue, Py_ssize_t row) noexcept nogil
+    @cython.locals(how=int, direction=int, speed_v=double, target_d=double)
+    cdef int end_oscillation(
+        self, Py_ssize_t axis, double[::1] queue, Py_ssize_t row
+    ) noexcept nogil
     @cython.locals(axis=Py_ssize_t)
     cdef void hold(self, long long owner) noexcept nogil
     @cython.locals(axis=Py_ssize_t, is_endless=cython.bint)
@@ -52,6 +58,10 @@ cdef class SingleAxes(AxisMotions):
     cdef int open_count(self, long long owner) noexcept nogil
     @cython.locals(count=int)
     cdef int open_on(self, Py_ssize_t axis, long long owner) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void finish_swings(self, long long[::1] members, Py_ssize_t count) noexcept nogil
+    @cython.locals(i=Py_ssize_t)
+    cdef void finish_requested(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef int all_free(self, long long[::1] members, Py_ssize_t count) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int, last_message=int)

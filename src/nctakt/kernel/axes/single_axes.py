@@ -118,12 +118,16 @@ class SingleAxes(AxisMotions):
             self.begin(axis)
 
     def execute(self, queue: memoryview[float], row: int, kind: int) -> int:
-        """Execute HOME, REFER, SOFTWARE_LIMITS or MOVE_ALONE; return 0, or the message that
+        """Execute a command for one axis, HOME … END_OSCILLATION; return 0, or the message that
         refuses it.
         """
         axis = int(queue[row + rows.HOMED_AXIS])
         if kind == rows.MOVE_ALONE:
             return self.move_alone(axis, queue, row)
+        if kind == rows.OSCILLATE:
+            return self.oscillate(axis, queue, row)
+        if kind == rows.END_OSCILLATION:
+            return self.end_oscillation(axis, queue, row)
         if kind == rows.SOFTWARE_LIMITS:
             self.low[axis] = queue[row + rows.LIMIT_LOW]
             self.high[axis] = queue[row + rows.LIMIT_HIGH]
@@ -151,6 +155,39 @@ class SingleAxes(AxisMotions):
             return self.move_by(axis, value, speed_v, codes.ABORTING, codes.PROGRAM_OWNER)
         direction = codes.SHORTEST
         return self.move_to(axis, value, speed_v, codes.ABORTING, direction, codes.PROGRAM_OWNER)
+
+    def oscillate(self, axis: int, queue: memoryview[float], row: int) -> int:
+        """Begin an oscillation of a program: the axis goes to its first position (SA-11)."""
+        message = self.refusal(axis, codes.ABORTING, codes.PROGRAM_OWNER)
+        if message:
+            return message
+        self.order(int(queue[row + rows.SOURCE]), 0)
+        self.first_d[axis] = queue[row + rows.SWING_FIRST]
+        self.second_d[axis] = queue[row + rows.SWING_SECOND]
+        self.stroke_d[axis] = queue[row + rows.SWING_STROKE]
+        self.first_pause[axis] = int(queue[row + rows.SWING_FIRST_TICKS])
+        self.second_pause[axis] = int(queue[row + rows.SWING_SECOND_TICKS])
+        self.next_swings[axis] = int(queue[row + rows.SWING_COUNT])
+        self.swing_way[axis] = codes.APPROACH
+        speed_v = queue[row + rows.SWING_SPEED]
+        first_d, kind, owner = self.first_d[axis], codes.OSCILLATION, codes.PROGRAM_OWNER
+        self.put(axis, kind, first_d, speed_v, codes.SHORTEST, codes.ABORTING, owner)
+        return 0
+
+    def end_oscillation(self, axis: int, queue: memoryview[float], row: int) -> int:
+        """End the oscillation of an axis (OSC OFF); nothing happens where there is none."""
+        how = int(queue[row + rows.ENDED_HOW])
+        if self.swings[axis] == 0:
+            return 0
+        if how == codes.FINISHES:
+            self.finish_swing(axis)
+            return 0
+        if how == codes.HALTS:
+            return self.stop(axis, codes.PROGRAM_OWNER)
+        self.order(int(queue[row + rows.SOURCE]), 0)
+        speed_v, target_d = queue[row + rows.ENDED_SPEED], self.second_d[axis]
+        direction = codes.SHORTEST
+        return self.move_to(axis, target_d, speed_v, codes.ABORTING, direction, codes.PROGRAM_OWNER)
 
     # --- what owners do with all their motions --------------------------------------------------
 
@@ -236,6 +273,17 @@ class SingleAxes(AxisMotions):
         if self.next_kind[axis] and self.next_owner[axis] == owner:
             count += 1
         return count
+
+    def finish_swings(self, members: memoryview[int], count: int) -> None:
+        """End the oscillations of these axes at their second positions."""
+        for i in range(count):
+            if members[i] < self.count:
+                self.finish_swing(members[i])
+
+    def finish_requested(self, queue: memoryview[float], row: int) -> None:
+        """End the oscillations of the axes of a position request."""
+        for i in range(int(queue[row + rows.POSITIONS_COUNT])):
+            self.finish_swing(int(queue[row + rows.POSITIONS_AXES + i]))
 
     def all_free(self, members: memoryview[int], count: int) -> int:
         """Return whether none of these axes moves on its own."""
@@ -339,6 +387,8 @@ class SingleAxes(AxisMotions):
             return 0
         if self.next_kind[axis] and not self.next_held[axis]:
             return 1
+        if self.swings[axis] < 0:
+            return 0
         return 1 if self.kind[axis] == codes.TO_POSITION else 0
 
     def event_bound(self, commands: int) -> int:

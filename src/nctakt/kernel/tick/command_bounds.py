@@ -54,6 +54,8 @@ _MIN_LENGTH = {
     rows.REFER: rows.HOMING_DISTANCE + 1,
     rows.SOFTWARE_LIMITS: rows.LIMIT_HIGH + 1,
     rows.MOVE_ALONE: rows.ALONE_IS_RELATIVE + 1,
+    rows.OSCILLATE: rows.SWING_COUNT + 1,
+    rows.END_OSCILLATION: rows.ENDED_SPEED + 1,
     rows.SINGLE_STEP: rows.STEP_RESOLUTION + 1,
     rows.COUPLE: rows.COUPLED_WITHIN + 1,
     rows.FEED_FORWARD: rows.FED_SHARE + 1,
@@ -74,6 +76,8 @@ _OF_AN_AXIS = (
     rows.SOFTWARE_LIMITS,
     rows.FEED_FORWARD,
     rows.MOVE_ALONE,
+    rows.OSCILLATE,
+    rows.END_OSCILLATION,
 )
 
 

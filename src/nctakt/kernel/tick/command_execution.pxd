@@ -75,6 +75,7 @@ cdef class CommandExecutor:
     cdef void give_up_loop(self) noexcept nogil
     cdef int enter_block(self, Py_ssize_t row) noexcept nogil
     cdef int execute(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
+    cdef int moves_alone(self, int kind) noexcept nogil
     @cython.locals(timer=int)
     cdef int execute_at_once(self, long long tick, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(

@@ -195,7 +195,7 @@ class CommandExecutor:
             self.path.forget()
         elif kind in (rows.MEASURE, rows.TOUCH, rows.TOUCH_END):
             self.execute_part(row, kind)
-        elif kind in (rows.HOME, rows.REFER, rows.SOFTWARE_LIMITS, rows.MOVE_ALONE):
+        elif rows.HOME <= kind <= rows.SOFTWARE_LIMITS or self.moves_alone(kind):
             self.execute_part(row, kind)
         elif kind == rows.FIXED_STOP:
             self.fixed_stops.execute(self.queue.rows, row)
@@ -222,8 +222,14 @@ class CommandExecutor:
             self.record_event(row, kind)
         elif kind != rows.EMPTY_BLOCK:
             self.waiting = kind
+            if kind == rows.POSITIONS:
+                self.context.single_axes.finish_requested(self.queue.rows, row)
             return 0
         return 1
+
+    def moves_alone(self, kind: int) -> int:
+        """Return whether a command moves an axis beside the path, or ends such a motion."""
+        return 1 if rows.MOVE_ALONE <= kind <= rows.END_OSCILLATION else 0
 
     def record_event(self, row: int, kind: int) -> None:
         """Record a command that is nothing but an event."""
@@ -402,7 +408,7 @@ class CommandExecutor:
             message = self.measuring.touch_probe.finish()
         else:
             message = self.context.single_axes.execute(self.queue.rows, row, kind)
-            if kind in (rows.REFER, rows.MOVE_ALONE):
+            if kind == rows.REFER or self.moves_alone(kind):
                 self.path.forget()
         if message:
             self.context.fault_a = self.queue.rows[row + rows.HOMED_AXIS]
@@ -446,6 +452,7 @@ class CommandExecutor:
         self.path.forget()
         self.fixed_stops.clear()
         self.measuring.clear()
+        self.context.single_axes.finish_swings(self.path.members, self.path.count)
         self.manager.end_program()
         program = int(self.queue.rows[row + rows.PROGRAM_NUMBER])
         source = int(self.queue.rows[row + rows.SOURCE])

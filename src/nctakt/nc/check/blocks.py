@@ -77,6 +77,7 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.axis_brackets import FORMS, form_of
 from nctakt.nc.vocabulary.axis_commands import INDP_WORDS, has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
 from nctakt.nc.vocabulary.file_names import CHANGE
@@ -90,7 +91,6 @@ from nctakt.nc.vocabulary.functions import (
     SUBPROGRAM_ENDS,
     TOOL_CHANGE,
 )
-from nctakt.nc.vocabulary.independent_axes import FORMS, form_of
 from nctakt.nc.vocabulary.orientation import VECTOR_WORDS
 from nctakt.nc.vocabulary.spindle_commands import split
 
@@ -98,9 +98,7 @@ from nctakt.nc.vocabulary.spindle_commands import split
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: Words of axis commands that are known and not simulated.
-_AXIS_FORMS = (
-    *("OSC", "DIST_CTRL", "LIFT", "LIFT_START", "LIFT_END", "POLY", "COMP", "DYNAMIC", "SYNC"),
-)
+_AXIS_FORMS = (*("DIST_CTRL", "LIFT", "LIFT_START", "LIFT_END", "POLY", "COMP", "DYNAMIC", "SYNC"),)
 #: Bounds of the value of an M or H function: signed, 32 bits.
 MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
@@ -382,7 +380,7 @@ class WordChecker:
         return check_path_axis(command, self._values, self._findings)
 
     def _is_independent(self, command: BracketCommand, path: tuple[AxisWord, ...]) -> bool:
-        """Check ``X[INDP_SYN …]`` or ``X[INDP_ASYN …]``; return whether it is one of them."""
+        """Check a command for an axis beside the path, X[OSC …] …; return whether it is one."""
         if command.name not in self.axes:
             return False
         return check_independent(command, path, self._values, self._findings)

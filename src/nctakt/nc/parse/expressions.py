@@ -81,6 +81,7 @@ _STARTS_VALUE = re.compile(
 
 _KEYWORD = re.compile(r"\s*([^\W\d]+(?:\.[^\W\d]+)*)")
 _KEYWORD_AND_DIGITS = re.compile(r"\s*([^\W\d]+\d+(?:_\w+)?)\s*=(?!=)")
+_ORDINAL_KEYWORD = re.compile(r"\s*(\d(?:ST|ND)_[^\W\d]+)", re.IGNORECASE)
 _CALL_KEYWORD = re.compile(r"\s*(@[^\W\d]+\d*)\s*=(?!=)")
 _GLUED_VALUE = re.compile(r"[-+]?\.?\d")
 
@@ -385,8 +386,9 @@ def is_keyword_list(text: BlockText) -> bool:
     assert opening is not None
     if CLOSING.match(text.text, opening.end()) is not None:
         return True
-    if _CALL_KEYWORD.match(text.text, opening.end()) is not None:
-        return True
+    for keyword in (_CALL_KEYWORD, _ORDINAL_KEYWORD):
+        if keyword.match(text.text, opening.end()) is not None:
+            return True
     return _STARTS_VALUE.match(text.text, opening.end()) is None
 
 
@@ -418,9 +420,10 @@ def parse_item(text: BlockText, depth: int = 0) -> Item:
     if named is not None:
         value = _expression(text, depth, True).node
         return Keyword(text.span(*named.span(1)), named[1].upper(), value)
-    if starts_value(text):
+    keyword = text.match(_ORDINAL_KEYWORD)
+    if keyword is None and starts_value(text):
         return _expression(text, depth, True).node
-    keyword = text.match(_KEYWORD)
+    keyword = keyword or text.match(_KEYWORD)
     if keyword is None:
         raise unreadable(text)
     span, name = text.span(*keyword.span(1)), keyword[1].upper()

@@ -499,13 +499,9 @@ FORMS = table(
     *_of_independent_axes("INDP_ASYN"),
     (
         "X[OSC …]",
-        REFUSED,
-        "oscillation of one axis",
-        "Pendeln einer Achse",
-        Text(
-            "In a realtime cycle X[INDP …] can send the axis from one reversal to the other.",
-            "In einem Echtzeit-Zyklus kann X[INDP …] die Achse von Umkehr zu Umkehr schicken.",
-        ),
+        SIMULATED,
+        "motion of one axis to and fro beside the path, between two positions",
+        "Pendeln einer Achse neben der Bahn zwischen zwei Positionen",
     ),
     (
         "X[DIST_CTRL …]",

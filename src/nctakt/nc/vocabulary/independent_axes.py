@@ -12,22 +12,15 @@ from math import inf
 from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Message, Span, Text
-from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
-from nctakt.messages.independent_axes import (
-    DUPLICATE_AXIS_KEYWORD,
-    INDEPENDENT_KEYWORD_NOT_FIRST,
-    INDEPENDENT_SYNTAX,
-    INDEPENDENT_VALUE_INVALID,
-)
+from nctakt.base.diagnostics import Span, Text
+from nctakt.messages.independent_axes import AXIS_VALUE_INVALID, INDEPENDENT_SYNTAX
 from nctakt.nc.tree import BracketCommand, Expression, Keyword, Number
+from nctakt.nc.vocabulary.axis_brackets import INDP_SYN, BracketReader
 from nctakt.nc.vocabulary.axis_commands import Finding
 from nctakt.nc.vocabulary.functions import ABSOLUTE, G_FUNCTIONS, LINE, RAPID, RELATIVE
 
-#: The first keywords, and whether the block waits for the axis.
-FORMS = MappingProxyType({"INDP_SYN": True, "INDP_ASYN": False})
 #: Keywords without and with a value.
-_FLAGS, _VALUES = ("INCL_OFFSETS",), ("FEED", "TIME", "FEED_MAX_WEIGHT", "POS")
+_VALUES = ("FEED", "TIME", "FEED_MAX_WEIGHT", "POS")
 _SPEEDS = ("FEED", "TIME", "FEED_MAX_WEIGHT")
 #: Keywords of the language that are refused; each has a row among the forms (``commands.py``).
 REFUSED_KEYWORDS = MappingProxyType(
@@ -42,7 +35,7 @@ REFUSED_KEYWORDS = MappingProxyType(
         "G100": "G100",
     }
 )
-KEYWORDS = ("G90", "G91", "G00", "G01", *_VALUES, *_FLAGS)
+FLAGS = ("G90", "G91", "G00", "G01", "INCL_OFFSETS")
 _MEASURING_LINE = 100
 _G_WORDS = MappingProxyType(
     {float(number): G_FUNCTIONS[number].name for number in (ABSOLUTE, RELATIVE, RAPID, LINE)}
@@ -50,7 +43,6 @@ _G_WORDS = MappingProxyType(
 )
 
 #: Reasons of message 21068.
-_UNKNOWN_KEYWORD = Text("{word} is not one of its keywords", "{word} ist keines davon")
 _REASONS = MappingProxyType(
     {
         "G": Text("only G90, G91, G00 and G01 are possible", "möglich sind nur G90, G91, G00, G01"),
@@ -70,8 +62,6 @@ _REASONS = MappingProxyType(
             "G00 moves at rapid traverse, without FEED, TIME or FEED_MAX_WEIGHT",
             "G00 fährt im Eilgang, ohne FEED, TIME oder FEED_MAX_WEIGHT",
         ),
-        "flag": Text("INCL_OFFSETS takes no value", "INCL_OFFSETS erwartet keinen Wert"),
-        "word": Text("a value without a keyword", "ein Wert ohne Schlüsselwort"),
     }
 )
 #: The highest weight, percent.
@@ -101,12 +91,6 @@ class IndependentCommand:
         return [*self.speeds.values(), *position]
 
 
-def form_of(command: BracketCommand) -> str:
-    """Return INDP_SYN or INDP_ASYN if a bracket has one of them, else an empty text."""
-    names = (item.name for item in command.items if isinstance(item, Keyword))
-    return next((name for name in names if name in FORMS), "")
-
-
 def read_independent(
     command: BracketCommand,
 ) -> tuple[IndependentCommand, list[Finding], list[tuple[str, Span]]]:
@@ -116,80 +100,33 @@ def read_independent(
     return reader.command(), reader.findings, reader.refused
 
 
-class _Reader:
+class _Reader(BracketReader):
     """Reads the keywords of one command."""
 
     def __init__(self, command: BracketCommand) -> None:
-        self._bracket = command
-        self._form = form_of(command)
-        self._named = {"axis": command.name, "form": self._form}
-        self._keywords: dict[str, Keyword] = {}
-        self.findings: list[Finding] = []
-        self.refused: list[tuple[str, Span]] = []
+        super().__init__(command, INDEPENDENT_SYNTAX, FLAGS, _VALUES, REFUSED_KEYWORDS)
 
-    def _find(self, message: Message, span: Span, **values: object) -> None:
-        self.findings.append(Finding(message, span, values))
-
-    def _wrong(self, reason: str, span: Span | None = None) -> None:
-        span = span or self._bracket.span
-        self._find(INDEPENDENT_SYNTAX, span, reason=_REASONS[reason], **self._named)
-
-    def read(self) -> None:
+    def read(self) -> bool:
         """Note the keywords and what is wrong with them."""
-        first = self._bracket.items[0]
-        if not isinstance(first, Keyword) or first.name != self._form or first.value is not None:
-            self._find(INDEPENDENT_KEYWORD_NOT_FIRST, self._bracket.span, **self._named)
-            return
-        pending: Keyword | None = None
-        for item in self._bracket.items[1:]:
-            if not isinstance(item, Keyword):
-                if pending is None:
-                    self._wrong("word", item.span)
-                else:
-                    self._keywords[pending.name] = Keyword(pending.span, pending.name, item)
-                pending = None
-                continue
-            self._miss(pending)
-            pending = self._keyword(item)
-        self._miss(pending)
-        if not self.findings:
-            for reason in self._combination():
-                self._wrong(reason)
-            self._check_numbers()
+        if not super().read():
+            return False
+        for reason in self._combination():
+            self.wrong(_REASONS[reason])
+        self._check_numbers()
+        return not self.findings
 
-    def _miss(self, pending: Keyword | None) -> None:
-        """Report a keyword after which no value came: the sign ``=`` is optional."""
-        if pending is not None:
-            self._find(WORD_VALUE_MISSING, pending.span, word=pending.name)
-
-    def _keyword(self, item: Keyword) -> Keyword | None:
-        """Note a keyword; return it if its value has to follow."""
-        name = item.name
-        if name == "G":
-            value = item.value
-            name = _G_WORDS.get(value.value, "") if isinstance(value, Number) else ""
-            if not name:
-                self._wrong("G", item.span)
-                return None
-        if name in REFUSED_KEYWORDS:
-            self.refused.append((REFUSED_KEYWORDS[name], item.span))
-            return None
-        if item.arguments or name not in KEYWORDS:
-            form = _UNKNOWN_KEYWORD
-            reason = Text(form.en.format(word=name), form.de.format(word=name))
-            self._find(INDEPENDENT_SYNTAX, item.span, reason=reason, **self._named)
-            return None
-        if name in self._keywords:
-            self._find(DUPLICATE_AXIS_KEYWORD, item.span, word=name, **self._named)
-            return None
-        if name in _FLAGS and item.value is not None:
-            self._wrong("flag", item.span)
-        self._keywords[name] = item
-        return item if name in _VALUES and item.value is None else None
+    def name_of(self, item: Keyword) -> str:
+        """Return the name of a keyword, of G functions with its number."""
+        if item.name != "G":
+            return item.name
+        name = _G_WORDS.get(item.value.value, "") if isinstance(item.value, Number) else ""
+        if not name:
+            self.wrong(_REASONS["G"], item.span)
+        return name
 
     def _combination(self) -> list[str]:
         """Return the reasons why the keywords do not fit together."""
-        has = self._keywords.__contains__
+        has = self.keywords.__contains__
         speeds = [name for name in _SPEEDS if has(name)]
         is_refused = {word for word, _ in self.refused}
         wrong = []
@@ -211,29 +148,25 @@ class _Reader:
 
     def _check_numbers(self) -> None:
         for name in _SPEEDS:
-            value = self._value(name)
+            value = self.value(name)
             if isinstance(value, Number) and not is_valid(name, value.value):
                 values = {"word": name, "value": value.value}
-                self._find(INDEPENDENT_VALUE_INVALID, value.span, **values, **self._named)
-
-    def _value(self, name: str) -> Expression | None:
-        keyword = self._keywords.get(name)
-        return None if keyword is None else keyword.value
+                self.find(AXIS_VALUE_INVALID, value.span, **values, **self.named)
 
     def command(self) -> IndependentCommand:
         """Return the command."""
-        values = {name: self._value(name) for name in _SPEEDS}
+        values = {name: self.value(name) for name in _SPEEDS}
         speeds = {name: value for name, value in values.items() if value is not None}
         return IndependentCommand(
-            self._bracket.name,
-            self._form,
-            self._bracket.span,
-            FORMS.get(self._form, False),
-            "G90" in self._keywords,
+            self.bracket.name,
+            self.form,
+            self.bracket.span,
+            self.form == INDP_SYN,
+            "G90" in self.keywords,
             not speeds,
             speeds,
-            self._value("POS"),
-            "INCL_OFFSETS" in self._keywords,
+            self.value("POS"),
+            "INCL_OFFSETS" in self.keywords,
         )
 
 

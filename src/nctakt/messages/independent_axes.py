@@ -43,10 +43,10 @@ AXIS_VALUE_INVALID = error(
     known_as=(21374,),
     en="{axis}[{form} …]: {word} cannot be {value}",
     de="{axis}[{form} …]: {word} kann nicht {value} sein",
-    remedy_en="FEED, TIME, FREQ and EXCUR must be above 0, FEED_MAX_WEIGHT above 0 and at most 100 "
-    "percent, 1ST_DELT and 2ND_DELT 0 or more.",
-    remedy_de="FEED, TIME, FREQ und EXCUR müssen über 0 liegen, FEED_MAX_WEIGHT über 0 und "
-    "höchstens bei 100 Prozent, 1ST_DELT und 2ND_DELT bei 0 oder mehr.",
+    remedy_en="FEED, TIME, FREQ, EXCUR must be above 0, FEED_MAX_WEIGHT up to 100, 1ST_DELT and "
+    "2ND_DELT 0 or more.",
+    remedy_de="FEED, TIME, FREQ, EXCUR müssen über 0 liegen, FEED_MAX_WEIGHT bis 100, 1ST_DELT und "
+    "2ND_DELT ab 0.",
     form=_FORM,
 )
 INDEPENDENT_IN_TRANSFORMATION = error(
@@ -76,10 +76,10 @@ OSCILLATION_SYNTAX = error(
     902580,
     en="{axis}[{form} …]: {reason}",
     de="{axis}[{form} …]: {reason}",
-    remedy_en="Write {axis}[OSC ON 1ST_POS=-100 2ND_POS=100 FEED=1000], {axis}[OSC ON ZERO_POS=0 "
-    "EXCUR=100 FREQ=1], {axis}[OSC OFF] or {axis}[OSC OFF INSTANT].",
-    remedy_de="{axis}[OSC ON 1ST_POS=-100 2ND_POS=100 FEED=1000], {axis}[OSC ON ZERO_POS=0 "
-    "EXCUR=100 FREQ=1], {axis}[OSC OFF] oder {axis}[OSC OFF INSTANT] schreiben.",
+    remedy_en="Write {axis}[OSC ON 1ST_POS=-5 2ND_POS=5 FREQ=1], {axis}[OSC OFF] or "
+    "{axis}[OSC OFF INSTANT].",
+    remedy_de="{axis}[OSC ON 1ST_POS=-5 2ND_POS=5 FREQ=1], {axis}[OSC OFF] oder "
+    "{axis}[OSC OFF INSTANT] schreiben.",
     cause_en="An oscillating axis needs two positions and a speed: FEED, the frequency FREQ in Hz "
     "or the period TIME in s.",
     cause_de="Eine pendelnde Achse braucht zwei Positionen und eine Geschwindigkeit: FEED, die "

@@ -432,10 +432,10 @@ class AxisMotions:
         if self.swing_way[axis] == codes.FORTH:
             if self.next_kind[axis] and not self.next_held[axis]:
                 return 0
-            if self.swings[axis] == 1:
-                return 0
             if self.swings[axis] > 0:
                 self.swings[axis] -= 1
+            if self.swings[axis] == 0:
+                return 0
             self.goal[axis] = self.axes.command[axis] - self.stroke_d[axis]
             self.end[axis] = self.first_d[axis]
             self.pausing[axis] = self.second_pause[axis]

@@ -8,6 +8,7 @@ which the sign ``=`` is optional.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import ClassVar
 
 from nctakt.base.diagnostics import Message, Span, Text
 from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
@@ -37,23 +38,17 @@ class BracketReader:
     """Reads the keywords of a bracket.
 
     ``syntax``: the message for a wrong form. ``flags``: keywords without a value; ``values``: those
-    with one; ``refused``: those that are known and refused, with the word of their row.
+    with one; ``refusals``: those that are known and refused, with the word of their row.
     """
 
-    def __init__(
-        self,
-        command: BracketCommand,
-        syntax: Message,
-        flags: Sequence[str],
-        values: Sequence[str],
-        refused: Mapping[str, str] | None = None,
-    ) -> None:
+    syntax: ClassVar[Message]
+    flags: ClassVar[Sequence[str]]
+    values: ClassVar[Sequence[str]]
+    refusals: ClassVar[Mapping[str, str]] = {}
+
+    def __init__(self, command: BracketCommand) -> None:
         self.bracket = command
         self.form = form_of(command)
-        self._syntax = syntax
-        self._flags = flags
-        self._values = values
-        self._refused = refused or {}
         self.named = {"axis": command.name, "form": self.form}
         self.keywords: dict[str, Keyword] = {}
         self.findings: list[Finding] = []
@@ -65,7 +60,7 @@ class BracketReader:
 
     def wrong(self, reason: Text, span: Span | None = None) -> None:
         """Note a wrong form, of the whole bracket if there is no span."""
-        self.find(self._syntax, span or self.bracket.span, reason=reason, **self.named)
+        self.find(self.syntax, span or self.bracket.span, reason=reason, **self.named)
 
     def read(self) -> bool:
         """Note the keywords and what is wrong with each; return whether nothing is."""
@@ -101,19 +96,19 @@ class BracketReader:
         name = self.name_of(item)
         if not name:
             return None
-        if name in self._refused:
-            self.refused.append((self._refused[name], item.span))
+        if name in self.refusals:
+            self.refused.append((self.refusals[name], item.span))
             return None
-        if item.arguments or (name not in self._values and name not in self._flags):
+        if item.arguments or (name not in self.values and name not in self.flags):
             self.wrong(_with(_UNKNOWN_KEYWORD, name), item.span)
             return None
         if name in self.keywords:
             self.find(DUPLICATE_AXIS_KEYWORD, item.span, word=name, **self.named)
             return None
-        if name in self._flags and item.name == name and item.value is not None:
+        if name in self.flags and item.name == name and item.value is not None:
             self.wrong(_with(_TAKES_NO_VALUE, name), item.span)
         self.keywords[name] = item
-        return item if name in self._values and item.value is None else None
+        return item if name in self.values and item.value is None else None
 
     def value(self, name: str) -> Expression | None:
         """Return the value of a keyword, ``None`` without it."""

@@ -103,8 +103,10 @@ def read_independent(
 class _Reader(BracketReader):
     """Reads the keywords of one command."""
 
-    def __init__(self, command: BracketCommand) -> None:
-        super().__init__(command, INDEPENDENT_SYNTAX, FLAGS, _VALUES, REFUSED_KEYWORDS)
+    syntax = INDEPENDENT_SYNTAX
+    flags = FLAGS
+    values = _VALUES
+    refusals = REFUSED_KEYWORDS
 
     def read(self) -> bool:
         """Note the keywords and what is wrong with them."""

@@ -81,8 +81,9 @@ def read_oscillation(command: BracketCommand) -> tuple[OscillationCommand, list[
 class _Reader(BracketReader):
     """Reads the keywords of one command."""
 
-    def __init__(self, command: BracketCommand) -> None:
-        super().__init__(command, OSCILLATION_SYNTAX, _FLAGS, _VALUES)
+    syntax = OSCILLATION_SYNTAX
+    flags = _FLAGS
+    values = _VALUES
 
     def read(self) -> bool:
         """Note the keywords and what is wrong with them."""

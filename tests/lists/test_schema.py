@@ -166,6 +166,20 @@ def test_old_names(old: str, new: str, numbers: list[int]) -> None:
     assert (values.get(new), found) == (1, numbers)
 
 
+@pytest.mark.parametrize(
+    "entry", ["syn_chk.fehler_gesamt 20", "syn_chk.fehler_pro_zeile 2", "syn_chk.interaktiv 1"]
+)
+def test_old_names_of_parameters_without_effect(entry: str) -> None:
+    """Pages 149227915, 149226379, 149229451: the syntax up to V2.11 is known, and checked."""
+    assert load(CHANNEL, f"{entry}\n")[1] == [900024]
+
+
+def test_the_old_name_of_the_kind_of_homing() -> None:
+    """Page 117265547: it has the effect of the present one."""
+    values, found = load(AXIS, "kenngr.homing_type DISABLED\n")
+    assert (values.text("kenngr.homing.homing_type"), found) == ("DISABLED", [900024])
+
+
 def test_each_unknown_entry_is_a_warning_at_its_line() -> None:
     """Up to 20 of a file; one more finding counts the others, or names them if all are wanted."""
     text = "".join(f"vendor.own_{number} 1\n" for number in range(23))

@@ -30,7 +30,7 @@ created when it is needed. The columns:
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
@@ -56,6 +56,8 @@ _MORE = "…"
 _ID = re.compile(r"P-[A-Z]{4}-[0-9]{5}")
 #: What the line of a parameter with an effect has, and no other.
 _USED = "\tused\t"
+#: What the line of a parameter with a further name has.
+_ALIAS = re.compile(r"[\t ](?:old|same)=")
 
 NO_NAMES: Mapping[str, Mapping[str, int | None]] = MappingProxyType({})
 NO_DEFECTS: Mapping[str, Message] = MappingProxyType({})
@@ -111,12 +113,19 @@ class ParameterTable:
         by_id.pop("", None)
         return by_id
 
+    @property
+    def _with_aliases(self) -> Iterator[Parameter]:
+        """The parameters that have further names, in the order of the table."""
+        for pattern, (_, line) in self._lines.items():
+            if _ALIAS.search(line):
+                yield self._parameter(pattern)
+
     @cached_property
     def _by_alias(self) -> dict[str, tuple[Parameter, Alias]]:
         """The parameters that have further names, by these."""
         return {
             pattern_of(alias.path): (parameter, alias)
-            for parameter in self.used
+            for parameter in self._with_aliases
             for alias in parameter.aliases
         }
 

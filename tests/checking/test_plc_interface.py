@@ -72,3 +72,53 @@ def test_without_a_named_machine_nothing_is_compared(tmp_path: Path) -> None:
     """The demo machine is not the user's."""
     (tmp_path / "cell.st").write_text(f"{HEAD}{PRESENT}END_PROGRAM\n", "utf-8")
     assert reported(tmp_path / "cell.st") == []
+
+
+STRUCTURE = """TYPE ST_Channel : STRUCT
+    fValue2 : LREAL;
+    nPos : DINT;
+    aGap : ARRAY[1..28] OF BYTE;
+    {members}
+END_STRUCT
+END_TYPE
+PROGRAM MAIN
+VAR p, q : POINTER TO ST_Channel; END_VAR
+p := gpVECh[0];
+q := {other};
+END_PROGRAM
+"""
+
+
+@pytest.mark.parametrize(
+    ("members", "other", "expected"),
+    [
+        ("nCount : UDINT;", "p", []),
+        ("nCount : UDINT;", "gpVECh[0]", []),
+        ("nCount : UDINT; fill : UDINT; aList : ARRAY[0..9] OF LREAL; bFlag : BOOL;", "p", []),
+        ("nCount : REAL;", "p", [(902366, 5)]),
+        ("nCount : UDINT; aList : ARRAY[0..9] OF REAL;", "p", [(902366, 5)]),
+        ("nCount : DINT;", "p", [(902366, 5)]),
+        ("nCount : UDINT; nHigh : INT; aList : ARRAY[0..9] OF LREAL;", "p", []),
+        ("nLow : INT; nHigh : INT;", "p", [(902366, 5), (902366, 5)]),
+        ("fCount : LREAL; sText : STRING(700); nFar : DINT;", "p", [(902366, 5)] * 3),
+        ("nCount : UDINT;", "gpVEGlob", [(902366, 3), (902366, 5)]),
+    ],
+)
+def test_structures_are_compared_with_the_variables(
+    tmp_path: Path, members: str, other: str, expected: list[tuple[int, int]]
+) -> None:
+    """ST-764: COUNT (UNS32) is at byte 40, LIST at 48; the global SGN32 at 16 lies under a gap."""
+    machine_with(tmp_path / "lists")
+    (tmp_path / "nctakt.toml").write_text('machine = "lists"\n', "utf-8")
+    text = STRUCTURE.format(members=members, other=other)
+    (tmp_path / "cell.st").write_text(text, "utf-8")
+    assert reported(tmp_path / "cell.st") == expected
+
+
+def test_a_pointer_that_moves_is_not_judged(tmp_path: Path) -> None:
+    """What it points to later may fit."""
+    machine_with(tmp_path / "lists")
+    (tmp_path / "nctakt.toml").write_text('machine = "lists"\n', "utf-8")
+    text = STRUCTURE.format(members="nCount : REAL;", other="p; p := p + 8")
+    (tmp_path / "cell.st").write_text(text, "utf-8")
+    assert reported(tmp_path / "cell.st") == []

@@ -3,8 +3,8 @@
 
 In: a checked PLC program that uses the interface, and a machine. Out: warnings for channels and
 axes that the machine lacks, functions of the channel lists that the code does not acknowledge or
-that only the code knows, handshakes that nothing completes. What the code computes may be
-anything: it is left out.
+that only the code knows, handshakes that nothing completes, V.E variables of another layout. What
+the code computes may be anything: it is left out.
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
+from nctakt.checking.plc_variables import Pointed, differing, pointed
 from nctakt.hli.table import LIST_NAME
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import Collector
@@ -23,6 +24,7 @@ from nctakt.messages.plc_interface import (
     INTERFACE_INDEX_OUTSIDE,
     NOTHING_ACKNOWLEDGES,
     SEMAPHORE_NEVER_SET,
+    VARIABLE_DIFFERS,
 )
 from nctakt.st import tree
 from nctakt.st.program import Program
@@ -48,6 +50,8 @@ class _Facts:
     commands: list[tuple[str, Node]]
     semaphores: set[str]
     known: dict[int, Node]
+    #: What is assigned to pointers to structures.
+    pointed: list[Pointed]
     #: Parts of the interface are reached by addresses: other code may write them.
     has_addresses: bool = False
 
@@ -58,7 +62,7 @@ def report_interface_uses(program: Program, machine: Machine, collector: Collect
         group.name == LIST_NAME.rstrip(".") and group.variables for group in program.lists
     ):
         return
-    facts = _Facts([], [], [], [], set(), {})
+    facts = _Facts([], [], [], [], set(), {}, [])
     for called in _bodies(program):
         _statements(called.body, None, facts)
     report = _Report(program, collector)
@@ -67,6 +71,8 @@ def report_interface_uses(program: Program, machine: Machine, collector: Collect
     for root, index, number in facts.indices:
         if not 0 <= number < counts.get(root, number + 1):
             report(INTERFACE_INDEX_OUTSIDE, index, name=root, index=number, count=counts[root])
+    for node, values in differing(facts.pointed, machine):
+        report(VARIABLE_DIFFERS, node, **values)
     if facts.has_addresses:
         return
     _report_functions(facts, machine, report)
@@ -184,6 +190,9 @@ def _owner(node: Expression) -> str:
 
 
 def _assignment(target: Expression, value: Expression, numbers: Numbers, facts: _Facts) -> None:
+    pointer = pointed(target, value)
+    if pointer is not None:
+        facts.pointed.append(pointer)
     if not isinstance(target, tree.Member) or value.value is False:
         return
     name, owner = target.name.lower(), _owner(target)

@@ -46,3 +46,14 @@ SEMAPHORE_NEVER_SET = warning(
     remedy_de="command_semaphor_rw nach dem Befehl setzen, wenn es FALSE ist.",
     kind=("the type of the control unit", "der Typ der Steuereinheit"),
 )
+VARIABLE_DIFFERS = warning(
+    902366,
+    en="{name} of type {type} is at byte {offset} of {root}; the lists have there: {other}",
+    de="{name} vom Typ {type} liegt bei Byte {offset} von {root}; dort haben die Listen: {other}",
+    remedy_en="Lay the structure out as the lists do (P-STUP-00145); arrays of bytes fill gaps.",
+    remedy_de="Die Struktur wie die Listen anordnen (P-STUP-00145); Felder aus Bytes füllen "
+    "Lücken.",
+    offset=("the number of bytes from the first variable on", "die Bytes ab der ersten Variablen"),
+    root=("the pointer of the interface", "der Zeiger der Schnittstelle"),
+    other=("the variable that lies there", "die Variable, die dort liegt"),
+)

@@ -33,7 +33,7 @@ def libraries(tmp_path_factory: pytest.TempPathFactory) -> dict[int, Path]:
     }
 
 
-@pytest.fixture(params=[2, 3], ids=["FMI 2.0", "FMI 3.0"])
+@pytest.fixture(params=[pytest.param(2, marks=pytest.mark.nightly), 3], ids=["FMI 2.0", "FMI 3.0"])
 def plant(request: pytest.FixtureRequest, libraries: dict[int, Path], tmp_path: Path) -> Path:
     """The FMU."""
     version = int(request.param)

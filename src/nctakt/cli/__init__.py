@@ -62,6 +62,7 @@ _GROUPS: Mapping[Text, Mapping[str, str]] = {
     },
     Text("Connect", "Verbinden"): {
         "serve": "nctakt.cli.serve",
+        "fmu": "nctakt.cli.fmu",
         "dap": "nctakt.cli.dap",
         "lsp": "nctakt.cli.lsp",
     },

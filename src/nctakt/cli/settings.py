@@ -21,7 +21,7 @@ from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.project import FMU_NOT_RUN, PLC_NOT_RUN
-from nctakt.project.run_settings import Named, RunSettings, run_settings
+from nctakt.project.run_settings import FmuUse, Named, RunSettings, run_settings
 from nctakt.run.stimuli import assignment_text
 
 
@@ -30,14 +30,18 @@ def carry_out(
     action: Callable[[Options, FileAccess], int],
     *,
     runs_code: bool = True,
+    fmu_use: FmuUse | None = None,
 ) -> int:
     """Carry out a command that runs programs; its exit code. A ``Failure`` is shown.
 
     ``runs_code``: the project's PLC too; without it only one that the words name.
+    ``fmu_use``: what becomes of the project's FMU, by default what the command's options say.
     """
     paths = [*words["programs"], *(program for _, program in words["others"])]
     return maybe_watched(
-        words, paths, lambda access: _carry_out(words, action, access, runs_code=runs_code)
+        words,
+        paths,
+        lambda access: _carry_out(words, action, access, runs_code=runs_code, fmu_use=fmu_use),
     )
 
 
@@ -67,11 +71,12 @@ def _carry_out(
     access: FileAccess,
     *,
     runs_code: bool,
+    fmu_use: FmuUse | None,
 ) -> int:
     language: Language = words["language"] or "en"
     settings: RunSettings | None = None
     try:
-        settings = _settings(words, access, runs_code=runs_code)
+        settings = _settings(words, access, fmu_use, runs_code=runs_code)
         options = _completed(words, settings)
         language = options.language
         project = settings.project
@@ -87,8 +92,12 @@ def _carry_out(
         return EXIT_USAGE
 
 
-def _settings(words: dict[str, Any], access: FileAccess, *, runs_code: bool) -> RunSettings:
+def _settings(
+    words: dict[str, Any], access: FileAccess, fmu_use: FmuUse | None, *, runs_code: bool
+) -> RunSettings:
     """Return the settings of the words; raises ``Failure`` where these are wrong."""
+    if fmu_use is None:
+        fmu_use = ("run" if runs_code else "leave_out") if "fmu" in words else "refuse"
     programs = [*words["programs"], *(program for _, program in words["others"])]
     files = [Path(program) for program in programs if program != STANDARD_INPUT]
     named = Named(
@@ -96,7 +105,7 @@ def _settings(words: dict[str, Any], access: FileAccess, *, runs_code: bool) -> 
         plc=words["plc"],
         has_plc=words.get("hli") is not None or not runs_code,
         fmu=words.get("fmu"),
-        fmu_use=("run" if runs_code else "leave_out") if "fmu" in words else "refuse",
+        fmu_use=fmu_use,
         values=[text.partition("=")[0].strip() for text in words["assignments"]],
         until=words.get("until"),
         is_limited=words.get("ticks") is not None,

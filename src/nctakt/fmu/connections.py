@@ -97,7 +97,7 @@ class Connections:
         """Return what reads a value of the machine; raises ``Failure`` for an unknown name."""
         signal = self._signals.get(name)
         if signal is not None:
-            cells, cell = self._machine.cells, signal[0]
+            cells, cell = self._machine.cells, signal.cell
             return lambda: cells[cell]
         access = self._machine.access
         try:
@@ -173,7 +173,7 @@ class Connections:
 
     def _factor(self, variable: FmuVariable, name: str) -> float | None:
         """Return how many of the machine's unit one of the FMU is; what does not fit is noted."""
-        own = self._signals[name][1] if name in self._signals else ""
+        own = self._signals[name].unit if name in self._signals else ""
         if not own or not variable.unit:
             return 1.0
         factor = factor_between(variable.unit, own)

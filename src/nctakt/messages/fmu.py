@@ -115,3 +115,33 @@ FMU_VALUE_REFUSED = error(
     target=("the variable that cannot have it", "die Variable, die ihn nicht annehmen kann"),
     time=("the time", "die Zeit"),
 )
+CELL_NOT_COMPLETE = error(
+    902615,
+    en="the FMU would not start from its own files alone",
+    de="die FMU würde aus ihren eigenen Dateien allein nicht starten",
+    remedy_en="Name files in lists and programs relative to the machine's folder, below it.",
+    remedy_de="Dateien in Listen und Programmen relativ zum Ordner der Maschine nennen, darunter.",
+)
+CELL_STEP_NOT_POSSIBLE = error(
+    902616,
+    en="a communication step of {step} is no whole number of ticks of {tick}",
+    de="eine Kommunikationsschrittweite von {step} ist keine ganze Zahl von Takten von {tick}",
+    remedy_en="Set the step of the importing tool to a multiple of the tick.",
+    remedy_de="Die Schrittweite des importierenden Werkzeugs auf ein Vielfaches des Takts setzen.",
+    step=("the communication step", "die Kommunikationsschrittweite"),
+    tick=("the length of a tick", "die Länge eines Takts"),
+)
+NOT_AN_INPUT = error(
+    902617,
+    en="{name} cannot be an input of the FMU",
+    de="{name} kann kein Eingang der FMU sein",
+    remedy_en="Inputs are V.E variables, and operator's values such as HLI.OVERRIDE.",
+    remedy_de="Eingänge sind V.E-Variablen und Werte des Bedieners wie HLI.OVERRIDE.",
+)
+CELL_NAME_NOT_POSSIBLE = error(
+    902618,
+    en="{file} cannot be the file of an FMU",
+    de="{file} kann nicht die Datei einer FMU sein",
+    remedy_en="Name it like a variable, with the ending .fmu: cell.fmu",
+    remedy_de="Sie wie eine Variable nennen, mit der Endung .fmu: zelle.fmu",
+)

@@ -29,6 +29,9 @@ from nctakt.project.machine_choice import MachineChoice, choose_machine, machine
 from nctakt.project.project_file import FmuSettings, Project, find_project
 from nctakt.project.trust import list_of_trusted, why_distrusted
 
+#: What a run does with the FMU of its project.
+FmuUse = Literal["run", "leave_out", "refuse"]
+
 #: The word for the built-in PLC, where the project file names another one.
 DEFAULT_PLC = "default"
 
@@ -48,7 +51,7 @@ class Named:
     plc: str | Path | None = None
     has_plc: bool = False
     fmu: str | Path | None = None
-    fmu_use: Literal["run", "leave_out", "refuse"] = "refuse"
+    fmu_use: FmuUse = "refuse"
     values: Collection[str] = ()
     until: TimeLike | None = None
     is_limited: bool = False

@@ -100,7 +100,7 @@ FRONT_ENDS: Mapping[str, Text] = {
         name: Text(f"nctakt {name}", f"nctakt {name}")
         for name in (
             "run", "why", "time", "compare", "disassemble", "coverage", "live", "serve", "study",
-            "check", "replay",
+            "check", "replay", "fmu",
         )
     },
     "python": Text("Controller.run", "Controller.run"),
@@ -183,7 +183,7 @@ OPTIONS: Sequence[RunOption] = (
         name="programs",
         kind=Programs(),
         help=Text("The programs of channel 1.", "Die Programme von Kanal 1."),
-        accepted_by=f"{_RUNS} {_SESSIONS} python session launch tape",
+        accepted_by=f"{_RUNS} {_SESSIONS} python session launch tape fmu",
         group="machine",
     ),
     RunOption(
@@ -193,7 +193,7 @@ OPTIONS: Sequence[RunOption] = (
             "Run a program in channel N at the same time; may be repeated.",
             "Gleichzeitig ein Programm in Kanal N ausführen; mehrfach möglich.",
         ),
-        accepted_by=f"{_RUNS} {_SESSIONS} python session comment launch tape",
+        accepted_by=f"{_RUNS} {_SESSIONS} python session comment launch tape fmu",
         group="machine",
         words="others",
         flag="--channel",
@@ -208,7 +208,7 @@ OPTIONS: Sequence[RunOption] = (
             "Ordner mit den Listen der Maschine, demo oder demo5 [Vorgabe: die des Projekts, sonst "
             "die um das Programm, sonst demo].",
         ),
-        accepted_by=f"{_RUNS} {_SESSIONS} study check session comment project plan launch tape",
+        accepted_by=f"{_RUNS} {_SESSIONS} study check session comment project plan launch tape fmu",
         group="machine",
     ),
     RunOption(
@@ -227,7 +227,7 @@ OPTIONS: Sequence[RunOption] = (
         help=Text(
             "Set a variable before the first tick.", "Eine Variable vor dem ersten Takt setzen."
         ),
-        accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} project tape",
+        accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} project tape fmu",
         words="assignments",
     ),
     RunOption(
@@ -279,7 +279,7 @@ OPTIONS: Sequence[RunOption] = (
         name="skip",
         kind=SkipLevels(),
         help=Text("Skip blocks of these skip levels.", "Sätze dieser Ausblendebenen überspringen."),
-        accepted_by=f"{_RUNS} study {_DATA} comment tape",
+        accepted_by=f"{_RUNS} study {_DATA} comment tape fmu",
         default=(),
     ),
     RunOption(
@@ -352,7 +352,7 @@ OPTIONS: Sequence[RunOption] = (
             "Read programs and lists only from this folder; may be repeated.",
             "Programme und Listen nur aus diesem Ordner lesen; mehrfach möglich.",
         ),
-        accepted_by=f"{_RUNS} {_SESSIONS} check tape",
+        accepted_by=f"{_RUNS} {_SESSIONS} check tape fmu",
         group="general",
         words="confined",
     ),
@@ -379,7 +379,7 @@ OPTIONS: Sequence[RunOption] = (
             "Eine eigene Klasse, die die SPS spielt [Vorgabe: die des Projekts, sonst die "
             "eingebaute].",
         ),
-        accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} comment project",
+        accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} comment project fmu",
         group="machine",
         metavar="FILE.py",
     ),
@@ -507,7 +507,7 @@ OPTIONS: Sequence[RunOption] = (
             "Language of texts and messages [default: the project's, else en].",
             "Sprache der Texte und Meldungen [Vorgabe: die des Projekts, sonst en].",
         ),
-        accepted_by=f"{_RUNS} {_SESSIONS} study check replay project launch",
+        accepted_by=f"{_RUNS} {_SESSIONS} study check replay project launch fmu",
         group="general",
         flag="--lang",
     ),
@@ -515,7 +515,7 @@ OPTIONS: Sequence[RunOption] = (
         name="quiet",
         kind=Flag(),
         help=Text("Less output; errors are always shown.", "Weniger Ausgabe; Fehler immer."),
-        accepted_by=f"{_RUNS} {_SESSIONS} study check replay",
+        accepted_by=f"{_RUNS} {_SESSIONS} study check replay fmu",
         default=False,
         group="general",
     ),

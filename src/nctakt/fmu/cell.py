@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""What runs inside an FMU of nctakt: a machine with its program and PLC, step by step.
+
+In: the folder of the FMU's resources, values of inputs, steps. Out: values of signals, messages.
+Each instance has a controller of its own. A step is a whole number of ticks.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.fmu import CELL_STEP_NOT_POSSIBLE
+from nctakt.plc import load_plc
+from nctakt.run.controller import Controller
+from nctakt.run.inputs import FMU
+from nctakt.run.options import RunKeywords
+from nctakt.run.tape_words import options_of_words
+
+#: The folder with the users' files, and the file that says how they are run, in the resources.
+FILES, CONTENT = "files", "cell.json"
+
+#: Part of a tick that a time of the importer may be off.
+_TOLERANCE = 1e-3
+
+
+class Cell:
+    """A machine with its program; raises ``Failure`` where the files do not make one."""
+
+    def __init__(self, resources: Path) -> None:
+        content = json.loads((resources / CONTENT).read_text("utf-8"))
+        files = resources / FILES
+        words = content["words"]
+        machine = words["machine"]
+        folder = None if machine is None else files / machine if content["has_lists"] else machine
+        self._controller = controller = Controller(folder, None, FileAccess([files]))
+        plc = None if content["plc"] is None else load_plc(files / content["plc"])
+        options: RunKeywords = {
+            **options_of_words(words),
+            "plc": plc,
+            "memory_trace": False,
+            "record_writes": False,
+            "stays": True,
+        }
+        programs: dict[int, list[str | Path]] = {1: [files / name for name in words["programs"]]}
+        for number, name in words["others"]:
+            programs.setdefault(int(number), []).append(files / name)
+        self._shown = 0
+        self._run = controller.begin(programs, **options)
+        self._run.load()
+        if any(one.severity is Severity.ERROR for one in controller.diagnostics):
+            raise Failure(*controller.diagnostics)
+        self._machine = machine_ = self._run.machine
+        signals = machine_.signals()
+        self._cells = [
+            None if name not in signals else signals[name].cell for name in content["variables"]
+        ]
+        self._names: Sequence[str] = content["variables"]
+        self._start_us = 0.0
+        self._ticks = 0
+
+    def begin_at(self, time_s: float) -> None:
+        """Let the importer's time begin here; the machine's begins at 0."""
+        self._start_us = time_s * 1e6
+
+    def get(self, references: Sequence[int]) -> list[Any]:
+        """Return the values of variables; they count from 1."""
+        cells = self._machine.cells
+        found: list[Any] = []
+        for reference in references:
+            cell = self._cells[reference - 1]
+            found.append(
+                self._machine.read(self._names[reference - 1]) if cell is None else cells[cell]
+            )
+        return found
+
+    def set(self, references: Sequence[int], values: Sequence[Any]) -> None:
+        """Set variables with effect from the next tick; raises ``Failure``."""
+        for reference, value in zip(references, values, strict=True):
+            self._machine.write(self._names[reference - 1], value, FMU)
+
+    def step(self, time_s: float, step_s: float) -> None:
+        """Run the ticks of a communication step; raises ``Failure`` if they are no whole number."""
+        cycle_us = self._controller.cycle_time_us
+        end = (time_s + step_s) * 1e6 - self._start_us
+        ticks = round(end / cycle_us)
+        if abs(end / cycle_us - ticks) > _TOLERANCE or ticks <= self._ticks:
+            raise Failure(
+                diagnostic(
+                    CELL_STEP_NOT_POSSIBLE, step=f"{step_s:g} s", tick=f"{cycle_us / 1e6:g} s"
+                )
+            )
+        self._ticks = ticks
+        self._run.advance(ticks)
+
+    def news(self) -> Sequence[Diagnostic]:
+        """Return the messages since the last call."""
+        found = self._controller.diagnostics[self._shown :]
+        self._shown += len(found)
+        return found
+
+    def close(self) -> None:
+        """Give up the run."""
+        self._run.close()

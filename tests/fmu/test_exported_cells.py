@@ -1,0 +1,208 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt fmu``: a machine with its program as an FMU, run by FMPy and equal to ``run``."""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nctakt.cli import main
+from nctakt.files.access import FileAccess
+from nctakt.fmu.description import read_fmu
+from nctakt.fmu.instance import FmuInstance
+from nctakt.run.controller import Controller
+
+fmpy = pytest.importorskip("fmpy", reason="FMUs need FMPy (extra fmi)")
+pytest.importorskip("pythonfmu", reason="FMUs of nctakt need pythonfmu (extra fmi)")
+pytest.importorskip("pythonfmu3", reason="FMUs of nctakt need pythonfmu3 (extra fmi)")
+
+PROGRAM = """\
+#RT CYCLE [ID = 1 SCOPE = PROG]
+  $IF ONCE V.RTA.ACS.ACT_POS.X > 5
+    V.E.COUNT = V.E.COUNT + 1
+  $ENDIF
+#RT CYCLE END
+G01 X20 Y5 F6000
+L below.nc
+M30
+"""
+PLC = """\
+from speeds import SLOW
+
+
+class Cell:
+    def cycle(self, hli):
+        if hli.tick == 40:
+            hli.override_pct = SLOW
+        hli.acknowledge_all()
+"""
+NAMES = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "PATH.SPEED", "BLOCK", "V.E.COUNT"]
+
+Told = Callable[..., tuple[int, str, str]]
+
+
+@pytest.fixture
+def told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Told:
+    """Run a command beside ``part.nc`` and ``cell.py``; exit code and both outputs."""
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text(PROGRAM, "utf-8")
+    Path("below.nc").write_text("G01 X3 F3000\nM17\n", "utf-8")
+    Path("cell.py").write_text(PLC, "utf-8")
+    Path("speeds.py").write_text("SLOW = 60\n", "utf-8")
+
+    def command(*words: str) -> tuple[int, str, str]:
+        code = main(words)
+        shown = capsys.readouterr()
+        return code, shown.out, shown.err
+
+    return command
+
+
+def simulated(file: str, step: float, end: float, **further: Any) -> Any:
+    return fmpy.simulate_fmu(
+        file, stop_time=end, step_size=step, output_interval=step, output=NAMES, **further
+    )
+
+
+@pytest.mark.parametrize("version", [pytest.param("2", marks=pytest.mark.nightly), "3"])
+def test_an_fmu_does_what_the_run_does(told: Told, version: str) -> None:
+    """It is valid, and each value after each step is that of the trace; so with steps of 2 ticks.
+
+    After the end of the program the machine stands (and ticks).
+    """
+    from fmpy.validation import validate_fmu  # noqa: PLC0415 - an extra
+
+    names = ("--outputs", ",".join(NAMES), "--fmi", version)
+    code, out, err = told("fmu", "part.nc", "--plc", "cell.py", "-o", "cell.fmu", *names)
+    assert (code, err) == (0, "")
+    assert out.startswith(f"cell.fmu: FMI {version}.0, ")
+    assert validate_fmu("cell.fmu") == []
+    Path("cell.py").unlink()
+    Path("speeds.py").write_text("SLOW = 1\n", "utf-8")
+    Path("part.nc").rename("other.nc")  # it has all that it needs
+    Path("cell.py").write_text(PLC.replace("SLOW", "60").partition("\n")[2], "utf-8")
+    from nctakt.plc import load_plc  # noqa: PLC0415 - it is written here
+
+    run = Controller().run("other.nc", plc=load_plc("cell.py"), signals=NAMES)
+    assert run.trace["V.E.COUNT"][-1] == 1
+    for ticks in (1, 2):
+        found = simulated("cell.fmu", ticks / 1000, run.ticks / 1000 + 0.01)
+        for name in NAMES:
+            expected = run.trace[name][ticks - 1 :: ticks]
+            np.testing.assert_array_equal(found[name][1 : len(expected) + 1], expected)
+        assert found["X.ACS.ACT_POS"][-1] == 3.0
+
+
+@pytest.mark.parametrize("version", [pytest.param("2", marks=pytest.mark.nightly), "3"])
+def test_an_input_counts_from_the_next_tick(told: Told, version: str) -> None:
+    """RC-002, as a value that is set at that time; instances follow each other in one process."""
+    names = ("--outputs", ",".join(NAMES), "--inputs", "HLI.OVERRIDE", "--fmi", version)
+    assert told("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
+    run = Controller().run("part.nc", at=[("100 ms", "HLI.OVERRIDE", 50)], signals=NAMES)
+    described = read_fmu(Path("cell.fmu"), FileAccess())
+    folder = fmpy.extract("cell.fmu", Path("unpacked").absolute())
+    override = described.variables["HLI.OVERRIDE"]
+    read = [described.variables[name] for name in NAMES[:4]]
+    for _ in range(2):
+        instance = FmuInstance(described, Path(folder))
+        instance.begin({}, {})
+        for tick in range(run.ticks):
+            if tick == 100:
+                instance.set({override: 50.0})
+            instance.step(tick * 1000, 1000)
+            assert instance.get(read) == {name: run.trace[name][tick] for name in NAMES[:4]}
+        instance.end()
+
+
+def test_instances_are_independent_and_can_be_reset(told: Told) -> None:
+    """Two of one FMU in turn; a step that is no whole number of ticks is an error with its text."""
+    names = ("--outputs", "X.ACS.ACT_POS", "--inputs", "HLI.OVERRIDE")
+    assert told("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
+    described = fmpy.read_model_description("cell.fmu")
+    log: list[str] = []
+
+    def note(_: Any, status: int, category: bytes, message: bytes) -> None:
+        log.append(message.decode())
+
+    folder = fmpy.extract("cell.fmu", Path("unpacked").absolute())
+    both = []
+    for name in "ab":
+        one = fmpy.fmi3.FMU3Slave(
+            name,
+            guid=described.guid,
+            unzipDirectory=str(folder),
+            modelIdentifier="cell",
+        )
+        one.instantiate(logMessage=note, loggingOn=True)
+        one.enterInitializationMode()
+        one.exitInitializationMode()
+        both.append(one)
+    first, second = both
+    second.setFloat64([2], [50.0])
+    for tick in range(50):
+        for one in both:
+            one.doStep(tick / 1000, 0.001)
+    first_x, second_x = (one.getFloat64([1])[0] for one in both)
+    assert first_x > second_x > 0.0
+    first.reset()
+    first.enterInitializationMode()
+    first.exitInitializationMode()
+    for tick in range(50):
+        first.doStep(tick / 1000, 0.001)
+    assert first.getFloat64([1]) == [first_x]
+    with pytest.raises(fmpy.fmi1.FMICallException):
+        second.doStep(0.05, 0.0005)
+    assert "902616: a communication step of 0.0005 s is no whole number of ticks" in log[-1]
+    first.freeInstance()
+
+
+@pytest.mark.nightly
+def test_it_runs_beside_a_machine_of_nctakt(told: Told) -> None:
+    """As ``--fmu`` of another run: both tick together."""
+    names = ("--outputs", "X.ACS.ACT_POS", "--inputs", "V.E.VALUE")
+    assert told("fmu", "part.nc", "-o", "cell.fmu", *names)[0] == 0
+    Path("nctakt.toml").write_text('[fmu.outputs]\n"X.ACS.ACT_POS" = "V.E.VALUE"\n', "utf-8")
+    words = ("--trace", "a.csv", "--signals", "X.ACS.ACT_POS,V.E.VALUE")
+    assert told("run", "part.nc", "--fmu", "cell.fmu", *words)[0] == 0
+    rows = [line.split(",")[:4] for line in Path("a.csv").read_text("utf-8").splitlines()[1:]]
+    positions, values = ([row[column] for row in rows] for column in (2, 3))
+    assert [float(one) for one in values[1:]] == [float(one) for one in positions[:-1]]
+
+
+@pytest.mark.nightly
+def test_the_same_run_gives_the_same_bytes_with_its_own_lists(told: Told) -> None:
+    """Lists lie beside the program in the FMU; no clock and no path of this computer is in it."""
+    assert told("new", "mill")[0] == 0
+    words = ("fmu", "part.nc", "--machine", "mill", "--quiet")
+    for name in ("a/cell.fmu", "b/cell.fmu"):
+        Path(name).parent.mkdir()
+        assert told(*words, "-o", name) == (0, "", "")
+    assert Path("a/cell.fmu").read_bytes() == Path("b/cell.fmu").read_bytes()
+    with zipfile.ZipFile("a/cell.fmu") as archive:
+        listed = archive.namelist()
+        described = archive.read("modelDescription.xml").decode()
+    assert "resources/files/mill/hochlauf.lis" in listed
+    assert 'name="X.ACS.ACT_POS" valueReference="1" description="' in described
+    assert 'unit="mm"' in described
+
+
+def test_what_makes_no_fmu_is_told(told: Told) -> None:
+    """Names, inputs, mistakes of the program; nothing is written."""
+    for words, number in (
+        (("-o", "9.fmu"), "902618"),
+        (("-o", "cell.zip"), "902618"),
+        (("-o", "cell.fmu", "--inputs", "X.ACS.ACT_POS"), "902617"),
+        (("-o", "cell.fmu", "--outputs", "X.ACS.ACT_PSO"), "ACT_POS"),
+    ):
+        code, _, err = told("fmu", "part.nc", *words)
+        assert (code, number in err) == (2, True)
+    Path("part.nc").write_text("G01 X\n", "utf-8")
+    assert told("fmu", "part.nc", "-o", "cell.fmu")[0] == 1
+    assert not Path("cell.fmu").exists()

@@ -146,9 +146,10 @@ def test_the_readme_is_short_and_leads_to_the_index() -> None:
 
 
 @pytest.mark.slow
-def test_the_tutorial_shows_what_happens() -> None:
+@pytest.mark.parametrize("language", ["en", pytest.param("de", marks=pytest.mark.nightly)])
+def test_the_tutorial_shows_what_happens(language: str) -> None:
     """Followed step by step in an empty folder, each command prints what the page shows."""
-    command = [sys.executable, "scripts/tutorial", "--check"]
+    command = [sys.executable, "scripts/tutorial", "--check", language]
     done = subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
 
@@ -280,6 +281,33 @@ def test_guides_are_short() -> None:
     guides = [page for entries in groups for page in pages(entries)]
     words = {one: len(_FENCE.sub("", text_of(f"docs/{one}")).split()) for one in guides}
     assert {one: count for one, count in words.items() if count > 900} == {}
+
+
+#: The guides that are there in German, too.
+GERMAN = ("tutorial", "running", "checking", "why", "machine-folders")
+
+
+@pytest.mark.parametrize("guide", GERMAN)
+def test_the_german_guides_say_what_the_english_ones_do(guide: str) -> None:
+    """The same headings in number and level, commands, files and programs, tables and lists."""
+    english, german = (text_of(f"docs/{name}.md") for name in (guide, f"{guide}.de"))
+
+    def outline(text: str) -> list[str]:
+        """The beginnings of headings, rows and items, in their order."""
+        return re.findall(r"^(?:#+|\||-|\d+\.)(?= )", _FENCE.sub("", text), re.MULTILINE)
+
+    def commands_and_files(name: str) -> list[tuple[str, str]]:
+        found = re.findall(r"^```([^\n]*)\n(.*?)^```$", text_of(name), re.MULTILINE | re.DOTALL)
+        return [(head, body if head not in ("", "text") else "") for head, body in found]
+
+    assert outline(german) == outline(english)
+    assert commands_and_files(f"docs/{guide}.de.md") == commands_and_files(f"docs/{guide}.md")
+
+
+def test_each_german_guide_is_compared() -> None:
+    """No guide in German is without its English one."""
+    found = {one.name.removesuffix(".de.md") for one in (ROOT / "docs").glob("*.de.md")}
+    assert found == set(GERMAN)
 
 
 @functools.cache

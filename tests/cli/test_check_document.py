@@ -21,9 +21,9 @@ TEXT = "".join(
 _FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
-def blocks(language: str) -> list[str]:
+def blocks(language: str, text: str = TEXT) -> list[str]:
     """The fenced blocks of a language, ``""``: of none."""
-    return [body for found, body in _FENCE.findall(TEXT) if found == language]
+    return [body for found, body in _FENCE.findall(text) if found == language]
 
 
 @pytest.fixture(autouse=True)
@@ -37,6 +37,14 @@ def test_the_output_is_that_of_the_command(capsys: pytest.CaptureFixture[str]) -
     program, output = blocks("")
     Path("watch.nc").write_text(program, encoding="utf-8")
     assert main(["check", "watch.nc"]) == 1
+    assert capsys.readouterr().out == output
+
+
+def test_the_german_output_is_that_of_the_command(capsys: pytest.CaptureFixture[str]) -> None:
+    """The same program, with the findings in German."""
+    program, output = blocks("", (DOCUMENTS / "checking.de.md").read_text("utf-8"))
+    Path("watch.nc").write_text(program, encoding="utf-8")
+    assert main(["check", "watch.nc", "--lang", "de"]) == 1
     assert capsys.readouterr().out == output
 
 

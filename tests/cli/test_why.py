@@ -165,9 +165,9 @@ def test_both_forms_of_the_realtime_part_give_the_same_report() -> None:
 # --- the document ------------------------------------------------------------------------------
 
 
-def blocks() -> list[tuple[str, str]]:
-    """Language and text of the fenced blocks of docs/why.md."""
-    text = (ROOT / "docs" / "why.md").read_text("utf-8")
+def blocks(page: str = "why.md") -> list[tuple[str, str]]:
+    """Language and text of the fenced blocks of docs/why.md, or of the German page."""
+    text = (ROOT / "docs" / page).read_text("utf-8")
     return re.findall(r"^```(\w*)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
 
 
@@ -176,12 +176,14 @@ def test_the_document_shows_the_example() -> None:
     assert blocks()[0] == ("", (ROOT / "examples" / "reactions.nc").read_text("utf-8"))
 
 
+@pytest.mark.parametrize(("page", "language"), [("why.md", "en"), ("why.de.md", "de")])
 def test_the_document_shows_what_the_commands_print(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    page: str, language: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The manual's ONCE, EDGE and nested ALWAYS: each output is that of the command before it."""
     monkeypatch.chdir(ROOT)
-    found = blocks()
+    monkeypatch.setenv("NCTAKT_LANGUAGE", language)
+    found = blocks(page)
     commands = [i for i, (language, _) in enumerate(found) if language == "sh"]
     assert len(commands) == 2
     for i in commands:

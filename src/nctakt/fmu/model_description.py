@@ -102,8 +102,8 @@ def _variables_of_2(root: Element, variables: Sequence[CellVariable]) -> None:
     outputs = [str(index) for index, one in enumerate(variables, 1) if one.start is None]
     for name in ("Outputs", "InitialUnknowns") if outputs else ():
         node = SubElement(structure, name)
-        for index in outputs:
-            SubElement(node, "Unknown", {"index": index})
+        for number in outputs:
+            SubElement(node, "Unknown", {"index": number})
 
 
 def _variables_of_3(root: Element, variables: Sequence[CellVariable]) -> None:

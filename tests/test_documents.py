@@ -526,3 +526,14 @@ def test_the_newest_version_of_the_changelog_is_the_package() -> None:
     project = tomllib.loads(text_of("pyproject.toml"))["project"]
     newest = re.findall(r"^## \[(.+?)\]", text_of("CHANGELOG.md"), re.MULTILINE)[0]
     assert project["version"] == __version__ == newest
+
+
+def test_the_changelog_says_each_thing_once() -> None:
+    """The newest version has its lines under Added, Changed and Fixed, short ones, none twice."""
+    text = text_of("CHANGELOG.md")
+    newest = text.split("\n## [")[1]
+    assert re.findall(r"^### (.+)$", newest, re.MULTILINE) == ["Added", "Changed", "Fixed"]
+    lines = re.findall(r"^- .+$", newest, re.MULTILINE)
+    assert [line for line in lines if len(line) > 200] == []
+    every = re.findall(r"^- .+$", text, re.MULTILINE)
+    assert [line for line, count in Counter(every).items() if count > 1] == []

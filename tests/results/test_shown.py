@@ -3,6 +3,8 @@
 
 from pathlib import Path
 
+import pytest
+
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import ProgramMessage
 from nctakt.run.controller import Controller, NcText
@@ -52,8 +54,9 @@ def test_messages_and_functions_have_named_fields() -> None:
     assert repr(ProgramMessage(1_500_000, "done", channel=2)) == "<1.5 s CH2: 'done'>"
 
 
-def test_a_notebook_shows_a_table_with_escaped_texts() -> None:
+def test_a_notebook_shows_a_table_with_escaped_texts(monkeypatch: pytest.MonkeyPatch) -> None:
     """State, time, counts, messages, errors; nothing of a program becomes HTML."""
+    monkeypatch.setattr("nctakt.plots.drawer.has_matplotlib", lambda: False)
     run = Controller().run(NcText("<i>.nc", f"{REACTION.replace('M30', 'G01 X10 F0')}"))
     assert run.state == "error"
     page = run._repr_html_()

@@ -10,6 +10,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Language, Span
 from nctakt.base.failure import Failure
@@ -17,14 +18,23 @@ from nctakt.files.vcd import check_vcd
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.messages import diagnostic
 from nctakt.messages.pictures import RUN_NOT_RECORDED, SIGNAL_NOT_RECORDED, WRONG_SUFFIX
-from nctakt.plots.picture import check_picture, write_picture
+from nctakt.plots.picture import (
+    check_picture,
+    figure_of,
+    has_matplotlib,
+    png_of,
+    write_picture,
+)
 from nctakt.plots.run_perfetto import write_run_perfetto
 from nctakt.plots.run_vcd import write_run_vcd
-from nctakt.plots.scene import scene_of
+from nctakt.plots.scene import Scene, scene_of
 from nctakt.results.run import Run
 from nctakt.results.timeline import Timeline
 from nctakt.results.timeline_events import timeline_of
 from nctakt.trace.recorded import Trace
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 class Drawer:
@@ -47,7 +57,18 @@ class Drawer:
 
     def plot(self, run: Run, path: Path, signals: Sequence[str] | None, language: Language) -> None:
         """Draw a picture; ``signals`` instead of the motion of the axes."""
-        scene = scene_of(
+        write_picture(self._scene(run, signals, language), path, language)
+
+    def figure(self, run: Run, signals: Sequence[str] | None, language: Language) -> Figure:
+        """Return a picture as a figure of matplotlib."""
+        return figure_of(self._scene(run, signals, language), language)
+
+    def png(self, run: Run) -> bytes | None:
+        """Return a picture as the bytes of a file; ``None`` without matplotlib."""
+        return png_of(self._scene(run, None, "en"), "en") if has_matplotlib() else None
+
+    def _scene(self, run: Run, signals: Sequence[str] | None, language: Language) -> Scene:
+        return scene_of(
             _trace(run),
             self._timeline(run),
             self._axes,
@@ -56,7 +77,6 @@ class Drawer:
             title=", ".join(Path(program).name for program in run.programs),
             language=language,
         )
-        write_picture(scene, path, language)
 
     def write_vcd(self, run: Run, path: Path) -> None:
         """Write a VCD file."""

@@ -14,7 +14,7 @@ import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy
 
@@ -30,6 +30,10 @@ from nctakt.plots.scene import Panel, Scene
 from nctakt.plots.sheet_path import draw_numbers, draw_plane, draw_space
 from nctakt.plots.style import ARROW, FIRED, GRID, INK, LANE_COLOURS
 from nctakt.plots.tool_path import MAX_MARKS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 
 ENDINGS = (".png", ".svg", ".html")
 
@@ -65,8 +69,13 @@ def check_picture(path: str) -> None:
     suffix = Path(path).suffix.lower()
     if suffix not in ENDINGS:
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
-    if suffix != ".html" and importlib.util.find_spec("matplotlib") is None:
+    if suffix != ".html" and not has_matplotlib():
         raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot"))
+
+
+def has_matplotlib() -> bool:
+    """Return whether figures can be drawn."""
+    return importlib.util.find_spec("matplotlib") is not None
 
 
 def check_drawing(path: str) -> None:
@@ -85,19 +94,40 @@ def write_picture(scene: Scene, path: Path, language: Language) -> None:
         path.write_bytes(_Sheet(scene, language).render(suffix[1:]))
 
 
+def figure_of(scene: Scene, language: Language) -> Figure:
+    """Return a run as a figure of matplotlib that notebooks show."""
+    from nctakt.plots.shown_figure import ShownFigure  # noqa: PLC0415 - only a picture needs it
+
+    sheet = _Sheet(scene, language)
+    figure: Figure
+    with new_sheet(sheet.height_in, ShownFigure) as figure:
+        sheet.draw(figure)
+    return figure
+
+
+def png_of(scene: Scene, language: Language) -> bytes:
+    """Return a run as the bytes of a PNG file."""
+    return _Sheet(scene, language).render("png")
+
+
 @contextlib.contextmanager
-def new_sheet(height_in: float) -> Iterator[Any]:
-    """Yield an empty figure of matplotlib, with settings that hold until it is written."""
+def new_sheet(height_in: float, kind: Any = None) -> Iterator[Any]:
+    """Yield an empty figure of matplotlib, with settings that hold until it is written.
+
+    ``kind``: its class, by default that of matplotlib.
+    """
     import matplotlib  # noqa: PLC0415 - only a picture needs it
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
-    from matplotlib.figure import Figure  # noqa: PLC0415
+    from matplotlib.figure import Figure as PlainFigure  # noqa: PLC0415
 
     # names of files, axes and cells are not formulas, and may have signs that the font lacks
     settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
     settings["text.parse_math"] = False
     with matplotlib.rc_context(settings), warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing")
-        sheet = Figure(figsize=(_WIDTH_IN, height_in), dpi=_DPI, layout="constrained")
+        sheet = (kind or PlainFigure)(
+            figsize=(_WIDTH_IN, height_in), dpi=_DPI, layout="constrained"
+        )
         FigureCanvasAgg(sheet)
         yield sheet
 
@@ -121,36 +151,49 @@ class _Sheet:
     def _text(self, text: Text) -> str:
         return text.get(self._language)
 
+    @property
+    def _heights_in(self) -> list[float]:
+        """The heights of path, lanes and panels, in inches."""
+        heights = [_PATH_HEIGHT_IN] if self._scene.path is not None else []
+        heights.append(0.2 + _LANE_HEIGHT_IN * max(len(self._lanes), 2))
+        return heights + [_PANEL_HEIGHT_IN] * len(self._scene.panels)
+
+    @property
+    def height_in(self) -> float:
+        """The height of the sheet in inches."""
+        return sum(self._heights_in) + 1.1
+
     def render(self, format_: str) -> bytes:
         """Return the picture's file as bytes."""
-        scene = self._scene
-        heights = [_PATH_HEIGHT_IN] if scene.path is not None else []
-        heights.append(0.2 + _LANE_HEIGHT_IN * max(len(self._lanes), 2))
-        heights += [_PANEL_HEIGHT_IN] * len(scene.panels)
-        with new_sheet(sum(heights) + 1.1) as sheet:
-            sheet.suptitle(scene.title, fontsize=12, fontweight="bold", color=INK)
-            grid = sheet.add_gridspec(len(heights), 2, height_ratios=heights)
-            row = 0
-            if scene.path is not None:
-                self._draw_path(sheet, grid)
-                row = 1
-            shared = sheet.add_subplot(grid[row, :])
-            self._draw_lanes(shared)
-            panels = [
-                sheet.add_subplot(grid[index, :], sharex=shared)
-                for index in range(row + 1, len(heights))
-            ]
-            for index, (axes, panel) in enumerate(zip(panels, scene.panels, strict=True)):
-                self._draw_panel(axes, panel)
-                axes.tick_params(labelbottom=axes is panels[-1])
-                if index == 0 and scene.path is None:
-                    self._draw_numbers(axes, panel)
-            sheet.align_ylabels(panels)
-            shared.set_xlim(self._range())
-            sheet.get_axes()[-1].set_xlabel(self._text(_TIME), fontsize=8)
-            if not scene.panels:
-                shared.tick_params(labelbottom=True)
+        with new_sheet(self.height_in) as sheet:
+            self.draw(sheet)
             return picture_of(sheet, format_)
+
+    def draw(self, sheet: Any) -> None:
+        """Draw on an empty figure."""
+        scene, heights = self._scene, self._heights_in
+        sheet.suptitle(scene.title, fontsize=12, fontweight="bold", color=INK)
+        grid = sheet.add_gridspec(len(heights), 2, height_ratios=heights)
+        row = 0
+        if scene.path is not None:
+            self._draw_path(sheet, grid)
+            row = 1
+        shared = sheet.add_subplot(grid[row, :])
+        self._draw_lanes(shared)
+        panels = [
+            sheet.add_subplot(grid[index, :], sharex=shared)
+            for index in range(row + 1, len(heights))
+        ]
+        for index, (axes, panel) in enumerate(zip(panels, scene.panels, strict=True)):
+            self._draw_panel(axes, panel)
+            axes.tick_params(labelbottom=axes is panels[-1])
+            if index == 0 and scene.path is None:
+                self._draw_numbers(axes, panel)
+        sheet.align_ylabels(panels)
+        shared.set_xlim(self._range())
+        sheet.get_axes()[-1].set_xlabel(self._text(_TIME), fontsize=8)
+        if not scene.panels:
+            shared.tick_params(labelbottom=True)
 
     def _range(self) -> tuple[float, float]:
         margin = 0.01 * (self._scene.end_s - self._scene.begin_s) or 0.001

@@ -10,16 +10,16 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal, Protocol
+from typing import TYPE_CHECKING, Literal, Protocol, overload
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Span
 from nctakt.base.failure import Failure
+from nctakt.base.notebook import html_picture, html_table
 from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.pictures import RUN_NOT_RECORDED
-from nctakt.results.notebook import html_table
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     import pandas
     import polars
     import pyarrow
+    from matplotlib.figure import Figure
 
     from nctakt.results.coverage import Coverage
     from nctakt.results.starving import OverflowCount, Starvation
@@ -212,6 +213,12 @@ class RunDrawer(Protocol):
     def plot(self, run: Run, path: Path, signals: Sequence[str] | None, language: Language) -> None:
         """Draw a picture."""
 
+    def figure(self, run: Run, signals: Sequence[str] | None, language: Language) -> Figure:
+        """Return a picture as a figure of matplotlib."""
+
+    def png(self, run: Run) -> bytes | None:
+        """Return a picture as the bytes of a file; ``None`` without matplotlib."""
+
     def write_vcd(self, run: Run, path: Path) -> None:
         """Write a VCD file."""
 
@@ -345,11 +352,30 @@ class Run:
 
     # --- pictures -------------------------------------------------------------------------------
 
+    @overload
+    def plot(
+        self,
+        file: None = None,
+        *,
+        signals: Sequence[str] | None = None,
+        language: Language = "en",
+    ) -> Figure: ...
+
+    @overload
     def plot(
         self, file: str | Path, *, signals: Sequence[str] | None = None, language: Language = "en"
-    ) -> None:
-        """Draw the run: ``.html`` (interactive), ``.svg`` or ``.png``.
+    ) -> None: ...
 
+    def plot(
+        self,
+        file: str | Path | None = None,
+        *,
+        signals: Sequence[str] | None = None,
+        language: Language = "en",
+    ) -> Figure | None:
+        """Draw the run: ``.html`` (interactive), ``.svg`` or ``.png``; without a file return it.
+
+        What is returned is a figure of matplotlib, which a notebook shows.
         It shows what the run has recorded: path and motion of the axes, or ``signals`` instead of
         the motion; reactions as long as they lasted and conditions with ``why``, blocks and
         acknowledgements with ``blocks``, what conditions read with ``condition_signals``
@@ -357,9 +383,12 @@ class Run:
         that it lacks (901092), another suffix (900635), a missing library (900634), and for a file
         that cannot be written (900507).
         """
-        drawer = self._drawer("plot", file, signals)
+        drawer = self._drawer("plot", "run.png" if file is None else file, signals)
+        if file is None:
+            return drawer.figure(self, signals, language)
         with OutputFile(file) as output:
             output.fill(lambda path: drawer.plot(self, path, signals, language))
+        return None
 
     def write_vcd(self, file: str | Path) -> None:
         """Write signals, blocks, cycles and functions as VCD, for GTKWave; raises as ``plot``."""
@@ -386,7 +415,7 @@ class Run:
     # --- shown ----------------------------------------------------------------------------------
 
     def _repr_html_(self) -> str:
-        """Return a small table for notebooks: state, time, counts, messages, errors."""
+        """Return a small table for notebooks: state, time, counts, messages, errors; a picture."""
         rows = [
             ("state", self.state),
             ("time", f"{Time(self.virtual_time_us)}, {self.ticks} ticks"),
@@ -394,7 +423,11 @@ class Run:
             *((str(Time(item.time_us)), item.text) for item in self.messages[:MAX_ROWS]),
             *((f"error {item.id}", item.headline()) for item in self.errors[:MAX_ROWS]),
         ]
-        return html_table(", ".join(self.programs), rows)
+        png = None
+        if self.drawer is not None and self.ticks and self.trace is not None:
+            png = self.drawer().png(self)
+        picture = "" if png is None else html_picture(png)
+        return html_table(", ".join(self.programs), rows) + picture
 
 
 @dataclass(frozen=True, slots=True, repr=False)

@@ -13,6 +13,8 @@ from dataclasses import replace
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
+from nctakt.base.notebook import html_columns, strip
+from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.explaining import (
     CYCLE_NOT_IN_RUN,
@@ -21,7 +23,7 @@ from nctakt.messages.explaining import (
     RUN_WITHOUT_CYCLES,
     TICK_NOT_IN_RUN,
 )
-from nctakt.results.histories import CycleHistory
+from nctakt.results.histories import CycleHistory, Series, Times
 from nctakt.results.why_text import render_answer, render_report, render_state
 from nctakt.results.why_words import Words
 
@@ -59,6 +61,34 @@ class WhyReport:
             if not cycles:
                 raise Failure(self._unknown_line(line, cycle))
         return replace(self, cycles=cycles)
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks: each branch, how often it was true and ran, and when."""
+        rows, strips = [], []
+        for cycle in self.cycles:
+            for branch in (cycle.branches[index] for index in cycle.shown):
+                evaluated, ran = branch.evaluated.ticks, branch.bodies
+                asked = f"{branch.condition.true_ticks} / {evaluated}" if evaluated else "–"
+                counts = (asked, str(branch.became_true), str(ran.ticks))
+                line = str(branch.span.line)
+                rows.append((cycle.name or "–", line, branch.text, *counts, *self._ends(ran)))
+                strips.append(strip([self._share(one) for one in ran.series]))
+        heads = ("cycle", "line", "branch", "true / evaluated", "began", "ran", "first", "last", "")
+        left = f", {self.left_out} older cycles left out" if self.left_out else ""
+        return html_columns(f"{self.ticks} ticks{left}", heads, rows, strips)
+
+    def _ends(self, times: Times) -> tuple[str, str]:
+        """Return when something happened first and last, as far as that is known."""
+        if not times.series:
+            return "–", "–"
+        first, last = times.series[0].first_tick, times.series[-1].last_tick
+        begin, end = (str(Time(tick * self.cycle_time_us)) for tick in (first, last))
+        return "–" if times.left_out else begin, end
+
+    def _share(self, series: Series) -> tuple[float, float]:
+        """Return begin and end of a series as shares of the run."""
+        begin, end = series.first_tick - self.first_tick, series.last_tick + 1 - self.first_tick
+        return begin / max(1, self.ticks), end / max(1, self.ticks)
 
     def render(self, language: Language = "en") -> str:
         """Return the histories as text with a final line end."""

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
+from nctakt.base.notebook import notebook_progress
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
@@ -110,6 +111,9 @@ class ProgramRun:
             if replay is None
             else replay.inputs
         )
+        self._notebook = None
+        if options["on_progress"] is None and not options["stays"]:
+            self._notebook = notebook_progress("Run")
         machine.poll = functools.partial(self._report_progress, options["on_progress"])
         machine.inputs.on_select = self._select
         self._parts: Iterator[int] | None = None
@@ -151,6 +155,9 @@ class ProgramRun:
     def _report_progress(self, on_progress: Callable[[int, int | None], None] | None) -> None:
         if on_progress is not None:
             on_progress(self._loop.tick, self._end)
+        elif self._notebook is not None:
+            done = self._loop.tick - self._first_tick
+            self._notebook.show(done, None if self._default_limit() else self._limit())
 
     # --- going on -------------------------------------------------------------------------------
 
@@ -292,6 +299,8 @@ class ProgramRun:
 
     def close(self) -> None:
         """Let the PLC end and close the listeners; no program waits for START any more."""
+        if self._notebook is not None:
+            self._notebook.close()
         for plc in parts_of(self._plc)[0]:
             self._diagnostics += plc.end()
         self._loop.recording.close()

@@ -14,8 +14,9 @@ from typing import Any, Self, Unpack
 
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure, error_text
+from nctakt.base.notebook import html_columns, html_table
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
-from nctakt.lists.format.times import TimeLike
+from nctakt.lists.format.times import Time, TimeLike
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
@@ -522,6 +523,26 @@ class Session:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def _repr_html_(self) -> str:
+        """Return tables for notebooks: where it stands, and its realtime cycles."""
+        latest = self.latest
+        cycle_time_us = self.description.cycle_time_us
+        rows = [
+            ("state", latest.state),
+            ("tick", f"{self.tick}, {Time(self.tick * cycle_time_us)}"),
+            ("branch", str(self.branch)),
+            *((f"block of channel {number}", str(span)) for number, span in latest.blocks.items()),
+        ]
+        if self.is_over:
+            return html_table("Session", rows)
+        rows += [("waits for the PLC", entry.name) for _, entry in self.waiting()]
+        cycles = [
+            (one.name, one.scope, one.state, str(one.runs), str(one.span)) for one in self.cycles()
+        ]
+        heads = ("cycle", "scope", "state", "runs", "defined at")
+        table = html_columns("Realtime cycles", heads, cycles) if cycles else ""
+        return html_table("Session", rows) + table
 
     def __repr__(self) -> str:
         return f"<Session at tick {self.tick} of branch {self.branch}, {self.latest.state}>"

@@ -30,6 +30,9 @@ from nctakt.studies.verdicts import limits_of, share_text
 #: Failed runs in the table of the report, pictures of one kind.
 MAX_ROWS, MAX_PICTURES = 200, 24
 
+#: The same in a notebook.
+MAX_SHOWN_ROWS, MAX_SHOWN_PICTURES = 10, 6
+
 #: Runs from which on sensitivities are estimated.
 MIN_RUNS = 20
 
@@ -103,6 +106,13 @@ def report(
     return _Report(plan, rows, units, language, nominal).page(command)
 
 
+def shown_result(
+    plan: Plan, rows: Sequence[Row], units: Mapping[str, str], nominal: Nominal | None = None
+) -> str:
+    """Return the report in short, as a part of a page: what a notebook shows of a result."""
+    return _Report(plan, rows, units, "en", nominal).part()
+
+
 def _figure(picture: str, caption: str) -> str:
     return f"<figure>{picture}<figcaption>{escape(caption)}</figcaption></figure>"
 
@@ -168,6 +178,13 @@ class _Report:
             f'<!doctype html><html lang="{self._language}"><head>{head}</head>'
             f"<body>{''.join(parts)}<p><small>nctakt {__version__}</small></p></body></html>\n"
         )
+
+    def part(self) -> str:
+        """Return verdicts, the first pictures and rows, without the style of a page."""
+        pictures = itertools.islice(self._histograms(), MAX_SHOWN_PICTURES)
+        del self._broken[MAX_SHOWN_ROWS:]
+        charts_ = f'<div style="display: flex; flex-wrap: wrap">{"".join(pictures)}</div>'
+        return self._verdicts() + charts_ + self._extremes(None) + self._table(None)
 
     def _verdicts(self) -> str:
         expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
+from nctakt.base.notebook import notebook_progress
 from nctakt.base.plain_values import plain_data
 from nctakt.studies.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
 from nctakt.studies.corpus import Corpus
@@ -26,7 +28,7 @@ from nctakt.studies.plan_file import read_plan, read_tables
 from nctakt.studies.processes import rows_here, rows_of_processes
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.recording import record_run
-from nctakt.studies.report import report
+from nctakt.studies.report import report, shown_result
 from nctakt.studies.results import arrow_table, write_rows
 from nctakt.studies.row_block import RowBlock
 from nctakt.studies.row_store import RowStore
@@ -72,6 +74,10 @@ class StudyResult:
         first = self.first_broken(1)
         shown = f"; first run {first[0]['run']}: {first[0]['broken']}" if first else ""
         return f"<StudyResult of {len(self.rows)} runs: {counts or 'none'}{shown}>"
+
+    def _repr_html_(self) -> str:
+        """Return the report in short for notebooks: counts, a histogram of each measure, runs."""
+        return shown_result(self.plan, self.rows, self.units, self.nominal)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, StudyResult):
@@ -233,6 +239,7 @@ class Study:
         missing: Iterable[int] = (number for number in numbers_due if number not in done)
         if self.plan.size <= MAX_LISTED:
             missing = list(missing)
+        progress, count = notebook_progress("Study"), 0
         if executor is None:
             executor = rows_here
             copies = is_copied(self.plan, self.bench.cycle_time_us)
@@ -240,14 +247,21 @@ class Study:
                 executor = lambda plan, left: rows_of_processes(  # noqa: E731
                     plan, left, processes, self.bench
                 )
+        total = len(missing) if isinstance(missing, list) else None
         blocks: list[RowBlock] = []
-        for block in executor(self.plan, missing):
-            if store is None:
-                blocks.append(block)
-            else:
-                store.add(block)
-            if on_rows is not None:
-                on_rows(block)
+        with contextlib.ExitStack() as at_the_end:
+            if progress is not None:
+                at_the_end.callback(progress.close)
+            for block in executor(self.plan, missing):
+                if store is None:
+                    blocks.append(block)
+                else:
+                    store.add(block)
+                if on_rows is not None:
+                    on_rows(block)
+                elif progress is not None:
+                    count += len(block)
+                    progress.show(count, total)
         if store is not None:
             return StudyResult(self.plan, store.rows(), self.nominal, self.bench.units)
         rows = [row for block in blocks for row in block.rows]

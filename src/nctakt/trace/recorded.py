@@ -11,6 +11,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from nctakt.base.misspelling import nearest
+from nctakt.base.notebook import curve, html_columns
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal, TraceHeader
 
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
 
     Values = NDArray[numpy.float64]
     Counts = NDArray[numpy.int64]
+
+
+#: Signals that a notebook shows at most.
+MAX_SHOWN = 40
 
 
 class Trace(Mapping[str, "Values"]):
@@ -54,6 +59,21 @@ class Trace(Mapping[str, "Values"]):
             f"<Trace of {_counted(len(self), 'signal')}: {_counted(self.ticks, 'tick')}{begin}, "
             f"{_counted(count, 'event')}>"
         )
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks: each signal with its unit, range, last value, curve."""
+        rows, curves = [], []
+        for signal in self.signals[:MAX_SHOWN]:
+            values = self[signal.name]
+            if len(values):
+                numbers = (values.min(), values.max(), values[-1])
+                rows.append((signal.name, signal.unit, *(f"{value:.6g}" for value in numbers)))
+                curves.append(_small_curve(values))
+        left = len(self.signals) - MAX_SHOWN
+        more = f", {left} more signals" if left > 0 else ""
+        caption = f"{_counted(self.ticks, 'tick')}{more}"
+        heads = ("signal", "unit", "lowest", "highest", "last", "")
+        return html_columns(caption, heads, rows, curves)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Trace):
@@ -128,6 +148,17 @@ class Trace(Mapping[str, "Values"]):
         if len(self._chunks) > 1:
             self._chunks = (b"".join(self._chunks),)
         return self._chunks[0] if self._chunks else b""
+
+
+def _small_curve(values: Values) -> str:
+    """Return the curve of a signal: the lowest and highest value of up to 120 stretches."""
+    import numpy  # noqa: PLC0415 - as above
+
+    starts = numpy.linspace(0, len(values), min(len(values), 120), endpoint=False).astype(int)
+    lows, highs = (one.reduceat(values, starts) for one in (numpy.minimum, numpy.maximum))
+    if not (numpy.isfinite(lows).all() and numpy.isfinite(highs).all()):
+        return ""
+    return curve(lows.tolist(), highs.tolist())
 
 
 class MemorySink:

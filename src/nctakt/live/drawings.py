@@ -17,6 +17,7 @@ from nicegui.element import Element
 from nctakt.base.failure import Failure
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
+from nctakt.live.naming import card, explained, named
 from nctakt.live.track import Seen
 
 _HERE = Path(__file__).parent
@@ -51,7 +52,7 @@ class Drawings:
 
     def _build_scope(self) -> None:
         texts = self._texts
-        with ui.element("div").classes("nc-card nc-scope"):
+        with card(texts["scope"], "nc-scope"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["scope"]).classes("nc-title")
                 ui.label(texts["travel"]).classes("nc-soft ellipsis")
@@ -62,7 +63,7 @@ class Drawings:
                     ("scope_fit", "fit_screen"),
                 ):
                     button = ui.button(icon=icon).props(f"flat dense size=sm data-testid={name}")
-                    button.on("click", js_handler=_ZOOMS[name]).tooltip(texts[name])
+                    explained(button.on("click", js_handler=_ZOOMS[name]), texts[name])
                 self._signals = (
                     ui.select(
                         view.choosable(self._shared.units),
@@ -77,24 +78,27 @@ class Drawings:
                     )
                     .classes("nc-signals")
                 )
+                named(self._signals, texts["signals"])
             self._scope = Scope().props("data-testid=scope")
             self._scope.props["words"] = {"line": texts["line"]}
+            self._scope.props["name"] = texts["scope_name"]
             self._scope.on("travel", self._travel)
             self._scope.on("stretch", self._wish_stretch)
 
     def _build_path(self) -> None:
         texts = self._texts
         signals = list(self._shared.path_signals)
-        with ui.element("div").classes("nc-card nc-path"):
+        with card(texts["path"], "nc-path"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["path"]).classes("nc-title")
                 for name in ("feed_line", "rapid_line", "fired_mark"):
                     ui.label(texts[name]).classes(f"nc-key {name}")
                 ui.space()
                 turn = ui.button(icon="view_in_ar").props("flat dense size=sm data-testid=turn")
-                turn.on("click", self.turn_view).tooltip(texts["turn_view"])
+                explained(turn.on("click", self.turn_view), texts["turn_view"])
             self._path = PathView().props("data-testid=path")
             self._path.props["axes"] = signals
+            self._path.props["name"] = texts["path_name"]
             self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
             self._path.on("travel", self._travel)
 

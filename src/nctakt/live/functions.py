@@ -13,6 +13,7 @@ from nicegui import ui
 
 from nctakt.live import view
 from nctakt.live.commander import Commander
+from nctakt.live.naming import card, explained, named
 from nctakt.live.shared import PAGE
 from nctakt.live.view import Entry, Snapshot
 
@@ -31,7 +32,7 @@ class Functions:
         self._texts = commander.texts
         self._shown: tuple[object, ...] | None = None
         texts = self._texts
-        with ui.element("div").classes("nc-card nc-flat"):
+        with card(texts["waiting"], "nc-flat"):
             ui.label(texts["waiting"]).classes("nc-title")
             if not has_plc:
                 with ui.element("div").classes("nc-row"):
@@ -41,15 +42,16 @@ class Functions:
                         on_change=self._choose,
                     )
                     self._mode.props("dense options-dense borderless data-testid=acknowledging")
-                    self._mode.classes("col")
+                    named(self._mode.classes("col"), texts["acknowledging"])
                     self._delay = ui.number(value=_FIRST_DELAY, min=1, step=1, format="%d")
                     self._delay.props("dense outlined data-testid=delay").classes("nc-delay")
                     self._delay.on("blur", self._choose).on("keydown.enter", self._choose)
-                    self._delay.tooltip(texts["delay_help"])
+                    explained(self._delay, texts["delay_help"])
                     self._unit = ui.label(texts["delay"]).classes("nc-soft")
                 self._show_delay()
             self._has_plc = has_plc
-            self._list = ui.element("div").classes("nc-waiting").props("data-testid=waiting")
+            self._list = ui.element("div").classes("nc-waiting")
+            self._list.props("data-testid=waiting role=status")
 
     def _present_mode(self) -> str:
         delay = self._shared.delay

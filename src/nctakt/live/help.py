@@ -8,6 +8,7 @@ from typing import Any
 from nicegui import ui
 
 from nctakt.live.keys import GROUPS
+from nctakt.live.naming import named
 from nctakt.live.texts import Texts
 
 
@@ -15,6 +16,7 @@ def build_help(texts: Texts) -> Any:
     """Return the dialog with all keys, closed."""
     index = 1 if texts.language == "de" else 0
     with ui.dialog().props("data-testid=help-dialog") as dialog, ui.element("div") as card:
+        named(dialog, texts["help"])
         card.classes("nc-card nc-help")
         with ui.element("div").classes("nc-help-groups"):
             for heading, keys in GROUPS:

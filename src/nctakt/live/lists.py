@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
 from nctakt.live.explaining import Moment
+from nctakt.live.naming import card, explained, named
 from nctakt.live.program_card import ProgramCard
 from nctakt.live.view import LogRow
 
@@ -48,7 +49,7 @@ class Lists:
         self._program: ProgramCard | None = None
         self._list_of: dict[str, Any] = {}
         self._why_of: tuple[int, Moment] | None = None
-        with ui.element("div").classes("nc-card nc-lists"):
+        with card(self._texts["lists"], "nc-lists"):
             with ui.tabs().props("dense align=left no-caps outside-arrows mobile-arrows") as tabs:
                 for name in NAMES:
                     ui.tab(name, self._texts[name]).props(f"data-testid=tab-{name}")
@@ -56,7 +57,7 @@ class Lists:
             tabs.on_value_change(self._turn)
             with ui.tab_panels(tabs, value="findings").classes("nc-scroll bg-transparent"):
                 for name in NAMES:
-                    with ui.tab_panel(name).classes("q-pa-none"):
+                    with ui.tab_panel(name).classes("q-pa-none").props("tabindex=0"):
                         self._build(name)
 
     def _build(self, name: str) -> None:
@@ -64,6 +65,7 @@ class Lists:
             with ui.element("div").classes("nc-row"):
                 self._new = ui.input(placeholder=self._texts["new_stop"])
                 self._new.props("dense outlined data-testid=new-stop").classes("col")
+                named(self._new, self._texts["stops"])
                 self._new.on("keydown.enter", self._add_stop)
                 ui.button(self._texts["add"], on_click=self._add_stop).props(
                     "dense flat no-caps size=sm data-testid=add-stop"
@@ -73,6 +75,7 @@ class Lists:
             view_of_rows.props["rows"] = []
             view_of_rows.props["word"] = self._texts["line"]
             view_of_rows.props["empty"] = self._texts[f"no_{name}"]
+            view_of_rows.props["live"] = "off" if name == "events" else "polite"
             view_of_rows.on("line", self._clicked)
             self._list_of[name] = view_of_rows.props(f"data-testid={name}")
             return
@@ -82,6 +85,7 @@ class Lists:
                 self._earlier = ui.label(self._texts["earlier_answer"]).classes("nc-soft")
                 self._earlier.set_visibility(False)
                 self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
+                self._why.props("role=status")
 
     def _turn(self, _: Any) -> None:
         """Show another list as it is now."""
@@ -192,9 +196,10 @@ class Lists:
             for stop in stops:
                 with ui.element("div").classes("nc-row nc-finding stop"):
                     ui.label(stop).classes("col ellipsis")
-                    ui.button(
+                    close = ui.button(
                         icon="close", on_click=lambda stop=stop: self._remove_stop(stop)
-                    ).props("dense flat size=xs").tooltip(self._texts["remove"])
+                    )
+                    explained(close.props("dense flat size=xs"), f"{self._texts['remove']}: {stop}")
             if not stops:
                 ui.label(self._texts["no_stops"]).classes("nc-soft")
 

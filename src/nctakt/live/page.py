@@ -22,6 +22,7 @@ from nctakt.live.functions import Functions
 from nctakt.live.help import build_help
 from nctakt.live.keys import KEYS
 from nctakt.live.lists import NAMES, Lists
+from nctakt.live.naming import explained, named
 from nctakt.live.panel import Panel
 from nctakt.live.program_card import ProgramCard
 from nctakt.live.shared import SharedSession
@@ -88,13 +89,15 @@ class Page:
         self._stopped_at = shared.stopped_at
         self._looks = 0
         ui.add_css(_CSS)
-        self._dark = ui.dark_mode(None)
+        self._dark, self._is_dark = ui.dark_mode(None), False
         self._help = build_help(texts)
         self._build(documents, [one.file for one in documents.get(1, ())], has_plc)
         keys = json.dumps({name: key.is_everywhere for name, key in KEYS.items()})
         script = _SCRIPT.replace("KEYS", keys).replace("EDITOR", str(self._program.editor_id))
+        script = script.replace("PROGRAM_NAME", json.dumps(texts["program"]))
         ui.add_body_html(f"<script>{script}</script>")
         ui.on("nctakt_key", self._key)
+        ui.on("nctakt_dark", self._show_dark)
         ui.timer(_LOOK_S, self._follow)
 
     # --- layout ---------------------------------------------------------------------------------
@@ -119,8 +122,9 @@ class Page:
 
     def _build_bar(self) -> None:
         texts = self._texts
-        ui.label("nctakt").classes("text-weight-bold nc-name")
-        self._state = ui.label().classes("nc-state").props("data-testid=state")
+        with ui.element("h1").classes("nc-name"):
+            ui.label("nctakt")
+        self._state = ui.label().classes("nc-state").props("data-testid=state role=status")
         for name, icon in (
             ("home", "first_page"),
             ("back_reaction", "bolt"),
@@ -130,7 +134,7 @@ class Page:
             self._button(name, icon)
         self._toggle = ui.button(icon="play_arrow", on_click=self._play_or_pause)
         self._toggle.props("dense unelevated color=primary data-testid=toggle")
-        self._toggle.tooltip(texts["toggle"])
+        explained(self._toggle, texts["toggle"])
         for name, icon in (
             ("tick", "chevron_right"),
             ("block", "skip_next"),
@@ -140,15 +144,15 @@ class Page:
             self._button(name, icon)
         self._speed = ui.select(list(_SPEEDS), value="×1", on_change=self._choose_speed)
         self._speed.props("dense options-dense outlined data-testid=speed").classes("nc-speed")
-        self._speed.tooltip(texts["speed"])
+        explained(self._speed, texts["speed"])
         ui.label().classes("nc-number nc-soft nc-clock").props("data-testid=clock")
         ui.element("div").classes("col")
         self._pen = ui.button(icon="edit", on_click=self._take_pen)
         self._pen.props("dense flat no-caps size=sm data-testid=pen").classes("nc-pen")
         dark = ui.button(icon="dark_mode", on_click=self._switch_dark)
-        dark.props("dense flat data-testid=dark").tooltip(texts["dark"])
+        explained(dark.props("dense flat data-testid=dark"), texts["dark"])
         keys = ui.button(icon="keyboard", on_click=self._help.open)
-        keys.props("dense flat data-testid=help").tooltip(f"{texts['help']} (?)")
+        explained(keys.props("dense flat data-testid=help"), f"{texts['help']} (?)")
 
     def _button(self, name: str, icon: str) -> None:
         async def act() -> None:
@@ -157,7 +161,7 @@ class Page:
         key = next(key for key in KEYS.values() if key.command == name)
         label = key.label[1 if self._texts.language == "de" else 0]
         button = ui.button(icon=icon, on_click=act).props(f"dense flat data-testid={name}")
-        button.tooltip(f"{self._texts[name]} ({label})")
+        explained(button, f"{self._texts[name]} ({label})")
         if name == "back_reaction":
             button.classes("nc-mirrored")
 
@@ -227,6 +231,7 @@ class Page:
             self._pen_shown = has_pen
             self._pen.set_text("" if has_pen else self._texts["take_pen"])
             self._pen.props(f"color={'positive' if has_pen else 'warning'}")
+            named(self._pen, self._texts["pen" if has_pen else "take_pen"])
 
     def _show_findings(self) -> None:
         self._lists.show_findings(self._program)
@@ -275,8 +280,13 @@ class Page:
         self._show_pen()
 
     def _switch_dark(self) -> None:
-        self._dark.set_value(not self._dark.value)
-        self._program.set_dark(bool(self._dark.value))
+        """Be light or dark from now on, whatever the system is."""
+        self._dark.set_value(not self._is_dark)
+
+    def _show_dark(self, event: Any) -> None:
+        """Take over whether the page is dark: as the system is, until somebody chooses."""
+        self._is_dark = isinstance(event.args, dict) and event.args.get("isDark") is True
+        self._program.set_dark(self._is_dark)
 
     # --- keys -----------------------------------------------------------------------------------
 

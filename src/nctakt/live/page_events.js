@@ -45,6 +45,25 @@
     }
   });
 
+  // Tab leaves the editor as it leaves any other field; Ctrl+] indents.
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Tab" && event.target.closest && event.target.closest(".cm-editor")) event.stopPropagation();
+  }, true);
+
+  // The editor has a name and can be reached by Tab; it is light or dark as the page is, which follows the system.
+  const dress = ({ contentDOM }) => {
+    contentDOM.setAttribute("aria-label", PROGRAM_NAME);
+    contentDOM.tabIndex = 0;
+    let wasDark = null;
+    const look = () => {
+      const isDark = document.body.classList.contains("body--dark");
+      if (isDark !== wasDark) emitEvent("nctakt_dark", { isDark });
+      wasDark = isDark;
+    };
+    new MutationObserver(look).observe(document.body, { attributes: true, attributeFilter: ["class"] });
+    look();
+  };
+
   // The line under the pointer in the editor is marked in the scope.
   document.addEventListener("pointermove", (event) => {
     const { nctaktRun } = globalThis, view = editor();
@@ -72,6 +91,7 @@
   const follow = () => {
     const { nctaktRun } = globalThis, view = editor();
     if (!nctaktRun || !view) { setTimeout(follow, 200); return; }
+    dress(view);
     nctaktRun.listen(() => {
       reveal(view, nctaktRun);
       const { run } = nctaktRun, block = run.cursor === null ? null : nctaktRun.blockAt(run.cursor);

@@ -14,6 +14,7 @@ from typing import Any
 from nicegui import ui
 
 from nctakt.live.commander import Commander
+from nctakt.live.naming import card, named
 from nctakt.live.view import Snapshot
 
 #: Largest override of the slider in percent, and a step by key.
@@ -49,7 +50,7 @@ class Panel:
         self._is_panning = False
         self._switches: dict[str, Any] = {}
         self._wished: dict[str, tuple[bool, int]] = {}
-        with ui.element("div").classes("nc-card nc-flat") as self._positions:
+        with card(self._texts["positions"], "nc-flat") as self._positions:
             pass
         self._build_positions()
         self._build_operator()
@@ -77,17 +78,18 @@ class Panel:
 
     def _build_operator(self) -> None:
         texts = self._texts
-        with ui.element("div").classes("nc-card nc-flat"):
+        with card(texts["panel"], "nc-flat"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["panel"]).classes("nc-title col")
-                self._state = ui.label().classes("nc-soft ellipsis").props("data-testid=nc-state")
+                self._state = ui.label().classes("nc-soft ellipsis")
+                self._state.props("data-testid=nc-state role=status")
             if len(self._programs) > 1:
                 options = {_ALL: texts["all_programs"], **{name: name for name in self._programs}}
                 with ui.element("div").classes("nc-row"):
                     ui.label(texts["program"]).classes("nc-soft")
                     choice = ui.select(options, value=_ALL, on_change=self._chosen)
                     choice.props("dense options-dense borderless data-testid=program")
-                    choice.classes("col nc-choice")
+                    named(choice.classes("col nc-choice"), texts["program"])
             with ui.element("div").classes("nc-row"):
                 for name, color in (("start", "positive"), ("reset", "negative")):
                     button = ui.button(texts[name], on_click=partial(self.press, name))
@@ -104,6 +106,7 @@ class Panel:
                 ui.label(texts["override"]).classes("nc-soft")
                 self._override = ui.slider(min=0, max=_MAX_OVERRIDE, step=1, value=100)
                 self._override.props("dense data-testid=override").classes("col")
+                named(self._override, texts["override"])
                 self._override.on("change", self._set_override)
                 self._override.on("pan", self._pan)
                 ui.label().classes("nc-number nc-percent").props("data-testid=percent")

@@ -6,8 +6,8 @@ import { changed, indexAt, listen, run } from "nctakt-store";
 const FEED = "#3b82f6", RAPID = "#9aa1ab", FIRED = "#e8833a", TOOL = "#d64545";
 
 export default {
-  template: '<div class="nc-drawing"><canvas></canvas></div>',
-  props: { axes: Array, rapid: String },
+  template: '<div class="nc-drawing"><canvas role="img" :aria-label="name"></canvas></div>',
+  props: { axes: Array, rapid: String, name: String },
   mounted() {
     this.canvas = this.$el.firstChild;
     this.camera = { zoom: 1, x: 0, y: 0, turn: -0.55, tilt: 0.9, isSpace: this.axes.length > 2 };

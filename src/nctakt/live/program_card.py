@@ -16,6 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
 from nctakt.live.document import Document
+from nctakt.live.naming import card, named
 from nctakt.live.view import Snapshot
 
 #: How long the page waits for more typing, in seconds.
@@ -62,14 +63,15 @@ class ProgramCard:
 
     def _build(self) -> None:
         texts = self._texts
-        with ui.element("div").classes("nc-card nc-program"):
+        with card(texts["program"], "nc-program"):
             with ui.element("div").classes("nc-row"):
                 self._choice = (
                     ui.select(self._choices(), value=self._key(), on_change=self._choose)
                     .props("dense options-dense borderless data-testid=file")
                     .classes("nc-file")
                 )
-                self._edited = ui.label().classes("nc-soft")
+                named(self._choice, texts["program"])
+                self._edited = ui.label().classes("nc-soft").props("role=status")
                 self._load = ui.button(texts["load"], icon="sync_problem", on_click=self._read)
                 self._load.props("dense flat no-caps size=sm color=warning data-testid=load")
                 self._load.set_visibility(False)

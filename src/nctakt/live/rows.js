@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Rows of findings, messages and events: kind, line, text, remedy. A click tells the line.
+// Rows of findings, messages and events: kind, line, text, remedy. A click, or Enter, tells the line.
 export default {
   template: `
-    <div>
-      <div v-for="(row, index) in rows" :key="index" :class="['nc-finding', row[0]]" @click="$emit('line', row[1])">
+    <div :aria-live="live">
+      <div v-for="(row, index) in rows" :key="index" :class="['nc-finding', row[0]]" v-bind="row[1] ? act : {}"
+        @click="$emit('line', row[1])" @keydown.enter="$emit('line', row[1])">
         <div class="nc-rows"><div>{{ row[2] }}</div><div class="nc-soft">{{ row[1] ? word + " " + row[1] : "" }}</div></div>
         <div v-if="row[3]" class="nc-soft">{{ row[3] }}</div>
       </div>
       <div v-if="!rows.length" class="nc-soft">{{ empty }}</div>
     </div>`,
-  props: { rows: Array, word: String, empty: String },
+  props: { rows: Array, word: String, empty: String, live: String },
+  data: () => ({ act: { role: "button", tabindex: 0 } }),
 };

@@ -9,8 +9,8 @@ const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0
 const MARKS = { fired: "#e8833a", M: "#8b7cf6", H: "#8b7cf6", output: "#8b7cf6", message: "#0ea5b7", error: "#d64545" };
 
 export default {
-  template: '<div class="nc-drawing"><canvas tabindex="0"></canvas></div>',
-  props: { words: Object },
+  template: '<div class="nc-drawing"><canvas tabindex="0" role="img" :aria-label="name"></canvas></div>',
+  props: { words: Object, name: String },
   mounted() {
     run.words = { ...run.words, ...this.words };
     this.canvas = this.$el.firstChild;

@@ -28,6 +28,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "faster": ("Faster", "Schneller"),
     "slower": ("Slower", "Langsamer"),
     "late": ("late slices", "späte Abschnitte"),
+    "pen": ("This browser has the pen", "Dieser Browser hat den Stift"),
     "take_pen": ("Take the pen", "Stift nehmen"),
     "no_pen": ("Another browser has the pen.", "Ein anderer Browser hat den Stift."),
     "too_fast": (
@@ -49,6 +50,10 @@ _WORDS: dict[str, tuple[str, str]] = {
     "leave": ("Leave the field or the editor", "Feld oder Editor verlassen"),
     "toggle_stop": ("Stop in this line, or not", "Haltepunkt in dieser Zeile setzen, löschen"),
     # Lists.
+    "lists": (
+        "Findings, messages, events, why, stops",
+        "Befunde, Meldungen, Ereignisse, Warum, Stopps",
+    ),
     "findings": ("Findings", "Befunde"),
     "messages": ("Messages", "Meldungen"),
     "events": ("Events", "Ereignisse"),
@@ -80,6 +85,14 @@ _WORDS: dict[str, tuple[str, str]] = {
     "never": ("That has not happened yet.", "Das ist noch nicht vorgekommen."),
     "line": ("line", "Zeile"),
     # Charts.
+    "scope_name": (
+        "Curves over time; arrow keys zoom and scroll, full stop and comma go by a tick",
+        "Kurven über der Zeit; Pfeile zoomen und schieben, Punkt und Komma gehen um einen Takt",
+    ),
+    "path_name": (
+        "Path of the tool; its positions are in the list of positions",
+        "Bahn des Werkzeugs; seine Positionen stehen in der Liste der Positionen",
+    ),
     "scope": ("Scope", "Oszilloskop"),
     "signals": ("Signals", "Signale"),
     "path": ("Path", "Bahn"),
@@ -124,6 +137,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "more_variables": ("{count} more: search", "{count} weitere: suchen"),
     "next_tick": ("Acts from the next tick on.", "Wirkt ab dem nächsten Takt."),
     "waiting": ("Functions for the PLC", "Funktionen an die SPS"),
+    "acknowledging": ("Who acknowledges functions", "Wer Funktionen quittiert"),
     "none_waits": ("None waits.", "Keine wartet."),
     "acknowledge": ("Acknowledge", "Quittieren"),
     "by_cnc": ("at once", "sofort"),

@@ -14,6 +14,7 @@ from nicegui import ui
 from nctakt.live import view
 from nctakt.live.commander import Commander
 from nctakt.live.document import Checker
+from nctakt.live.naming import card, named
 from nctakt.live.view import Snapshot, VariableRow
 
 #: Variables that are shown at once, and how many of the program's have a slider.
@@ -35,7 +36,7 @@ class Variables:
         self._fields: dict[str, Any] = {}
         self._sliders: dict[str, Any] = {}
         self._busy: set[str] = set()
-        with ui.element("div").classes("nc-card nc-variables"):
+        with card(self._texts["variables"], "nc-variables"):
             with ui.element("div").classes("nc-row"):
                 ui.label(self._texts["variables"]).classes("nc-title col")
                 self._search = ui.input(
@@ -43,8 +44,9 @@ class Variables:
                     on_change=lambda event: self._show_rows(event.value or ""),
                 )
                 self._search.props("dense borderless clearable data-testid=search")
-                self._search.classes("nc-search")
-            self._list = ui.element("div").classes("nc-scroll")
+                named(self._search.classes("nc-search"), self._texts["search_variable"])
+            self._list = ui.element("div").classes("nc-scroll").props("tabindex=0")
+            named(self._list.props("role=group"), self._texts["variables"])
         self._show_rows("")
 
     def show_session(self) -> None:
@@ -81,12 +83,12 @@ class Variables:
     def _field(self, row: VariableRow) -> Any:
         test = f"data-testid=variable-{row.name}"
         if row.field == "switch":
-            switch = ui.switch().props(f"dense size=sm {test}")
+            switch = named(ui.switch().props(f"dense size=sm {test}"), row.name)
             # What a person turns; a value that is only shown is not written.
             switch.on("update:model-value", partial(self._turn, row.name), [None])
             return switch
         field = ui.number(step=1 if row.field == "integer" else None)
-        field.props(f"dense outlined {test}").classes("nc-field")
+        named(field.props(f"dense outlined {test}").classes("nc-field"), row.name)
         field.on("focus", lambda: self._busy.add(row.name))
         field.on("blur", partial(self._commit, row.name, field))
         field.on("keydown.enter", partial(self._commit, row.name, field))
@@ -97,7 +99,7 @@ class Variables:
         slider = ui.slider(min=row.low, max=row.high, step=step).props(
             f"dense data-testid=slider-{row.name}"
         )
-        slider.classes("nc-slider")
+        named(slider.classes("nc-slider"), row.name)
         slider.on("pan", partial(self._pan, row.name))
         slider.on(
             "update:model-value",

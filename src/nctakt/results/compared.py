@@ -69,8 +69,18 @@ class Compared:
             ]
             return f" {self.operator} ".join(texts)
         if self.operator in _COMPARISONS:
-            return f"{number_text(self.left)} {self.operator} {number_text(self.right)}"
+            left, right = self._short()
+            return f"{left} {self.operator} {right}"
         return number_text(self.left)
+
+    def _short(self) -> tuple[str, str]:
+        """Return both sides with as few digits as keep the result, six or more."""
+        compare = _COMPARISONS[self.operator]
+        for digits in (6, 9, 12):
+            left, right = f"{self.left:.{digits}g}", f"{self.right:.{digits}g}"
+            if compare(float(left), float(right)) == self.truth:
+                return left, right
+        return number_text(self.left), number_text(self.right)
 
 
 def compared_last(node: conditions.Condition) -> Compared | None:

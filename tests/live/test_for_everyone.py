@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""The live page for everyone: names, contrast, keyboard, light and dark, small windows, German."""
+
+from collections.abc import Iterator
+from importlib.util import find_spec
+from typing import Any
+
+import pytest
+from support.page_driving import BROWSER, PATIENCE_MS, chromium, served
+from support.published_model import installed
+
+from nctakt.live.texts import _WORDS
+
+if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
+    pytest.skip("the live page needs NiceGUI", allow_module_level=True)
+playwright = pytest.importorskip("playwright.sync_api", reason="driving a browser needs Playwright")
+expect = playwright.expect
+
+pytestmark = [*BROWSER, pytest.mark.nightly]
+
+PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
+  $IF V.RTA.ACS.ACT_POS.X > 5
+    V.E.COUNT += 1
+  $ENDIF
+#RT CYCLE END
+G01 X10 F6000
+M7
+X0 Y0
+M30
+"""
+
+
+@pytest.fixture(scope="module")
+def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """The source of axe-core."""
+    modules = installed("axe-core", tmp_path_factory.mktemp("npm"))
+    return (modules / "axe-core" / "axe.min.js").read_text("utf-8")
+
+
+@pytest.fixture(scope="module")
+def visit(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
+    """Opens the German page of a program in a window of a size and a scheme of colours."""
+    path = tmp_path_factory.mktemp("part") / "part.nc"
+    path.write_text(PROGRAM, "utf-8")
+    with (
+        chromium() as browser,
+        served(str(path), "--acknowledge", "--lang", "de") as address,
+    ):
+
+        def opened(width: int, height: int, scheme: str) -> Any:
+            size = {"width": width, "height": height}
+            page = browser.new_page(viewport=size, color_scheme=scheme)
+            page.set_default_timeout(PATIENCE_MS)
+            page.goto(address)
+            page.wait_for_function("document.querySelector('[data-testid=clock]')?.textContent")
+            page.wait_for_function(
+                "globalThis.nctaktRun && document.querySelector('.cm-content')?.ariaLabel"
+            )
+            return page
+
+        yield opened
+
+
+def serious(page: Any, axe: str) -> list[str]:
+    """What axe-core finds serious or critical."""
+    page.evaluate(axe)
+    found = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")
+    return [
+        f"{one['id']}: {node['html'][:120]} {node['failureSummary'][:200]}"
+        for one in found["violations"]
+        if one["impact"] in ("serious", "critical")
+        for node in one["nodes"]
+    ]
+
+
+def test_axe_finds_nothing_serious(visit: Any, axe: str) -> None:
+    """In light and dark, which follow the system while the page is open; in all lists; the help."""
+    page = visit(1280, 800, "light")
+    page.keyboard.press(".")
+    expect(page.locator(".nc-inline")).to_have_count(1)
+    assert serious(page, axe) == []
+    page.emulate_media(color_scheme="dark")
+    expect(page.locator("body.body--dark")).to_have_count(1)
+    editor = page.locator(".cm-editor")
+    expect(editor).to_have_css("background-color", "rgb(29, 33, 38)")
+    for name in ("stops", "messages", "events", "why"):
+        page.get_by_test_id(f"tab-{name}").click()
+        page.wait_for_timeout(400)  # until the list has slid in
+        assert serious(page, axe) == [], name
+    page.keyboard.press("?")
+    expect(page.get_by_role("dialog")).to_be_visible()
+    page.wait_for_timeout(400)
+    assert serious(page, axe) == []
+    page.close()
+
+
+def test_colours_that_somebody_has_chosen_stay(visit: Any) -> None:
+    """A press of D is the other one of what is shown, also where that came from the system."""
+    page = visit(1280, 800, "dark")
+    dark = page.locator("body.body--dark")
+    expect(dark).to_have_count(1)
+    page.wait_for_timeout(500)  # until the server knows
+    page.keyboard.press("d")
+    expect(dark).to_have_count(0)
+    page.keyboard.press("d")
+    expect(dark).to_have_count(1)
+    page.close()
+
+
+@pytest.mark.parametrize(("width", "height"), [(900, 700), (390, 844)])
+def test_small_windows(visit: Any, axe: str, width: int, height: int) -> None:
+    """Nothing is wider than the window, each part has room; on a phone one is below the other."""
+    page = visit(width, height, "light")
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    boxes = {name: page.get_by_test_id(name).bounding_box() for name in ("editor", "scope", "path")}
+    for name, box in boxes.items():
+        assert box["x"] >= 0, name
+        assert box["x"] + box["width"] <= width, name
+        assert box["height"] > 140, name
+    if width < 620:
+        assert boxes["editor"]["y"] < boxes["scope"]["y"] < boxes["path"]["y"]
+    else:
+        assert page.evaluate("document.documentElement.scrollHeight") <= height
+    assert serious(page, axe) == []
+    page.close()
+
+
+def test_all_by_keyboard(visit: Any) -> None:
+    """Tab reaches each button and field, and leaves the editor."""
+    page = visit(1280, 800, "light")
+    page.evaluate("document.activeElement.blur()")
+    reached: set[str] = set()
+    for _ in range(90):
+        page.keyboard.press("Tab")
+        reached.add(
+            page.evaluate(
+                """() => {
+                  const active = document.activeElement;
+                  const found = active.closest("[data-testid]")?.dataset.testid;
+                  return active.closest(".cm-editor") ? "editor" : found ?? active.tagName;
+                }"""
+            )
+        )
+    names = ("home", "toggle", "speed", "dark", "help", "file", "save", "editor", "tab-findings")
+    names += ("scope", "signals", "turn", "start", "reset", "hold", "override", "search")
+    assert [name for name in names if name not in reached] == []
+    assert page.evaluate("document.querySelector('.cm-content').textContent").count("\\t") == 0
+    page.close()
+
+
+def test_german_is_complete(visit: Any) -> None:
+    """No text, name or tooltip of the page is the English one."""
+    page = visit(1280, 800, "light")
+    shown = page.evaluate(
+        """() => [...document.querySelectorAll("body *")].flatMap((one) =>
+          [one.ariaLabel, one.placeholder, one.children.length ? "" : one.textContent]
+        ).filter(Boolean)"""
+    )
+    german = {words[1] for words in _WORDS.values()}
+    english = {words[0] for words in _WORDS.values()} - german
+    assert [text for text in shown if text in english] == []
+    assert page.evaluate("document.documentElement.lang") == "de"
+    page.close()

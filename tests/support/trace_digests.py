@@ -24,8 +24,10 @@ from nctakt.run.controller import Controller, NcText  # noqa: E402
 from nctakt.trace.sinks import CsvSink  # noqa: E402
 from support import run_folders  # noqa: E402
 from support.program_generator import program  # noqa: E402
+from support.single_axis_programs import Generator, RandomPlc  # noqa: E402
 
 SEEDS = range(20)
+SINGLE_AXIS_SEEDS = range(3)
 DEMO = load_machine(None)
 
 #: Most ticks of a random program: GLOBAL cycles with low overrides can make one long.
@@ -36,6 +38,15 @@ def random_trace(seed: int, file: Path) -> bytes:
     """The CSV trace of a random program."""
     text = NcText(f"p{seed}.nc", program(seed))
     Controller(DEMO).run(text, ticks=MAX_TICKS, sinks=[CsvSink(file)], memory_trace=False)
+    return file.read_bytes()
+
+
+def single_axis_trace(seed: int, file: Path) -> bytes:
+    """The CSV trace of a random program whose axes the program, cycles and a PLC move at once."""
+    text = NcText(f"a{seed}.nc", Generator(seed, is_alone=True).program())
+    Controller(DEMO).run(
+        text, ticks=800, plc=RandomPlc(seed), sinks=[CsvSink(file)], memory_trace=False
+    )
     return file.read_bytes()
 
 
@@ -63,6 +74,9 @@ def digests(work: Path) -> Iterator[tuple[str, str]]:
     """Name and digest of every trace."""
     for seed in SEEDS:
         yield f"seed {seed}", hashlib.sha256(random_trace(seed, work / "t.csv")).hexdigest()
+    for seed in SINGLE_AXIS_SEEDS:
+        trace = single_axis_trace(seed, work / "t.csv")
+        yield f"axes {seed}", hashlib.sha256(trace).hexdigest()
     for name in run_folders.FOLDERS:
         yield name, hashlib.sha256(folder_trace(name, work)).hexdigest()
 

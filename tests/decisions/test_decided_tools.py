@@ -79,6 +79,27 @@ def test_an_id_that_no_tool_has_is_an_error() -> None:
     assert numbers(perform("#TOOL DATA [1.5]\nM30", machine(*SISTERS))) == [20171]
 
 
+@pytest.mark.parametrize(
+    ("program", "found"),
+    [
+        ("T21\nT20\n#TOOL PREP [21, 3]", []),
+        ("D20", []),
+        ("D21", [20296]),
+        ("#TOOL DATA [20, 2]", [20296]),
+    ],
+)
+def test_an_external_tool_management_has_other_tools_than_the_list(
+    program: str, found: list[int]
+) -> None:
+    """P-CHAN-00016, page 15335641227: T tells the PLC, D asks it; here the list answers for it.
+
+    What it does not know is 20296, diagnosis page 251337611.
+    """
+    run = perform(f"{program}\nM30", machine(*SISTERS, is_external=True))
+    assert [number for number in numbers(run) if number != 900201] == found
+    assert numbers(perform("D20\nM30", machine(is_external=True))) == [20296]
+
+
 def test_the_tool_is_prepared_without_its_offsets() -> None:
     """``#TOOL PREP`` is T: V.G.T_AKT, not D_AKT."""
     text = '#TOOL PREP [20, 1]\n#MSG ["%d %d", V.G.T_AKT, V.G.D_AKT]'

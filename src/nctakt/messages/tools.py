@@ -9,12 +9,24 @@ from nctakt.messages.catalogue import error, warning
 UNKNOWN_TOOL = error(
     20172,
     classes=(0, 0),
-    known_as=(900865, 20296),
+    known_as=(900865,),
     en="the tool list has no tool {tool}",
     de="die Werkzeugliste hat kein Werkzeug {tool}",
     remedy_en="Add wz[{tool}] to the tool list of the channel, or select another tool.",
     remedy_de="wz[{tool}] in die Werkzeugliste des Kanals aufnehmen oder ein anderes Werkzeug "
     "anwählen.",
+)
+UNKNOWN_TO_TOOL_MANAGEMENT = error(
+    20296,
+    en="there are no data of tool {tool}: its external tool management is not simulated",
+    de="es gibt keine Daten von Werkzeug {tool}: seine externe Werkzeugverwaltung wird nicht "
+    "simuliert",
+    remedy_en="Add wz[{tool}] to the tool list of the channel, which answers for it here.",
+    remedy_de="wz[{tool}] in die Werkzeugliste des Kanals aufnehmen, die hier für sie antwortet.",
+    cause_en="With ext_wzv_vorhanden (P-CHAN-00016) D asks an external tool management for the "
+    "data of a tool.",
+    cause_de="Mit ext_wzv_vorhanden (P-CHAN-00016) fragt D eine externe Werkzeugverwaltung nach "
+    "den Daten eines Werkzeugs.",
 )
 TOOL_NOT_VALID = error(
     20691,

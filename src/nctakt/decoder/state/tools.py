@@ -37,6 +37,7 @@ from nctakt.messages.tools import (
     TOOL_NOT_IN_LIST,
     TOOL_NOT_VALID,
     TOOL_RADIUS_LOST,
+    UNKNOWN_TO_TOOL_MANAGEMENT,
     UNKNOWN_TOOL,
 )
 from nctakt.messages.transformations import (
@@ -83,6 +84,7 @@ class ActiveTool:
         self._state = state
         self._fail = fail
         self._limiting_tool: Tool | None = None
+        self._is_external = environment.parameters.tool_selection.is_external
 
     def name(self, word: Word, value: float) -> int:
         """Process T, and return its number for the PLC; the tool list has it, if there is one."""
@@ -91,8 +93,12 @@ class ActiveTool:
         return number
 
     def prepare(self, identity: Identity, span: Span) -> None:
-        """Process ``#TOOL PREP`` or T for the tool with this ID."""
-        if any(identity) and self._environment.tools and self._with(identity) is None:
+        """Process ``#TOOL PREP`` or T for the tool with this ID.
+
+        An external tool management may have more tools than the list.
+        """
+        is_listed = self._environment.tools and not self._is_external
+        if any(identity) and is_listed and self._with(identity) is None:
             self._fail(TOOL_NOT_IN_LIST, span, tool=_shown(identity))
         self._state.tool.number = identity[0]
 
@@ -107,7 +113,8 @@ class ActiveTool:
         tool = self._with(identity) if any(identity) else NO_TOOL
         number = identity[0]
         if tool is None:
-            self._fail(UNKNOWN_TOOL, span, tool=_shown(identity))
+            message = UNKNOWN_TO_TOOL_MANAGEMENT if self._is_external else UNKNOWN_TOOL
+            self._fail(message, span, tool=_shown(identity))
         if tool is not NO_TOOL and not tool.valid:
             self._fail(TOOL_NOT_VALID, span, tool=_shown(identity))
         if tool is not NO_TOOL:

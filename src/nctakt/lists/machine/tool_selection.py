@@ -42,7 +42,8 @@ class ToolSelection:
     D word. ``output``: how T goes to the PLC, ``None``: not at all. ``flushes_before_t``: the path
     stands before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
     ``keeps_length_axis``: the length acts along the third main axis in every plane.
-    ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life.
+    ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life. ``is_external``: an
+    external tool management has the tools, for which the tool list answers (P-CHAN-00016).
     """
 
     by_t: bool
@@ -54,6 +55,7 @@ class ToolSelection:
     min_length: float = 0.0
     min_radius: float = 0.0
     life: ToolLifeRules = ToolLifeRules()
+    is_external: bool = False
 
     def mistakes(self, tool: Tool) -> Iterator[tuple[Message, Mapping[str, float]]]:
         """Yield why D must not select a tool: too short, too thin; with the values of the message,
@@ -86,4 +88,5 @@ def tool_selection(values: Values, collector: Collector) -> ToolSelection:
             values.flag("tool_life_capture_all_movements"),
             values.flag("tool_life_with_d"),
         ),
+        values.flag("ext_wzv_vorhanden"),
     )

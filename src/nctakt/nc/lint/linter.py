@@ -28,7 +28,12 @@ from nctakt.messages.lints import (
     VARIABLE_WRITTEN_BY_SEVERAL_CYCLES,
 )
 from nctakt.messages.realtime import CYCLE_ID_IN_USE
-from nctakt.messages.tools import TOOL_NOT_IN_LIST, TOOL_NOT_VALID, UNKNOWN_TOOL
+from nctakt.messages.tools import (
+    TOOL_NOT_IN_LIST,
+    TOOL_NOT_VALID,
+    UNKNOWN_TO_TOOL_MANAGEMENT,
+    UNKNOWN_TOOL,
+)
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
@@ -510,6 +515,14 @@ class Linter:
             elif isinstance(word, BracketCommand):
                 check_overrides(word.items, self._findings)
 
+    def _unlisted(self, word: Word, number: int, *, is_selected: bool) -> None:
+        """Report a tool that the list lacks; an external tool management may know it (T)."""
+        if not self._selection.is_external:
+            message = UNKNOWN_TOOL if word.name == "D" else TOOL_NOT_IN_LIST
+            self._findings.report(message, word.span, tool=number)
+        elif is_selected:
+            self._findings.report(UNKNOWN_TO_TOOL_MANAGEMENT, word.span, tool=number)
+
     def _tool(self, word: Word, block: Block) -> None:
         """Check that D names a valid tool, or none (D0), and that T names a tool of the list.
 
@@ -521,8 +534,7 @@ class Linter:
         has_d = any(isinstance(other, Word) and other.name == "D" for other in block.words)
         is_selected = word.name == "D" or (self._selection.by_t and not has_d)
         if number > 0 and number not in self._tools:
-            message = UNKNOWN_TOOL if word.name == "D" else TOOL_NOT_IN_LIST
-            self._findings.report(message, word.span, tool=number)
+            self._unlisted(word, number, is_selected=is_selected)
         elif number > 0 and is_selected and not self._tools[number].valid:
             self._findings.report(TOOL_NOT_VALID, word.span, tool=number)
         elif number > 0 and is_selected:

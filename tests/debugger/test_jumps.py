@@ -90,6 +90,7 @@ def test_a_frame_begins_its_block_again(client: DebugClient) -> None:
     assert refused.value.error["id"] == 902570
 
 
+@pytest.mark.nightly
 def test_goto_begins_at_a_block_by_block_search(client: DebugClient, tmp_path: Path) -> None:
     """Backward; where the search is locked, and in a cycle, nothing changes."""
     client.go()
@@ -107,6 +108,7 @@ def test_goto_begins_at_a_block_by_block_search(client: DebugClient, tmp_path: P
     assert client.go()["line"] == X20
 
 
+@pytest.mark.nightly
 def test_a_cycle_is_shown_as_its_instructions(client: DebugClient) -> None:
     """Statements with their counts (RC-501), frozen values (RC-302), as many rows as asked for."""
     client.go()
@@ -130,6 +132,7 @@ def test_a_cycle_is_shown_as_its_instructions(client: DebugClient) -> None:
     assert refused.value.error["id"] == 902571
 
 
+@pytest.mark.nightly
 def test_structures_of_a_program_unfold(client: DebugClient) -> None:
     """V.P.POS.X below V.P.POS, by name in the console too."""
     client.go()
@@ -150,6 +153,7 @@ def test_structures_of_a_program_unfold(client: DebugClient) -> None:
     assert set(children(named)) == {"V.P.POS.X", "V.P.POS.END"}
 
 
+@pytest.mark.nightly
 def test_the_way_back_stops_at_exceptions_too(client: DebugClient) -> None:
     """A message that stops a run stops it on the way back, at the same tick, with its thread."""
     client.ask("setExceptionBreakpoints", filters=["message"])

@@ -71,7 +71,7 @@ needs_matplotlib = pytest.mark.skipif(
 
 
 @needs_matplotlib
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_run_gives_a_figure(run: ExplainedRun) -> None:
     """Without a file it is one of matplotlib, with the chosen signals."""
     from matplotlib.figure import Figure  # noqa: PLC0415 - an extra
@@ -92,7 +92,7 @@ def test_a_run_shows_a_picture(run: ExplainedRun) -> None:
     assert run.plot()._repr_png_().startswith(b"\x89PNG")
 
 
-@pytest.mark.slow
+@pytest.mark.nightly
 def test_a_session_shows_where_it_is() -> None:
     """State, tick and time, block, cycles."""
     with Session(NcText("part.nc", PROGRAM)) as session:

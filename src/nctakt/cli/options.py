@@ -172,8 +172,8 @@ _FILE_OPTIONS = (
         metavar="FILE",
         group="files",
         text=Text(
-            "Record each tick: .csv, .jsonl or .parquet.",
-            "Jeden Takt aufzeichnen: .csv, .jsonl oder .parquet.",
+            "Record each tick: .csv, .jsonl, .parquet or .mf4.",
+            "Jeden Takt aufzeichnen: .csv, .jsonl, .parquet oder .mf4.",
         ),
     ),
     option(

@@ -193,12 +193,16 @@ class _Taping:
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:
     """Return the sink of ``--trace``."""
-    from nctakt.trace.sinks import PARQUET, file_sink  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.trace.sinks import MF4, PARQUET, file_sink  # noqa: PLC0415 - the mode is chosen before
 
     if file is not None and file.name.lower().endswith(PARQUET):
         from nctakt.trace.arrow import ParquetSink  # noqa: PLC0415 - as above
 
         return [ParquetSink(file)]
+    if file is not None and file.name.lower().endswith(MF4):
+        from nctakt.trace.measurement import Mf4Sink  # noqa: PLC0415 - as above
+
+        return [Mf4Sink(file)]
     return [] if file is None else [file_sink(file)]
 
 

@@ -11,7 +11,6 @@ import array
 import math
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
@@ -19,16 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import (
-    EQUAL_STAMPS,
-    LOG_IS_EMPTY,
-    LOG_TEXT_CUT,
-    NO_NUMBER_IN_LOG,
-    TIME_RUNS_BACK,
-)
-
-if TYPE_CHECKING:
-    from nctakt.comparison.log import Numbers
+from nctakt.messages.comparison import LOG_TEXT_CUT, NO_NUMBER_IN_LOG
 
 #: Stamps of this size and more are FILETIME: 100 ns since 1601 (LG-109); 10^16 are the year 1632.
 _FILETIME = 10**16
@@ -141,31 +131,6 @@ class Table(Log):
     def _samples(self, one: _Gathered) -> Samples:
         import numpy  # noqa: PLC0415 - opening a log does not need it
 
-        name = one.column.name
         times = numpy.frombuffer(one.times, dtype=numpy.float64).copy()
         values = numpy.frombuffer(one.values, dtype=numpy.float64)
-        if not len(times):
-            raise Failure(diagnostic(LOG_IS_EMPTY, file=self.file, name=name))
-        steps = numpy.diff(times)
-        back = numpy.flatnonzero(steps < 0.0)
-        if len(back):
-            at = float(times[back[0]]) / 1e6
-            raise Failure(diagnostic(TIME_RUNS_BACK, file=self.file, name=name, time=f"{at:.6f}"))
-        is_new = numpy.append(True, (steps > 0.0) | (numpy.diff(values) != 0.0))
-        times, values = times[is_new], values[is_new]  # exports that fill repeat both (LG-107)
-        if len(times) > 1 and not numpy.diff(times).all():
-            times = self._spread(times, name)
-        return Samples(times, values)
-
-    def _spread(self, times: Numbers, name: str) -> Numbers:
-        """Spread samples that share a stamp over the time to the next one (LG-703)."""
-        import numpy  # noqa: PLC0415 - as above
-
-        stamps, first, counts = numpy.unique(times, return_index=True, return_counts=True)
-        period = float(numpy.median(numpy.diff(stamps))) if len(stamps) > 1 else 0.0
-        self.notes.append(
-            diagnostic(EQUAL_STAMPS, name=name, count=int(counts.max()), time=f"{period / 1e3:g}")
-        )
-        rank = numpy.arange(len(times)) - numpy.repeat(first, counts)
-        spread: Numbers = times + rank * (period / numpy.repeat(counts, counts))
-        return spread
+        return self.settled(one.column.name, times, values)

@@ -9,11 +9,13 @@ from pathlib import Path
 
 from nctakt.base.failure import Failure
 from nctakt.comparison.log import Log
+from nctakt.comparison.measurement_files import Mf4Log, ParquetLog
 from nctakt.comparison.plain_table import PlainTable
 from nctakt.comparison.scope_export import ScopeExport, is_scope_export
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.comparison import LOG_IN_OTHER_FORM, LOG_NOT_UTF8
+from nctakt.trace.sinks import PARQUET
 
 _MARKS = {
     codecs.BOM_UTF8: "utf-8-sig",
@@ -21,7 +23,7 @@ _MARKS = {
     codecs.BOM_UTF16_BE: "utf-16",
 }
 #: Suffixes of forms that are known and not read, with how to get one that is.
-_OTHER_FORMS = (".svdx", ".svd", ".svb", ".tcscopex", ".mf4", ".mdf", ".parquet", ".xml", ".tdms")
+_OTHER_FORMS = (".svdx", ".svd", ".svb", ".tcscopex", ".xml", ".tdms")
 
 
 def open_log(path: str | Path, access: FileAccess, said: Mapping[str, str] | None = None) -> Log:
@@ -31,6 +33,10 @@ def open_log(path: str | Path, access: FileAccess, said: Mapping[str, str] | Non
     """
     path = Path(path)
     begin = access.read_begin(path)
+    if path.suffix.lower() in (".mf4", ".mdf"):
+        return Mf4Log(path)
+    if path.suffix.lower() == PARQUET:
+        return ParquetLog(path, said or {})
     if path.suffix.lower() in _OTHER_FORMS or b"\0" in begin.removeprefix(codecs.BOM_UTF16_LE)[:1]:
         raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=str(path)))
     encoding = next((name for mark, name in _MARKS.items() if begin.startswith(mark)), "")

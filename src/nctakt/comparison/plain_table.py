@@ -19,13 +19,11 @@ from nctakt.messages import diagnostic
 from nctakt.messages.comparison import NO_NAMES_IN_LOG, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
 
 #: Names of time columns, in lower case and without their unit.
-_TIMES = frozenset(
-    ("t", "time", "zeit", "timestamp", "time_us", "time_ms", "time_s", "zeitstempel")
-)
+TIMES = frozenset(("t", "time", "zeit", "timestamp", "time_us", "time_ms", "time_s", "zeitstempel"))
 #: Microseconds of the units of stamps.
 TIME_UNITS = {"us": 1.0, "µs": 1.0, "ms": 1e3, "s": 1e6, "sec": 1e6, "min": 6e7, "ns": 1e-3}
 #: Columns of our own traces that are no signals.
-_NOT_SIGNALS = ("tick", "events")
+NOT_SIGNALS = ("tick", "events")
 _UNIT = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 _PERIOD = re.compile(r"sampling period\D*(\d+)\s*ns", re.IGNORECASE)
 
@@ -40,12 +38,12 @@ class PlainTable(Table):
         self._said = said
         self.decimal = said.get("decimal", "")
         names = self._read_names()
-        cells = [_split_unit(name) for name in names]
+        cells = [split_unit(name) for name in names]
         time = self._time_column(cells)
         self.columns = [
             LogColumn(name, unit, at, time)
             for at, (name, unit) in enumerate(cells)
-            if at != time and name and name not in _NOT_SIGNALS
+            if at != time and name and name not in NOT_SIGNALS
         ]
         if not self.columns:
             raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
@@ -72,7 +70,7 @@ class PlainTable(Table):
         """Return the column of the stamps, -1 for a table with a period."""
         named = self._said.get("time", "").lower()
         for at, (name, unit) in enumerate(cells):
-            is_time = name.lower() == named if named else name.lower() in _TIMES
+            is_time = name.lower() == named if named else name.lower() in TIMES
             if is_time:
                 word = self._said.get("time_unit") or unit or name.lower().rpartition("_")[2]
                 self.time_us = TIME_UNITS.get(word, TIME_UNITS["s"])
@@ -82,7 +80,7 @@ class PlainTable(Table):
         return -1
 
 
-def _split_unit(name: str) -> tuple[str, str]:
+def split_unit(name: str) -> tuple[str, str]:
     """Return name and unit of ``Position X [mm]``."""
     found = _UNIT.search(name)
     return (name, "") if found is None else (name[: found.start()].strip(), found[1].strip())

@@ -38,6 +38,9 @@ SUFFIXES = (".csv", ".jsonl")
 #: The ending of Parquet files, which are written (``nctakt.trace.arrow``).
 PARQUET = ".parquet"
 
+#: The ending of MF4 files, which are written (``nctakt.trace.measurement``).
+MF4 = ".mf4"
+
 
 @dataclass(frozen=True, slots=True)
 class Signal:
@@ -89,7 +92,7 @@ class RowSink(Sink, Protocol):
 
 def check_suffix(path: Path) -> None:
     """Raise ``Failure`` (900506) for a file whose suffix is not that of a format."""
-    known = (*SUFFIXES, PARQUET)
+    known = (*SUFFIXES, PARQUET, MF4)
     if path.suffix.lower() not in known:
         raise Failure(diagnostic(UNKNOWN_TRACE_FORMAT, file=str(path), suffixes=" or ".join(known)))
 

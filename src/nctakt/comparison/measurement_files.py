@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: MIT
+"""Logs that are no text: MF4 files of measuring tools (ASAM MDF), Parquet tables.
+
+In: the file. Out: ``Log``; only the columns that are asked for are read. In MF4 each group has its
+own stamps, which count from the begin of the measurement; a Parquet table has a column of stamps,
+by its name or that of a mapping file, and units in the metadata of its fields or in brackets.
+"""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nctakt.base.failure import Failure
+from nctakt.comparison.log import Log, LogColumn, Samples
+from nctakt.comparison.plain_table import NOT_SIGNALS, TIME_UNITS, TIMES, split_unit
+from nctakt.messages import diagnostic
+from nctakt.messages.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
+from nctakt.trace.arrow import load_pyarrow
+from nctakt.trace.measurement import load_asammdf
+
+if TYPE_CHECKING:
+    from nctakt.comparison.log import Numbers
+
+#: Types of channels of MF4 that are numbers.
+_NUMBER_TYPES = range(6)
+
+
+class Mf4Log(Log):
+    """An MF4 file; raises ``Failure`` for one that cannot be read, and without asammdf (901311)."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__(str(path))
+        library = load_asammdf()
+        try:
+            self._measured = library.MDF(path)
+        except Exception as error:  # it has no class of its own for faults
+            raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file)) from error
+        self.columns = [
+            LogColumn(channel.name, self._unit(number, index), index, number)
+            for number, group in enumerate(self._measured.groups)
+            for index, channel in enumerate(group.channels)
+            if channel.channel_type not in (2, 3) and channel.data_type in _NUMBER_TYPES
+        ]
+        if not self.columns:
+            raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
+
+    def _unit(self, group: int, index: int) -> str:
+        return str(self._measured.get_channel_unit(group=group, index=index) or "")
+
+    def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
+        """Return the samples of channels."""
+        found = []
+        for one in columns:
+            signal = self._measured.get(group=one.time_column, index=one.column)
+            values = signal.samples.astype(float)
+            found.append(self.settled(one.name, signal.timestamps.astype(float) * 1e6, values))
+        return found
+
+
+class ParquetLog(Log):
+    """A Parquet table; raises ``Failure`` as ``Mf4Log``, without pyarrow (901311)."""
+
+    def __init__(self, path: Path, said: Mapping[str, str]) -> None:
+        super().__init__(str(path))
+        arrow = load_pyarrow()
+        parquet = importlib.import_module("pyarrow.parquet")
+        try:
+            self._file = parquet.ParquetFile(path)
+        except (OSError, arrow.ArrowException) as error:
+            raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file)) from error
+        schema = self._file.schema_arrow
+        named = said.get("time", "").lower()
+        cells = [_name_and_unit(one) for one in schema]
+        time = next(
+            (
+                at
+                for at, (name, _) in enumerate(cells)
+                if (name.lower() == named if named else name.lower() in TIMES)
+            ),
+            -1,
+        )
+        if time < 0:
+            raise Failure(diagnostic(NO_TIME_IN_LOG, file=self.file))
+        name, unit = cells[time]
+        word = said.get("time_unit") or unit or name.lower().rpartition("_")[2]
+        self._time_us = TIME_UNITS.get(word, TIME_UNITS["s"])
+        self.columns = [
+            LogColumn(name, unit, at, time)
+            for at, (name, unit) in enumerate(cells)
+            if at != time and name not in NOT_SIGNALS and _is_number(arrow, schema.field(at).type)
+        ]
+        if not self.columns:
+            raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
+
+    def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
+        """Return the samples of columns; empty cells and what is no number are none."""
+        import numpy  # noqa: PLC0415 - opening a log does not need it
+
+        found = []
+        for one in columns:
+            times, values = self._numbers(one.time_column), self._numbers(one.column)
+            stamps = times[numpy.isfinite(times)]
+            has_value = numpy.isfinite(times) & numpy.isfinite(values)
+            since_first = (times[has_value] - stamps[:1]) * self._time_us
+            found.append(self.settled(one.name, since_first, values[has_value]))
+        return found
+
+    def _numbers(self, column: int) -> Numbers:
+        """Return a column as floating-point numbers; empty cells are no numbers."""
+        name = self._file.schema_arrow.names[column]
+        numbers: Numbers = self._file.read(columns=[name]).column(0).to_numpy().astype(float)
+        return numbers
+
+
+def _name_and_unit(one: Any) -> tuple[str, str]:
+    """Return the name of a field without its unit, and the unit."""
+    unit = (one.metadata or {}).get(b"unit", b"").decode("utf-8", errors="replace")
+    return (one.name, unit) if unit else split_unit(one.name)
+
+
+def _is_number(arrow: Any, kind: Any) -> bool:
+    types = arrow.types
+    return bool(types.is_integer(kind) or types.is_floating(kind) or types.is_boolean(kind))

@@ -9,8 +9,12 @@ tick 74, at 5 at the end of 199, at -5 of 324, at 5 of 449.
 
 from __future__ import annotations
 
+from random import Random
+
 import pytest
+from support.axis_plans import FASTEST, Plan
 from support.decided import numbers, perform, told
+from support.random_seeds import each_seed
 
 from nctakt.plc import MC_MoveAbsolute, Plc
 from nctakt.results.run import Run
@@ -283,6 +287,64 @@ def test_the_summary_counts_it() -> None:
     """Begun once, done once, by the program."""
     (count,) = run_of(ON, "G01 X5 F6000").motions
     assert (count.axis, count.count, count.done, count.is_of_program) == ("Z", 1, 1, True)
+
+
+def modelled(
+    ends: tuple[float, float], pauses: tuple[int, int], speed: float, off: int, back: float
+) -> list[float]:
+    """Where Z is at the end of each tick until it stands.
+
+    OSC OFF comes in tick ``off``; ``back``: with this speed to the second position, 0: it finishes.
+    """
+    place, now, is_ending = [0.0], 0.0, False
+    tick, target = 0, 0
+    while True:
+        plan = Plan(tick, now, 0.0, ends[target], speed)
+        for _ in range(plan.ticks()):
+            if tick == off and back:
+                plan = Plan(tick, *plan.after(tick - 1), ends[1], back)
+                return [*place[1:], *(plan.after(tick + i)[0] for i in range(plan.ticks()))]
+            is_there = target == 0 and now == ends[1] and tick == plan.first and tick > 0
+            if tick == off and is_there:
+                return place[1:]
+            is_ending |= tick == off
+            place.append(plan.after(tick)[0])
+            tick += 1
+        now = ends[target]
+        if target and is_ending:
+            return place[1:]
+        for _ in range(pauses[target]):
+            if tick == off and back:
+                plan = Plan(tick, now, 0.0, ends[1], back)
+                rest = range(plan.ticks()) if now != ends[1] else range(1)
+                return [*place[1:], *(plan.after(tick + i)[0] for i in rest)]
+            if tick == off and target:
+                return place[1:]
+            is_ending |= tick == off
+            place.append(now)
+            tick += 1
+        target = 1 - target
+
+
+@each_seed(compiled=12, plain=4)
+def test_random_oscillations_are_those_of_a_slow_model(seed: int) -> None:
+    """SA-11 … SA-14: each place in each tick."""
+    chance = Random(seed)
+    first, second = (float(place) for place in chance.sample([-9, -5, -2, 1, 4, 8], 2))
+    pauses = chance.choice((0, 7, 60)), chance.choice((0, 11, 90))
+    speed, off = chance.choice((40.0, 100.0, 700.0)), chance.randrange(1, 700)
+    back = chance.choice((0.0, 0.0, 50.0))
+    run = run_of(
+        f"Z[OSC ON 1ST_POS={first} 2ND_POS={second} FEED={speed * 60} 1ST_DELT={pauses[0] / 1000} "
+        f"2ND_DELT={pauses[1] / 1000}]",
+        f"G04 {off / 1000}",
+        f"Z[OSC OFF FEED={back * 60}]" if back else "Z[OSC OFF]",
+        "G04 1.5",
+    )
+    expected = modelled((first, second), pauses, min(speed, FASTEST), off, back)
+    expected += [expected[-1]] * (len(places(run)) - len(expected))
+    assert places(run) == pytest.approx(expected, abs=1e-6)
+    assert places(run)[-1] == second
 
 
 # --- SA-17: what is refused -----------------------------------------------------------------------

@@ -14,6 +14,7 @@ from nctakt.studies.branch_distance import distances
 from nctakt.studies.corpus import MAX_POINTS, Corpus
 from nctakt.studies.cover import covered
 from nctakt.studies.study import Study
+from nctakt.studies.unreachable import unreachable
 
 Captured = pytest.CaptureFixture[str]
 
@@ -148,3 +149,58 @@ def test_a_corpus_without_a_search_is_refused(tmp_path: Path, capsys: Captured) 
     (tmp_path / "plan.toml").write_text(PLAN)
     assert main(["study", str(tmp_path / "plan.toml"), "--corpus", "x"]) == 2
     assert "--corpus" in capsys.readouterr().err
+
+
+def nested(outer: str, inner: str) -> str:
+    """A branch in a branch."""
+    return on(outer).replace("V.E.COUNT = 1", on(inner))
+
+
+@pytest.mark.parametrize(
+    ("cycle", "proven"),
+    [
+        (on("V.E.COUNT_POS > 99999"), [True]),
+        (on("V.E.COUNT_POS >= 99999"), [False]),
+        (on("2 * V.E.COUNT_POS + 1 < 0 || ABS[V.E.COUNT_POS] == 100001"), [True]),
+        (on("SIN[V.RTA.ACS.ACT_POS.X] > 1 && V.E.COUNT_POS > 5"), [True]),
+        (on("V.RTA.ACS.ACT_POS.X > V.E.COUNT_POS + 99999"), [False]),
+        (nested("V.E.COUNT_POS > 50", "V.E.COUNT_POS < 40"), [False, True]),
+        (nested("V.E.COUNT_POS > 50", "V.E.COUNT_POS < 60"), [False, False]),
+        (nested("V.E.COUNT_POS > 50", "V.E.COUNT_POS < 40").replace("$IF", "$IF ALWAYS", 1),
+         [False, False]),
+        (on("V.E.COUNT_POS > 7").replace(
+            "$ENDIF", "$ELSEIF V.E.COUNT_POS > 8\nV.E.COUNT = 2\n$ENDIF"), [False, True]),
+        (on("V.E.COUNT_POS >= 0").replace("$ENDIF", "$ELSE\nV.E.COUNT = 2\n$ENDIF"), [False, True]),
+        (on("NOT[V.E.COUNT_POS < 100000]"), [True]),
+        (on("1 / V.E.COUNT_POS > 2"), [False]),
+        ("V.E.COUNT_POS = V.E.COUNT_POS + 1\n" + on("V.E.COUNT_POS > 99999"), [False]),
+        (on("V.E.COUNT_NEG > 5"), [False]),
+    ],
+)  # fmt: skip
+def test_branches_that_no_values_reach_are_proven(cycle: str, proven: list[bool]) -> None:
+    """COUNT_POS is from 0 to 99,999 and nothing else writes it; other values may be anything."""
+    study = study_of(program(cycle), "V.E.COUNT_POS")
+    proofs = unreachable(study.bench)
+    assert [index in {key[2] for key in proofs} for index in range(len(proven))] == proven
+
+
+def test_nothing_is_proven_where_others_may_write(tmp_path: Path) -> None:
+    """A PLC, an assignment of the program, a program whose name is computed."""
+    text = program(on("V.E.COUNT_POS > 99999"))
+    assert unreachable(study_of(text, "V.E.COUNT_POS").bench)
+    written = text.replace("G04", "V.E.COUNT_POS = 5\nG04")
+    assert not unreachable(study_of(written, "V.E.COUNT_POS").bench)
+    plc = tmp_path / "plc.py"
+    plc.write_text("class Plc:\n    def cycle(self, hli):\n        pass\n")
+    assert not unreachable(study_of(text, "V.E.COUNT_POS", plc=str(plc)).bench)
+
+
+def test_a_proven_branch_ends_the_search(tmp_path: Path, capsys: Captured) -> None:
+    """No runs are wasted on it; the proof names the variables and their bounds; exit code 1."""
+    (tmp_path / "plan.toml").write_text(PLAN)
+    part = tmp_path / "part.nc"
+    part.write_text(program(on("V.E.COUNT_POS == 77777") + "\n" + on("V.E.COUNT_POS > 100000")))
+    assert main(["study", str(tmp_path / "plan.toml"), "--cover", "--sample", "300"]) == 1
+    shown = capsys.readouterr().out
+    assert f"{part}:5: cannot be reached, proven for V.E.COUNT_POS from 0 to 99999" in shown
+    assert "all " not in shown

@@ -16,6 +16,14 @@ _ALL_TRIED = Text(
     "all {count} points of the plan were tried",
     "alle {count} Punkte des Plans wurden versucht",
 )
+_PROVEN = Text(
+    "{file}:{line}: cannot be reached, proven for {bounds}",
+    "{file}:{line}: nicht erreichbar, bewiesen für {bounds}",
+)
+_ALWAYS = Text(
+    "{file}:{line}: cannot be reached, proven", "{file}:{line}: nicht erreichbar, bewiesen"
+)
+_BOUNDS = Text("{name} from {low} to {high}", "{name} von {low} bis {high}")
 
 
 def cover_lines(
@@ -26,6 +34,14 @@ def cover_lines(
     Raises ``Failure`` for files that cannot be written.
     """
     yield CoverageText(reached.coverage, language).table().rstrip("\n")
+    for (file, line, index), decisive in reached.proofs.items():
+        cycle = next(c for c in reached.coverage.cycles if (c.file, c.line) == (file, line))
+        bounds = ", ".join(
+            _BOUNDS.get(language).format(name=name, low=as_text(span.low), high=as_text(span.high))
+            for name, span in decisive
+        )
+        text = _PROVEN if decisive else _ALWAYS
+        yield text.get(language).format(file=file, line=cycle.branches[index].line, bounds=bounds)
     if not reached.untried:
         yield _ALL_TRIED.get(language).format(count=reached.coverage.runs + reached.failed)
     for one in reached.first:

@@ -271,3 +271,22 @@ IMPOSSIBLE_RUNS = warning(
     de="so viele der Läufe waren nicht möglich: {count}; der erste von ihnen meldete das Obige",
     count=("the number of runs", "die Zahl der Läufe"),
 )
+INVALID_SAMPLE = error(
+    902532,
+    en="{value} is not a value that can be drawn",
+    de="{value} ist kein Wert, der gezogen werden kann",
+    remedy_en="Write a number with a decimal point, or a time such as 20 ms for times; # begins a "
+    "line that is skipped.",
+    remedy_de="Eine Zahl mit Dezimalpunkt schreiben, für Zeiten etwa 20 ms; # beginnt eine Zeile, "
+    "die übersprungen wird.",
+)
+SAMPLE_COLUMN_MISSING = error(
+    902533,
+    en="{file} has no column of samples named {name}; its columns: {names}",
+    de="{file} hat keine Spalte mit Stichproben namens {name}; ihre Spalten: {names}",
+    remedy_en="Name a column of its first row in the entry column; a file with a single column "
+    "needs none.",
+    remedy_de="Im Eintrag column eine Spalte der ersten Zeile nennen; eine Datei mit nur einer "
+    "Spalte braucht keine.",
+    names=("the columns of the file", "die Spalten der Datei"),
+)

@@ -145,7 +145,7 @@ class Bench:
         """Return what is wrong with the inputs that an entry of the plan gives."""
         try:
             controller = self._controller(inputs)
-            self._program_of(inputs, controller)
+            self.program_of(inputs, controller)
             for name, value in inputs.assignments.items():
                 controller.write(name, value)
             for _, name, value in inputs.stimuli:
@@ -240,7 +240,7 @@ class Bench:
         lent = None if schedule is not None else self._parts.lend(machine)
         part = None if lent is None else lent.part
         controller = Controller(machine, schedule, self.access, part)
-        program = self._program_of(inputs, controller)
+        program = self.program_of(inputs, controller)
         digest = Digest()
         further: RunKeywords = {
             "set": inputs.assignments,
@@ -287,7 +287,7 @@ class Bench:
             self._loaded.pop(self._machines.popitem(last=False)[0], None)
         return machine
 
-    def _program_of(self, inputs: RunInputs, controller: Controller) -> AnyProgram:
+    def program_of(self, inputs: RunInputs, controller: Controller) -> AnyProgram:
         """Return the program of a run: the unchanged one is checked once for each machine.
 
         With program variables, their first assignments have these values.

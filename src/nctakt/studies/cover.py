@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Sequence
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.results.coverage import Coverage
@@ -20,6 +20,7 @@ from nctakt.studies.branch_distance import NOT_THERE, BranchDistance, BranchKey,
 from nctakt.studies.coordinates import Coordinates, PlanCoordinates
 from nctakt.studies.dimension import Value, chance
 from nctakt.studies.inputs import inputs_of
+from nctakt.studies.unreachable import Proofs, unreachable
 
 #: Runs that are spread before a branch is approached: at most so many, and this part of the budget.
 _FIRST_RUNS, _FIRST_PART = 16, 8
@@ -53,7 +54,7 @@ class Reached:
 
     ``best``: points for the next search: those that reached a branch or came nearest to one.
     ``untried``: how many points of the plan are left. ``failed``: how many runs were not possible,
-    and what the first of them reported.
+    and what the first of them reported. ``proofs``: the branches that no values of the plan reach.
     """
 
     coverage: Coverage
@@ -62,6 +63,7 @@ class Reached:
     untried: int
     failed: int = 0
     failure: tuple[Diagnostic, ...] = ()
+    proofs: Proofs = field(default_factory=dict)
 
     @property
     def is_whole(self) -> bool:
@@ -77,7 +79,7 @@ def reach(bench: Bench, budget: int, earlier: Sequence[Sequence[Value]] = ()) ->
     search = _Search(bench)
     for coordinates in search.order(budget, earlier):
         search.make(coordinates)
-        if search.coverage.ran == search.coverage.branches or search.runs == budget:
+        if search.is_over or search.runs == budget:
             break
     return search.result()
 
@@ -103,6 +105,7 @@ class _Search:
         self._failures: list[Failure] = []
         self._good: list[Coordinates] = []
         self._reached: set[BranchKey] = set()
+        self._proofs = unreachable(bench)
         self._turns: dict[BranchKey, _Turn] = {}
         self._draws = 0
 
@@ -110,6 +113,11 @@ class _Search:
     def runs(self) -> int:
         """The number of runs so far."""
         return len(self._known)
+
+    @property
+    def is_over(self) -> bool:
+        """Whether every branch has run, or is proven not to."""
+        return bool(self._nearest) and self._reached | self._proofs.keys() >= self._nearest.keys()
 
     def make(self, coordinates: Coordinates) -> None:
         """Make the run with these coordinates."""
@@ -157,7 +165,8 @@ class _Search:
         asked = True
         while asked:
             asked = False
-            for key in [key for key in self._nearest if key not in self._reached]:
+            closed = self._reached | self._proofs.keys()
+            for key in [key for key in self._nearest if key not in closed]:
                 turn = self._turns.setdefault(key, _Turn(self._approach(key)))
                 coordinates = turn.next_unknown(key, self._known)
                 if coordinates is not None:
@@ -256,6 +265,7 @@ class _Search:
             self._space.count - self.runs,
             len(self._failures),
             tuple(failure),
+            {key: proof for key, proof in self._proofs.items() if key not in self._reached},
         )
 
 

@@ -12,6 +12,7 @@ from typing import Literal
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time
+from nctakt.studies.distribution import Distribution
 
 #: What a dimension varies: a variable's value, the time of a stimulus, the seed of a noise, the
 #: file of a series, how a function is acknowledged, when the PLC dies and comes back, a parameter
@@ -54,7 +55,8 @@ class Dimension:
     ``is_each_tick``: each tick of a run, from ``low`` up to the end of the unchanged run.
     ``nominal``: the value of the unchanged run; ``None``: the first one. ``is_whole``: it takes
     whole numbers only, so that values between two of them are rounded. ``tick_us``: the length of a
-    tick, for times: those between two ticks would do what the next tick does.
+    tick, for times: those between two ticks would do what the next tick does. ``distribution``: how
+    often each value is drawn by methods without a grid; ``None``: evenly.
     """
 
     name: str
@@ -74,6 +76,7 @@ class Dimension:
     nominal: Value | None = None
     is_whole: bool = False
     tick_us: int = 1
+    distribution: Distribution | None = None
 
     @property
     def is_time(self) -> bool:
@@ -123,6 +126,16 @@ class Dimension:
         if self.is_time:  # drawn by chance, or halved
             return self._tick_at(value)
         return self._whole(value)
+
+    def drawn(self, share: float) -> Value:
+        """Return the value below which this share, 0 … 1, of all drawn values is."""
+        if self.distribution is None:
+            return self.between(share)
+        value = self.distribution.quantile(share, self.low, self.high)
+        count = self.count
+        if count:
+            return self.value(min(max(round((value - self.low) / self.step), 0), count - 1))
+        return self._tick_at(value) if self.is_time else self._whole(value)
 
     def _tick_at(self, value_us: float) -> int:
         """Return the nearest time between the bounds at which a tick begins, if there is one."""

@@ -21,6 +21,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.studies import EXTRA_MISSING
 from nctakt.run.options import ProgramOptions
 from nctakt.studies.dimension import Dimension, Value, chance
+from nctakt.studies.distribution import Samples
 from nctakt.studies.measures import Expectation, Measure
 from nctakt.studies.python_measure import PythonMeasure
 
@@ -114,6 +115,8 @@ class Plan:
         for dimension in self.dimensions:
             if dimension.has_files:
                 files += [Path(str(value)) for value in dimension.values]
+            if isinstance(dimension.distribution, Samples):
+                files.append(dimension.distribution.file)
         nodes = [measure.node for measure in self.measures]
         files += [one.file for one in nodes if isinstance(one, PythonMeasure) and not one.function]
         return list(dict.fromkeys(files))
@@ -150,7 +153,7 @@ class Plan:
         if self.method == "list":
             return tuple(dimension.value(index) for dimension in self.dimensions)
         return tuple(
-            dimension.between(share)
+            dimension.drawn(share)
             for dimension, share in zip(self.dimensions, self._shares(index), strict=True)
         )
 

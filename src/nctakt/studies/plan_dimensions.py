@@ -13,6 +13,8 @@ from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.times import Time, read_time
 from nctakt.run.stimuli import parse_assignment
 from nctakt.studies.dimension import END_OF_RUN, FILE_KINDS, TIME_KINDS, Dimension, Kind, Value
+from nctakt.studies.distribution import Distribution
+from nctakt.studies.distribution_reader import OF_DISTRIBUTION, DistributionReader
 from nctakt.studies.faults import NEVER, TWICE
 from nctakt.studies.plan_reader import (
     LIST,
@@ -26,7 +28,9 @@ from nctakt.studies.plan_reader import (
     is_value,
 )
 
-COMMON = ("name", "values", "from", "to", "step", "nominal")
+COMMON = (
+    "name", "values", "from", "to", "step", "nominal", "distribution", *OF_DISTRIBUTION
+)  # fmt: skip
 #: What can be varied, and the further entries of each.
 WORDS: Mapping[Kind, tuple[str, ...]] = MappingProxyType(
     {
@@ -111,6 +115,10 @@ class DimensionReader:
         if kind == "parameter" and (match := _OF.fullmatch(target.strip())) is not None:
             target, of = match[1], match[2].strip()
         low, high, step = self._span(kind)
+        drawn = DistributionReader(
+            reader, entry, number, lambda key: self._bound(key, kind in TIME_KINDS)
+        )
+        distribution, low, high = drawn.distribution(kind, low, high)
         return Dimension(
             self._text("name", _name(kind, target, of)),
             kind,
@@ -128,9 +136,10 @@ class DimensionReader:
             self._duration(kind),
             "over" in entry,
             reader.truth(entry, "each_tick", "vary", number),
-            self._nominal(kind),
+            self._nominal(kind, distribution),
             kind == "noise" or is_whole(kind, target),
             self._tick_us() if kind in TIME_KINDS else 1,
+            distribution,
         )
 
     # --- entries ---------------------------------------------------------------------------------
@@ -174,6 +183,8 @@ class DimensionReader:
             if entry["load_entry"] != "interrupt.phase":
                 self._wrong("load_entry", entry["load_entry"], _PHASE)
             return low, high if "to" in entry else self._slice_us() - 1, step or 1
+        if entry.get("distribution") in ("normal", "samples"):
+            return low, high, step
         has_span = "from" in entry or "to" in entry
         if "values" in entry and has_span:
             self._wrong("values", entry["values"], _EITHER)
@@ -193,8 +204,11 @@ class DimensionReader:
             return self._microseconds(self._entry.get(key, 0), key)
         return self._amount(key)
 
-    def _nominal(self, kind: Kind) -> Value | None:
+    def _nominal(self, kind: Kind, distribution: Distribution | None) -> Value | None:
         """Return the value of the unchanged run; ``None`` if the entry does not say it."""
+        if "nominal" not in self._entry and distribution is not None:
+            is_rounded = kind in TIME_KINDS or is_whole(kind, self._entry[kind])
+            return round(distribution.center) if is_rounded else distribution.center
         if "nominal" not in self._entry:
             return None
         return self._value(kind, self._entry["nominal"], "nominal")

@@ -134,6 +134,12 @@ def _invalid(path: Path, text: str, reason: str) -> Diagnostic:
     return diagnostic(INVALID_PLAN, span, line, reason=_POSITION.sub("", reason))
 
 
+_DRAWN = Text(
+    "left out with this method (random, latin or sobol draw values)",
+    "bei diesem Verfahren weggelassen (random, latin oder sobol ziehen Werte)",
+)
+
+
 def _as_many(count: int, name: str) -> Text:
     return Text(
         f"a list of {count} values, as for {name}", f"eine Liste von {count} Werten wie bei {name}"
@@ -204,6 +210,7 @@ class _Reader(PlanReader):
         plan = replace(plan, places=self._places(plan))
         self._check_names(plan)
         self._check_kinds(plan)
+        self._check_distributions(plan)
         if not self.diagnostics:
             self._check_size(plan)
         return plan
@@ -219,6 +226,13 @@ class _Reader(PlanReader):
             for key in ("machine", "plc", "after", "set", "at", *further):
                 if key in tables:
                     self.wrong(key, tables[key], _WITH_PROGRAM)
+
+    def _check_distributions(self, plan: Plan) -> None:
+        """Note distributions of methods that take all values of a grid or of lists."""
+        if plan.method in ("grid", "list"):
+            for number, dimension in enumerate(plan.dimensions):
+                if dimension.distribution is not None:
+                    self.wrong("distribution", plan.method, _DRAWN, "vary", number)
 
     def _check_size(self, plan: Plan) -> None:
         """Note a plan without runs (901304), and lists of which one has more values."""

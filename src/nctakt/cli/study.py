@@ -26,8 +26,13 @@ from nctakt.cli.terminal import complain_notes, print_diagnostics
 from nctakt.run.options import RunOption, accepted_by
 
 if TYPE_CHECKING:
+    from nctakt.studies.parts import Part
+    from nctakt.studies.results import StreamedRows
     from nctakt.studies.row_store import RowStore
     from nctakt.studies.study import Study, StudyResult
+
+#: Endings of files with rows.
+SUFFIXES = (".parquet", ".csv", ".jsonl")
 
 #: Ending of the file with the rows while they are made, behind the name of the results.
 ROWS = ".rows"
@@ -56,6 +61,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
         "nctakt study plan.toml --out results.parquet",
         "nctakt study plan.toml --out results.parquet --resume",
         "nctakt study report plan.toml results.parquet --report results.html",
+        "nctakt study plan.toml --part 3/10 --out results",
         "nctakt study plan.toml --cover --sample 2000 --corpus plan.corpus",
         'nctakt study part.nc --set V.E.LIMIT=5 --each-tick "V.E.STOP=1 for 20 ms" \\',
         '    --expect "Z.ACS.ACT_POS < 50 within 100 ms"',
@@ -143,6 +149,14 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     text=Text("Make one run, from 0.", "Einen Lauf machen, ab 0."),
 )
 @option(
+    "--part",
+    metavar="I/N",
+    text=Text(
+        "Make the runs of part I of N; --out is the folder for its file.",
+        "Die Läufe des Teils I von N machen; --out ist der Ordner für seine Datei.",
+    ),
+)
+@option(
     "--record",
     metavar="FOLDER",
     group="files",
@@ -210,12 +224,15 @@ def _study(file: str, words: dict[str, Any]) -> int:
     from nctakt.cli.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
 
     _check_words(file, words)
+    part = _part(words)
     study = _read(file, words)
     if words["cover"] and study.plan.is_schedule:
         raise click.UsageError("--cover needs a program: a schedule has no realtime cycles")
     finds = bool(study.plan.goals) and words["only"] is None
     if words["cover"] or finds:
         _check_rows(words, "--cover" if words["cover"] else "a plan with find")
+    if part is not None:
+        _make_folder(Path(words["out"]).parent)
     _check_outputs(study, [file], {name: words[name] for name in ("out", "report", "corpus")})
     _tell_unchanged(study, words)
     if words["cover"]:
@@ -226,7 +243,8 @@ def _study(file: str, words: dict[str, Any]) -> int:
     if only is not None and only >= size:
         raise click.UsageError(f"--only: the study has the runs 0 to {size - 1}")
     numbers = range(size) if only is None else range(only, only + 1)
-    due = size if only is None else 1
+    numbers = numbers if part is None else part.runs(size)
+    due = numbers.stop - numbers.start  # more than len() can count
     count = min(words["processes"] or os.cpu_count() or 1, max(due // 20, 1))
     progress = StudyProgress(
         due,
@@ -246,7 +264,7 @@ def _study(file: str, words: dict[str, Any]) -> int:
         )
         progress.close()
         if words["out"] is not None:
-            result.save(words["out"])
+            result.save(words["out"], is_part=part is not None)
         _show(study, result, file, words)
         print_diagnostics(progress.crashed(), words["language"])
         is_met = bool(result)
@@ -309,6 +327,39 @@ def _tell_no_effect_shown(study: Study, result: StudyResult, words: dict[str, An
     print_diagnostics(found, words["language"])
 
 
+def _part(words: dict[str, Any]) -> Part | None:
+    """Return the part that is asked for, whose file ``--out`` is then.
+
+    Raises ``click.UsageError`` for a wrong one.
+    """
+    if words["part"] is None:
+        return None
+    from nctakt.studies.parts import parse_part  # noqa: PLC0415 - as above
+
+    part = parse_part(words["part"])
+    if part is None:
+        raise click.UsageError("--part: I/N, as 3/10; I from 1 to N")
+    if words["only"] is not None:
+        raise click.UsageError("--part and --only: both say which runs are made")
+    if words["out"] is None or Path(words["out"]).suffix in SUFFIXES:
+        raise click.UsageError("--part needs --out FOLDER, into which each part writes its file")
+    words["out"] = str(part.file(Path(words["out"])))
+    return part
+
+
+def _make_folder(path: Path) -> None:
+    """Make the folder of a part; raises ``Failure`` (900507)."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
+    from nctakt.messages.files import FILE_NOT_WRITABLE  # noqa: PLC0415
+
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        reason = error.strerror or str(error)
+        found = diagnostic(FILE_NOT_WRITABLE, file=path.as_posix(), reason=reason)
+        raise Failure(found) from error
+
+
 def _check_words(file: str, words: dict[str, Any]) -> None:
     """Raise ``click.UsageError`` for options that would have no effect."""
     if words["resume"] and words["out"] is None:
@@ -328,7 +379,7 @@ def _check_words(file: str, words: dict[str, Any]) -> None:
 
 def _check_rows(words: dict[str, Any], asked: str) -> None:
     """Raise ``click.UsageError`` for options about rows, which ``asked`` does not make."""
-    for name in ("out", "report", "shrink", "scheduler"):
+    for name in ("part", "out", "report", "shrink", "scheduler"):
         if words[name]:
             raise click.UsageError(f"{asked} makes no rows: --{name} would have no effect")
 
@@ -361,7 +412,8 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     from nctakt.studies.results import read_rows  # noqa: PLC0415
     from nctakt.studies.study import Study, StudyResult  # noqa: PLC0415
 
-    study, rows = Study(plan), read_rows(Path(results))
+    study, is_folder = Study(plan), Path(results).is_dir()
+    rows = _rows_of_parts(results, words) if is_folder else read_rows(Path(results))
     names = {dimension.name for dimension in study.plan.dimensions}
     names |= {measure.name for measure in study.plan.measures}
     if rows and not names <= set(rows[0]):
@@ -372,6 +424,23 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     page = result.report(words["language"], commands_of(study, result, plan, words))
     write_file(target, page)
     return EXIT_RAN
+
+
+def _rows_of_parts(folder: str, words: dict[str, Any]) -> StreamedRows:
+    """Return the rows of the parts in a folder; tell which are missing (902535)."""
+    from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
+    from nctakt.messages.studies import NO_PARTS, PARTS_MISSING  # noqa: PLC0415
+    from nctakt.studies.parts import RowsOfParts  # noqa: PLC0415
+
+    rows = RowsOfParts(Path(folder))
+    if len(rows.counts) != 1:
+        counts = ", ".join(map(str, rows.counts)) or "–"
+        raise Failure(diagnostic(NO_PARTS, folder=folder, counts=counts))
+    if rows.missing:
+        names = ", ".join(map(str, rows.missing[:20]))
+        found = diagnostic(PARTS_MISSING, folder=folder, names=names)
+        print_diagnostics([found], words["language"])
+    return rows
 
 
 def _cover(study: Study, words: dict[str, Any]) -> int:

@@ -290,3 +290,20 @@ SAMPLE_COLUMN_MISSING = error(
     "Spalte braucht keine.",
     names=("the columns of the file", "die Spalten der Datei"),
 )
+NO_PARTS = error(
+    902534,
+    en="{folder} has no parts of one study; parts of studies in so many parts: {counts}",
+    de="{folder} hat keine Teile einer einzigen Studie; Teile von Studien in so vielen Teilen: "
+    "{counts}",
+    remedy_en="Use a folder that nctakt study --part I/N --out FOLDER has written, for each N its "
+    "own.",
+    remedy_de="Einen Ordner angeben, den nctakt study --part I/N --out ORDNER geschrieben hat, für "
+    "jedes N einen eigenen.",
+    counts=("the numbers of parts that were found", "die gefundenen Zahlen von Teilen"),
+)
+PARTS_MISSING = warning(
+    902535,
+    en="of the study in {folder} these parts are missing: {names}; the report has the others only",
+    de="von der Studie in {folder} fehlen diese Teile: {names}; der Bericht hat nur die anderen",
+    names=("the numbers of the parts", "die Nummern der Teile"),
+)

@@ -12,7 +12,7 @@ import io
 import itertools
 import json
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any, overload
@@ -31,6 +31,9 @@ if TYPE_CHECKING:
 #: No column has a unit.
 NO_UNITS: Mapping[str, str] = MappingProxyType({})
 
+#: The columns that are always whole numbers.
+_COUNTS = ("run", "ticks", "seed")
+
 #: Rows in one group of a Parquet file; rows that are read from one at a time.
 GROUP, READ_GROUP = 50_000, 5_000
 
@@ -46,15 +49,18 @@ def write_rows(
     columns: Sequence[str],
     path: Path,
     units: Mapping[str, str] = NO_UNITS,
+    texts: Collection[str] | None = None,
 ) -> None:
     """Write rows to a file by its ending: .parquet, .csv, else JSON lines.
 
-    ``units``: those of the columns, which Parquet keeps. ``rows`` is gone through twice. Raises
+    ``units``: those of the columns, which Parquet keeps. ``texts``: the columns of texts, where
+    the types must not depend on these rows, because others are in other files; all others but
+    counts are then numbers with a fraction. ``rows`` is gone through twice. Raises
     ``Failure``: no pyarrow (901311), a file that cannot be written (900507).
     """
     with OutputFile(path) as file:
         if path.suffix == ".parquet":
-            schema = _schema(rows, columns, units)
+            schema = _schema(rows, columns, units, texts)
             file.fill(lambda target: _write_parquet(rows, schema, target))
         elif path.suffix == ".csv":
             file.write(_csv_line(columns))
@@ -186,13 +192,18 @@ def arrow_table(
 
 
 def _schema(
-    rows: Iterable[Row], columns: Sequence[str], units: Mapping[str, str]
+    rows: Iterable[Row],
+    columns: Sequence[str],
+    units: Mapping[str, str],
+    fixed_texts: Collection[str] | None = None,
 ) -> pyarrow.Schema:
     """Return types and units of the columns: texts, else numbers with a fraction, else whole."""
     arrow = load_pyarrow()
-    texts: set[str] = set()
-    fractions: set[str] = set()
-    for row in rows:
+    texts = {"state", "verdict", "broken", "digest", *(fixed_texts or ())}
+    fractions = set(columns).difference(_COUNTS)
+    if fixed_texts is None:
+        texts, fractions = set(), set()
+    for row in rows if fixed_texts is None else ():
         for name, value in row.items():
             if isinstance(value, str):
                 texts.add(name)

@@ -152,9 +152,16 @@ class StudyResult:
         """
         return report(self.plan, self.rows, self.units, language, command, self.nominal)
 
-    def save(self, path: str | Path) -> None:
-        """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``."""
-        write_rows(self.rows, columns_of(self.plan), Path(path), self.units)
+    def save(self, path: str | Path, *, is_part: bool = False) -> None:
+        """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``.
+
+        ``is_part``: beside files of other rows, with the same types whatever the values are.
+        """
+        texts = None
+        if is_part:
+            dimensions = self.plan.dimensions
+            texts = [one.name for one in dimensions if any(isinstance(v, str) for v in one.values)]
+        write_rows(self.rows, columns_of(self.plan), Path(path), self.units, texts)
 
 
 class Study:

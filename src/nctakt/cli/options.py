@@ -195,6 +195,15 @@ _FILE_OPTIONS = (
         ),
     ),
     option(
+        "--fst",
+        metavar="FILE",
+        group="files",
+        text=Text(
+            "Write the same, compressed, for GTKWave and Surfer (.fst).",
+            "Dasselbe komprimiert für GTKWave und Surfer schreiben (.fst).",
+        ),
+    ),
+    option(
         "--perfetto",
         metavar="FILE",
         group="files",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run --plot``, ``--vcd``, ``--perfetto``: what a run records for them, and the files.
+"""``nctakt run --plot``, ``--vcd``, ``--fst``, ``--perfetto``: what they record, and the files.
 
 In: the options of the command, the controller before its run. Out: the signals and sinks of the
 run, then the files.
@@ -33,7 +33,12 @@ class Drawings:
         controller: Controller,
         open_file: Callable[[str, str | None], OutputFile | None],
     ) -> None:
-        names = {"plot": options.plot, "vcd": options.vcd, "perfetto": options.perfetto}
+        names = {
+            "plot": options.plot,
+            "vcd": options.vcd,
+            "fst": options.fst,
+            "perfetto": options.perfetto,
+        }
         paths = {kind: path for kind, path in names.items() if path is not None}
         self._options = options
         self._default_signals: Sequence[str] = ()
@@ -96,6 +101,7 @@ class Drawings:
         writers: dict[str, Callable[[Path], None]] = {
             "plot": lambda path: drawer.plot(run, path, chosen, language),
             "vcd": lambda path: drawer.write_vcd(run, path),
+            "fst": lambda path: drawer.write_fst(run, path),
             "perfetto": lambda path: drawer.write_perfetto(run, path, language),
         }
         for kind, file in self._files.items():

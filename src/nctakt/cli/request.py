@@ -70,6 +70,7 @@ class Options:
     trace: str | None = None
     plot: str | None = None
     vcd: str | None = None
+    fst: str | None = None
     perfetto: str | None = None
     signals: str | None = None
     project_signals: tuple[str, ...] | None = None
@@ -159,7 +160,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
     if options.plc is not None and options.hli is not None:
         reader.diagnostics.append(diagnostic(PLC_AND_HLI_OPTIONS))
     signals = None if options.signals is None else split_names(options.signals)
-    is_drawn = (options.plot, options.vcd, options.perfetto) != (None, None, None)
+    is_drawn = any((options.plot, options.vcd, options.fst, options.perfetto))
     is_traced = options.trace is not None
     for option, is_lost in (
         ("--signals", signals is not None and not is_traced and not is_drawn),

@@ -12,7 +12,7 @@ import importlib.util
 import itertools
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
@@ -21,14 +21,17 @@ from nctakt.messages.schedule_results import LIBRARY_MISSING
 
 Value = int | float | str
 
-#: pyvcd's name for each kind of variable, its size in bits, its first value.
-_KINDS: dict[str, tuple[str, int | None, Value]] = {
-    "wire": ("wire", 1, 0),
-    "truth": ("wire", 1, "x"),
-    "text": ("string", None, ""),
-    "integer": ("integer", 64, 0),
-    "real": ("real", None, 0.0),
+#: pyvcd's name for each kind of variable, its size in bits.
+_KINDS: dict[str, tuple[str, int | None]] = {
+    "wire": ("wire", 1),
+    "truth": ("wire", 1),
+    "text": ("string", None),
+    "integer": ("integer", 64),
+    "real": ("real", None),
 }
+
+#: The first value of each kind.
+FIRST_VALUES: dict[str, Value] = {"wire": 0, "truth": "x", "text": "", "integer": 0, "real": 0.0}
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,35 +58,49 @@ def write_vcd_file(
 ) -> None:
     """Write the variables from time ``begin`` on; ``timescale``: the unit of times, ``1 ns``.
 
-    Raises ``OSError``. Of variables with one name the later ones get a number.
+    Raises ``OSError``.
     """
     from vcd import VCDWriter  # noqa: PLC0415 - pyvcd only when needed
 
-    names: dict[tuple[tuple[str, ...], str], int] = {}
-    changes: list[Iterator[tuple[int, int, Any, Value]]] = []
     with (
         path.open("w", encoding="utf-8", newline="\n") as file,
         VCDWriter(
             file, timescale=timescale, date="", init_timestamp=begin, check_values=False
         ) as writer,
     ):
-        for number, variable in enumerate(variables):
-            scope = tuple(map(identifier, variable.scope))
-            name = identifier(variable.name)
-            count = names[scope, name] = names.get((scope, name), 0) + 1
-            kind, size, first = _KINDS[variable.kind]
-            shown = name if count == 1 else f"{name}_{count}"
-            target = writer.register_var(scope, shown, kind, size=size, init=first)
-            changes.append(_numbered(variable.changes, number, target))
-        for time, _, target, value in heapq.merge(*changes, key=lambda change: change[:2]):
-            writer.change(target, time, value)
+        targets, changes = [], []
+        for scope, shown, variable in named(variables):
+            kind, size = _KINDS[variable.kind]
+            first = FIRST_VALUES[variable.kind]
+            targets.append(writer.register_var(scope, shown, kind, size=size, init=first))
+            changes.append(variable.changes)
+        for time, number, value in in_order(changes):
+            writer.change(targets[number], time, value)
+
+
+def named(variables: Iterable[VcdVariable]) -> Iterator[tuple[tuple[str, ...], str, VcdVariable]]:
+    """Yield variables with their scopes and names; of equal ones the later ones get a number."""
+    names: dict[tuple[tuple[str, ...], str], int] = {}
+    for variable in variables:
+        scope = tuple(map(identifier, variable.scope))
+        name = identifier(variable.name)
+        count = names[scope, name] = names.get((scope, name), 0) + 1
+        yield scope, name if count == 1 else f"{name}_{count}", variable
+
+
+def in_order(
+    changes: Sequence[Iterable[tuple[int, Value]]],
+) -> Iterator[tuple[int, int, Value]]:
+    """Yield the changes of all variables in the order of time: time, number of variable, value."""
+    numbered = [_numbered(one, number) for number, one in enumerate(changes)]
+    return heapq.merge(*numbered, key=lambda change: change[:2])
 
 
 def _numbered(
-    changes: Iterable[tuple[int, Value]], number: int, variable: Any
-) -> Iterator[tuple[int, int, Any, Value]]:
+    changes: Iterable[tuple[int, Value]], number: int
+) -> Iterator[tuple[int, int, Value]]:
     for time, value in changes:
-        yield time, number, variable, value
+        yield time, number, value
 
 
 def identifier(name: str) -> str:

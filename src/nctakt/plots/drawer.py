@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Language, Span
 from nctakt.base.failure import Failure
+from nctakt.files.fst import check_fst
 from nctakt.files.vcd import check_vcd
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.messages import diagnostic
@@ -26,7 +27,7 @@ from nctakt.plots.picture import (
     write_picture,
 )
 from nctakt.plots.run_perfetto import write_run_perfetto
-from nctakt.plots.run_vcd import write_run_vcd
+from nctakt.plots.run_vcd import write_run_fst, write_run_vcd
 from nctakt.plots.scene import Scene, scene_of
 from nctakt.results.run import Run
 from nctakt.results.timeline import Timeline
@@ -82,6 +83,10 @@ class Drawer:
         """Write a VCD file."""
         write_run_vcd(self._timeline(run, idle=True), _trace(run), path)
 
+    def write_fst(self, run: Run, path: Path) -> None:
+        """Write an FST file."""
+        write_run_fst(self._timeline(run, idle=True), _trace(run), path)
+
     def write_perfetto(self, run: Run, path: Path, language: Language) -> None:
         """Write a file for Perfetto."""
         write_run_perfetto(self._timeline(run, idle=True), _trace(run), path, language)
@@ -124,11 +129,11 @@ def _detached(
 
 
 #: The suffixes of traces for other viewers.
-_SUFFIXES = {"vcd": ".vcd", "perfetto": ".json"}
+_SUFFIXES = {"vcd": ".vcd", "fst": ".fst", "perfetto": ".json"}
 
 
 def check_file(kind: str, file: str) -> None:
-    """Raise ``Failure`` for a file that cannot be one of ``plot``, ``vcd``, ``perfetto``.
+    """Raise ``Failure`` for a file that cannot be one of ``plot``, ``vcd``, ``fst``, ``perfetto``.
 
     For another suffix (900635, 901090) and where a library is missing (900634).
     """
@@ -140,6 +145,8 @@ def check_file(kind: str, file: str) -> None:
         raise Failure(diagnostic(WRONG_SUFFIX, file=file, option=f"--{kind}", suffix=suffix))
     if kind == "vcd":
         check_vcd()
+    elif kind == "fst":
+        check_fst()
 
 
 def _trace(run: Run) -> Trace:

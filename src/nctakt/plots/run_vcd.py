@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run -> a VCD file: signals, the current block, cycles, conditions, reactions, functions.
+"""A run -> a VCD or FST file: signals, the current block, cycles, conditions, reactions, functions.
 
 In: the timeline of a run, its trace. Out: the file; its unit is 1 µs. Names are English in every
 language, since scripts read them. Writing raises ``OSError``.
@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy
 
+from nctakt.files.fst import write_fst_file
 from nctakt.files.vcd import VcdVariable, apart, levels, merged, truths, write_vcd_file
 from nctakt.results.timeline import Timeline, Track, TrackKind
 from nctakt.trace.recorded import Trace
@@ -29,6 +30,12 @@ def write_run_vcd(timeline: Timeline, trace: Trace, path: Path) -> None:
     """Write the file."""
     variables = [*_tracks(timeline), *_signals(trace)]
     write_vcd_file(path, variables, timescale="1 us", begin=timeline.begin_us)
+
+
+def write_run_fst(timeline: Timeline, trace: Trace, path: Path) -> None:
+    """Write the same as an FST file."""
+    variables = [*_tracks(timeline), *_signals(trace)]
+    write_fst_file(path, variables, exponent=-6, begin=timeline.begin_us)
 
 
 def _tracks(timeline: Timeline) -> Iterator[VcdVariable]:

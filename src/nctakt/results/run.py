@@ -205,7 +205,7 @@ class RunDrawer(Protocol):
     """What draws runs of a machine; writes raise ``OSError``, checks ``Failure``."""
 
     def check_file(self, kind: str, file: str) -> None:
-        """Raise ``Failure`` for a file that cannot be a ``plot``, ``vcd`` or ``perfetto``."""
+        """Raise ``Failure`` for a file that cannot be one of this kind: ``plot``, ``vcd`` …"""
 
     def check_run(self, run: Run, signals: Sequence[str] | None = None) -> None:
         """Raise ``Failure`` for a run without a trace, and for signals that it lacks."""
@@ -221,6 +221,9 @@ class RunDrawer(Protocol):
 
     def write_vcd(self, run: Run, path: Path) -> None:
         """Write a VCD file."""
+
+    def write_fst(self, run: Run, path: Path) -> None:
+        """Write an FST file."""
 
     def write_perfetto(self, run: Run, path: Path, language: Language) -> None:
         """Write a file for Perfetto."""

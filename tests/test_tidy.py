@@ -416,6 +416,9 @@ HANDING_OUT = (
 #: what an editor sends, by its own streams.
 OUTSIDE = ("editor/entrance.py", "editor/incoming.py", "hli/connection.py")
 
+#: What notebooks show while something lasts.
+SHOWING = ("base/notebook_progress.py",)
+
 #: The files that read or write a length of time as a ``timedelta``, and no clock.
 LENGTHS = ("lists/format/times.py", "base/plain_values.py")
 
@@ -430,7 +433,8 @@ def test_nobody_but_the_command_line_reads_a_clock() -> None:
         and path.name != "one_at_a_time.py"  # refuses a second thread, and makes none
         for name in imports(path)
         if name.split(".")[0] in NOT_DETERMINISTIC
-        and path.relative_to(PACKAGE).as_posix() not in (*LENGTHS, *PACING, *HANDING_OUT, *OUTSIDE)
+        and path.relative_to(PACKAGE).as_posix()
+        not in (*LENGTHS, *PACING, *HANDING_OUT, *OUTSIDE, *SHOWING)
     ]
     for path in LENGTHS:
         lengths = [name for name in imports(PACKAGE / path) if "datetime" in name]

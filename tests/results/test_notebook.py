@@ -10,7 +10,8 @@ from typing import Any
 
 import pytest
 
-from nctakt.base.notebook import NotebookProgress, curve, notebook_progress
+from nctakt.base.notebook import curve
+from nctakt.base.notebook_progress import NotebookProgress, notebook_progress
 from nctakt.results.run import ExplainedRun
 from nctakt.run.controller import Controller, NcText
 from nctakt.session.session import Session

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
-from nctakt.base.notebook import notebook_progress
+from nctakt.base.notebook_progress import notebook_progress
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
-from nctakt.base.notebook import notebook_progress
+from nctakt.base.notebook_progress import notebook_progress
 from nctakt.base.plain_values import plain_data
 from nctakt.studies.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
 from nctakt.studies.corpus import Corpus

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
-from nctakt.base.notebook_progress import notebook_progress
+from nctakt.base.notebook_progress import NotebookProgress, notebook_progress
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
@@ -57,6 +57,8 @@ class ProgramRun:
     ``programs``: number of the channel, from 1 -> its programs, one after another. ``options``: all
     of ``Controller.run``, checked. Raises ``Failure`` as ``Controller.run``.
     """
+
+    _notebook: NotebookProgress | None = None
 
     def __init__(
         self,
@@ -111,10 +113,9 @@ class ProgramRun:
             if replay is None
             else replay.inputs
         )
-        self._notebook = None
-        if options["on_progress"] is None and not options["stays"]:
-            self._notebook = notebook_progress("Run")
-        machine.poll = functools.partial(self._report_progress, options["on_progress"])
+        machine.poll = functools.partial(
+            self._report_progress, options["on_progress"], _notebook_of(options)
+        )
         machine.inputs.on_select = self._select
         self._parts: Iterator[int] | None = None
         self._loaded: list[LoadedProgram] = []
@@ -152,12 +153,17 @@ class ProgramRun:
         limit = str(Time(DEFAULT_LIMIT_US))
         return Text(limit, limit)
 
-    def _report_progress(self, on_progress: Callable[[int, int | None], None] | None) -> None:
+    def _report_progress(
+        self,
+        on_progress: Callable[[int, int | None], None] | None,
+        notebook: NotebookProgress | None,
+    ) -> None:
         if on_progress is not None:
             on_progress(self._loop.tick, self._end)
-        elif self._notebook is not None:
+        elif notebook is not None:
+            self._notebook = notebook
             done = self._loop.tick - self._first_tick
-            self._notebook.show(done, None if self._default_limit() else self._limit())
+            notebook.show(done, None if self._default_limit() else self._limit())
 
     # --- going on -------------------------------------------------------------------------------
 
@@ -370,6 +376,12 @@ def _drawer(machine: AssembledMachine) -> RunDrawer:
 
     limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
     return Drawer(machine.channel_axes, machine.files.line_at, limits_jerk=limits_jerk)
+
+
+def _notebook_of(options: RunKeywords) -> NotebookProgress | None:
+    """Return what shows the progress of a run in a notebook, if nobody else does."""
+    is_shown = options["on_progress"] is None and not options["stays"]
+    return notebook_progress("Run") if is_shown else None
 
 
 def _set_up(channels: Sequence[ChannelRun], options: RunKeywords) -> None:

@@ -83,6 +83,13 @@ NOTHING_IS_MAPPED = error(
     remedy_de='Eine Zuordnungsdatei schreiben: [signals] "X.ACS.ACT_POS" = "Name im Log".',
     columns=("its columns", "ihre Spalten"),
 )
+LOG_LACKS_SIGNAL = error(
+    902619,
+    en="no column of {file} belongs to {name}",
+    de="keine Spalte von {file} gehört zu {name}",
+    remedy_en="Name the column of the log as the signal, or expect one that it has.",
+    remedy_de="Die Spalte der Aufzeichnung wie das Signal nennen oder eines erwarten, das sie hat.",
+)
 COLUMN_UNKNOWN = error(
     902520,
     en="{file} has no column '{name}'{hint}",

@@ -55,7 +55,13 @@ class NcItem(pytest.Item):
             run = self._run(script, text)
             is_limited = script.until is not None
             wrong = list(
-                differences(run, script.expectations, self._shown(), is_limited=is_limited)
+                differences(
+                    run,
+                    script.expectations,
+                    self._shown(),
+                    is_limited=is_limited,
+                    folder=self.path.parent,
+                )
             )
         except Failure as failure:
             raise UnmetError(
@@ -99,7 +105,9 @@ class NcItem(pytest.Item):
 
     def _signals(self, script: Script) -> list[str]:
         return [
-            expectation.name for expectation in script.expectations if expectation.kind == "value"
+            expectation.name
+            for expectation in script.expectations
+            if expectation.kind in ("value", "log")
         ]
 
     def _shown(self) -> str:

@@ -17,6 +17,7 @@ several, separated by ``;``. An expectation behind a block is about its line.
     ; expect: X = 200.25 at 463ms     an axis, V.E.COUNT, PATH.SPEED …; within 0.1
     ; expect: MAIN.eGate = E_Gate.Open at 2s    an item of an enumeration of the PLC; TRUE, FALSE
     ; expect: MAIN.eGate = E_Gate.Open    a variable of the PLC; TRUE, FALSE, an item
+    ; expect: X within 0.05 mm of machine.csv    at all times near a log, beside the program
     ; expect: error 22009             in this line; warning 20824
     ; expect: ended                   the program came to its end
 
@@ -53,7 +54,7 @@ from nctakt.run.stimuli import Stimulus, parse_assignment
 #: Tolerance of an expected value unless the expectation has one.
 TOLERANCE = 1e-6
 
-Kind = Literal["fired", "function", "message", "value", "error", "ended"]
+Kind = Literal["fired", "function", "message", "value", "log", "error", "ended"]
 
 _COMMENT = re.compile(r";\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE)
 _LATER = re.compile(r"\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE | re.DOTALL)
@@ -72,6 +73,11 @@ _VALUE = re.compile(
     r"(?P<name>[A-Z#][\w.#\[\]]*)\s*=\s*"
     r"(?:(?P<value>[+-]?[\d.]+(?:e[+-]?\d+)?)|(?P<item>[A-Z_][\w.]*))"
     rf"(?:\s+within\s+(?P<within>[\d.]+))?(?:\s+at\s+(?P<at>end|{_TIME}))?\s*$",
+    re.IGNORECASE,
+)
+_NEAR = re.compile(
+    r"(?P<name>[A-Z#][\w.#\[\]]*)\s+within\s+(?P<within>\d*\.?\d+)\s*(?P<unit>\S+)?"
+    r"\s+of\s+(?P<file>\S.*)",
     re.IGNORECASE,
 )
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
@@ -93,7 +99,8 @@ class Expectation:
 
     ``about``: the line that it is about, ``None``: any. ``at``: exactly these times, all of
     them; ``item``: the item of an enumeration whose number is expected; ``count``: the expected
-    number of events, ``None``: at least one.
+    number of events, ``None``: at least one; ``within``: the tolerance, in ``unit`` if it is one
+    to a log, ``file``.
     """
 
     line: int
@@ -104,6 +111,8 @@ class Expectation:
     number: float = 0.0
     item: str = ""
     within: float = 0.0
+    unit: str = ""
+    file: str = ""
     at: tuple[Time, ...] = ()
     before: Time | None = None
     after: Time | None = None
@@ -222,9 +231,12 @@ def impossible_firings(
 def read_expectation(text: str) -> Expectation:
     """Return the expectation of a text that stands in no program; raises ``Failure`` (900660)."""
     try:
-        return _expectation(text.strip(), 0, None)
+        found = _expectation(text.strip(), 0, None)
+        if found.kind == "log":  # a log is that of one run
+            raise _NotUnderstoodError
     except _NotUnderstoodError as error:
         raise Failure(diagnostic(INVALID_EXPECTATION, text=text)) from error
+    return found
 
 
 class _NotUnderstoodError(Exception):
@@ -260,6 +272,11 @@ def _expectation(text: str, line: int, about: int | None) -> Expectation:
             within=float(value["within"] or TOLERANCE),
             at=() if at_end else (read_time(value["at"]),),
         )
+    near = _NEAR.fullmatch(text)
+    if near is not None:
+        within, unit, file = float(near["within"]), near["unit"] or "", near["file"].strip()
+        name = near["name"]
+        return Expectation(line, text, "log", None, name, within=within, unit=unit, file=file)
     match = _WHEN.search(text)
     head = text if match is None else text[: match.start()]
     kind, name, number, about = _subject(head.strip(), about)

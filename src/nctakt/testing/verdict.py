@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity
 from nctakt.base.failure import Failure
@@ -20,16 +21,22 @@ from nctakt.trace.events import number_text
 
 
 def differences(
-    run: NcRun, expectations: Sequence[Expectation], file: str, *, is_limited: bool = True
+    run: NcRun,
+    expectations: Sequence[Expectation],
+    file: str,
+    *,
+    is_limited: bool = True,
+    folder: Path = Path(),
 ) -> Iterator[str]:
     """Yield a text for each unmet expectation and for each unexpected error.
 
-    One more where the run came to its limit (901016) and none was given (``is_limited``).
+    One more where the run came to its limit (901016) and none was given (``is_limited``);
+    ``folder``: where logs lie that they name.
     """
     for expectation in expectations:
         head = f"{file}:{expectation.line}: expect: {expectation.text}"
         try:
-            wrong = _wrong(run, expectation)
+            wrong = _wrong(run, expectation, folder)
         except Failure as failure:
             yield "\n".join((head, *(found.render() for found in failure.diagnostics)))
             continue
@@ -48,8 +55,13 @@ def differences(
             yield f"{error.render()}\n    unexpected error"
 
 
-def _wrong(run: NcRun, expectation: Expectation) -> list[str]:
+def _wrong(run: NcRun, expectation: Expectation, folder: Path) -> list[str]:
     """Return the actual result; empty if the expectation is met."""
+    if expectation.kind == "log":
+        # comparing takes numpy and more, and most tests have no log
+        from nctakt.testing.log_expectations import wrong_beside_log  # noqa: PLC0415
+
+        return wrong_beside_log(run, signal_of(run, expectation.name), expectation, folder)
     if expectation.kind == "value":
         return _wrong_value(run, expectation)
     if expectation.kind == "ended":
@@ -151,6 +163,8 @@ def _in_words_of_events(run: NcRun, expectation: Expectation) -> str:
     if expectation.kind == "value":
         at = _value_time(run, expectation)
         return f"{expectation.name} = {expectation.item or number_text(expectation.number)} at {at}"
+    if expectation.kind == "log":
+        return expectation.text
     words = {"function": expectation.name, "error": f"{expectation.number:.0f}"}
     subject = words.get(expectation.kind, f"{expectation.kind} {expectation.name}".strip())
     parts = [subject, *(_when(time, length_us) for time in expectation.at)]

@@ -8,6 +8,7 @@ import random
 import re
 from collections.abc import Iterator, Sequence
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -153,3 +154,45 @@ def test_lanes_and_answers(walk: tuple[Any, Session, str]) -> None:
     expect(answer).to_contain_text(f"in tick {tick} (")
     assert page.evaluate("nctaktRun.run.bars.lines") == exact
     compare(page, session, file)
+
+
+#: Where the current block stands in the editor: whether it is in view.
+_IN_VIEW = """() => {
+  const room = document.querySelector(".cm-scroller").getBoundingClientRect();
+  const block = document.querySelector(".cm-line.nc-block")?.getBoundingClientRect();
+  return Boolean(block && block.top >= room.top - 1 && block.bottom <= room.bottom + 1);
+}"""
+
+
+@pytest.mark.nightly
+def test_the_block_is_in_view_and_the_focus_stays(tmp_path: Path) -> None:
+    """While it plays and after travel, in 2,000 lines; stops in the gutter."""
+    path = tmp_path / "long.nc"
+    lines = [PROGRAM[: PROGRAM.index("G01")].rstrip()]
+    lines += [f"G01 X{number % 7} Y{number % 5} F60000" for number in range(2000)]
+    path.write_text("\n".join([*lines, "M30", ""]), "utf-8")
+    with chromium() as browser, served(str(path)) as address, Session(path) as session:
+        page = opened(browser, address)
+        page.get_by_test_id("speed").click()
+        page.get_by_role("option", name="×10", exact=True).click()
+        page.get_by_test_id("toggle").click()
+        page.wait_for_function("nctaktRun.run.block > 60 && nctaktRun.run.isPlaying")
+        page.wait_for_function(_IN_VIEW)
+        page.keyboard.press("Space")
+        page.wait_for_function("!nctaktRun.run.isPlaying && nctaktRun.run.latest > 100")
+        scope = page.get_by_test_id("scope").bounding_box()
+        page.mouse.click(scope["x"] + scope["width"] / 3, scope["y"] + scope["height"] / 2)
+        page.wait_for_function("nctaktRun.run.tick < nctaktRun.run.latest")
+        page.wait_for_function(_IN_VIEW)
+        tick, line = page.evaluate("[nctaktRun.run.tick, nctaktRun.run.block]")
+        session.step(tick + 1)
+        assert session.latest.blocks[1].line == line
+        expect(page.locator(".cm-line.nc-block")).to_have_text(
+            path.read_text().split("\n")[line - 1]
+        )
+
+        numbers = page.locator(".cm-lineNumbers .cm-gutterElement")
+        numbers.get_by_text(str(line), exact=True).click()
+        expect(page.locator(".cm-lineNumbers .nc-stopped")).to_have_text(str(line))
+        assert page.evaluate("document.activeElement.closest('.cm-editor')") is None
+        page.close()

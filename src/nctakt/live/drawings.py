@@ -117,6 +117,7 @@ class Drawings:
             "cycleUs": shared.cycle_time_us,
             "tick": snapshot.shown_tick,
             "latest": snapshot.latest - 1,
+            "block": view.block_line(snapshot, shared.channel, shared.file),
             "now": view.values_of(snapshot, shown.signals),
             "isPlaying": snapshot.is_playing,
             "bars": shared.explainer.bars(shared.moment, shared.file),

@@ -73,16 +73,34 @@
     if (line !== nctaktRun.run.line) { nctaktRun.run.line = line; nctaktRun.changed(); }
   });
 
-  // While the session stands, its block is in view, unless the pointer is in the editor.
-  let shownTick = -1;
-  const reveal = (view, { run, blockAt }) => {
-    if (run.isPlaying || run.tick === shownTick || run.tick < 0) return;
-    shownTick = run.tick;
-    const block = blockAt(run.tick), { scrollDOM } = view;
-    if (!block || !block[1] || block[1] > view.state.doc.lines || scrollDOM.matches(":hover")) return;
-    const { top, height } = view.lineBlockAt(view.state.doc.line(block[1]).from);
+  // The current block is in view, unless a person has just moved the text.
+  let shown = "", quietUntil = 0;
+  for (const name of ["wheel", "pointerdown", "keydown", "touchmove"]) {
+    document.addEventListener(name, (event) => {
+      if (event.target.closest && event.target.closest(".cm-scroller")) quietUntil = Date.now() + 4000;
+    }, { capture: true, passive: true });
+  }
+  const reveal = (view, { run }) => {
+    const now = run.isPlaying ? `${run.block}` : `${run.block} ${run.tick}`, { scrollDOM } = view;
+    if (now === shown || !run.block || run.block > view.state.doc.lines || Date.now() < quietUntil) return;
+    shown = now;
+    const { top, height } = view.lineBlockAt(view.state.doc.line(run.block).from);
     const low = scrollDOM.scrollTop, room = scrollDOM.clientHeight;
     if (top < low || top + height > low + room) scrollDOM.scrollTop = Math.max(0, top - room / 2);
+  };
+
+  // A line with a stop has a dot in the gutter.
+  const showStops = (view) => {
+    const lines = new Set([...view.contentDOM.querySelectorAll(".cm-line.nc-stop")].map(
+      (line) => view.state.doc.lineAt(view.posAtDOM(line)).number));
+    for (const number of view.dom.querySelectorAll(".cm-lineNumbers .cm-gutterElement")) {
+      number.classList.toggle("nc-stopped", lines.has(Number(number.textContent)));
+    }
+  };
+  const watchStops = (view) => {
+    const observer = new MutationObserver(() => showStops(view));
+    observer.observe(view.contentDOM, { childList: true, subtree: true, attributes: true, attributeFilter: ["class"] });
+    observer.observe(view.dom.querySelector(".cm-gutters"), { childList: true, subtree: true, characterData: true });
   };
 
   // The block at the cursor of scope or path is marked in the editor.
@@ -92,6 +110,7 @@
     const { nctaktRun } = globalThis, view = editor();
     if (!nctaktRun || !view) { setTimeout(follow, 200); return; }
     dress(view);
+    watchStops(view);
     nctaktRun.listen(() => {
       reveal(view, nctaktRun);
       const { run } = nctaktRun, block = run.cursor === null ? null : nctaktRun.blockAt(run.cursor);

@@ -255,6 +255,12 @@ def program_marks(
     return found
 
 
+def block_line(snapshot: Snapshot, channel: int, file: str) -> int:
+    """Return the line of a channel's current block, 0 where it is in another file."""
+    span = snapshot.blocks.get(channel)
+    return span.line if span is not None and span.file == file else 0
+
+
 def finding_marks(
     lines: Sequence[str], file: str, found: Sequence[Diagnostic]
 ) -> list[dict[str, Any]]:

@@ -15,3 +15,10 @@ CONTROLLER_IS_BUSY = error(
     "same time.",
     cause_de="Steuerungen sind voneinander unabhängig; beliebig viele können gleichzeitig laufen.",
 )
+REUSE_WITH_SCHEDULE = error(
+    902536,
+    en="a controller with a schedule cannot be put back to start-up",
+    de="eine Steuerung mit Taskplan kann nicht auf den Anlauf zurückgesetzt werden",
+    remedy_en="Make a new Controller for each run, or a study with rtconf in its plan.",
+    remedy_de="Für jeden Lauf einen neuen Controller anlegen, oder eine Studie mit rtconf im Plan.",
+)

@@ -23,6 +23,7 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
 from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
+from nctakt.messages.controller import REUSE_WITH_SCHEDULE
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.results.run import ExplainedRun, RecordedRun, Run
 from nctakt.results.step import Step
@@ -50,6 +51,7 @@ from nctakt.trace.sinks import Signal
 if TYPE_CHECKING:
     from nctakt.run.inputs import Input
     from nctakt.run.realtime_part import RealtimePart
+    from nctakt.run.reusable import ReusableController
     from nctakt.schedule.open_schedule import RunSchedule
 
 __all__ = ["Controller", "NcText"]
@@ -417,6 +419,24 @@ class Controller:
         finally:
             run.close()
         return run.result()
+
+    def reusable(self) -> ReusableController:
+        """Return what makes many runs of this machine, each from start-up on, at less cost.
+
+        Nothing lives on from one run to the next; this controller itself stays as it is. Raises
+        ``Failure`` (902536) for a controller with a schedule.
+
+        >>> part = NcText("part.nc", "G01 X[V.E.VALUE] F6000 M30")
+        >>> with Controller().reusable() as controller:
+        ...     [controller.run(part, set={"V.E.VALUE": x}).ticks for x in (50, 100)]
+        [526, 1026]
+        """
+        from nctakt.run.reusable import ReusableController  # noqa: PLC0415 - few have loops
+
+        if self._loop.scheduled_run is not None:
+            raise Failure(diagnostic(REUSE_WITH_SCHEDULE))
+        machine, access = self.machine, self._machine.file_access
+        return ReusableController(machine, lambda part: type(self)(machine, None, access, part))
 
     def load(self, program: str | Path | NcText, channel: int = 1) -> LoadedProgram:
         """Read and check a program, for runs on this controller and others of its machine.

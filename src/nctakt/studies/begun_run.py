@@ -18,7 +18,7 @@ from nctakt.run.program_run import ProgramRun
 from nctakt.run.scheduled_run import ScheduledRun
 from nctakt.studies.inputs import RunInputs
 from nctakt.studies.outcome import Outcome
-from nctakt.studies.realtime_parts import LentPart
+from nctakt.run.realtime_parts import LentPart
 from nctakt.studies.window import Injection, WindowOutcome, decided_run
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event

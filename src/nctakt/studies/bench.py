@@ -40,7 +40,7 @@ from nctakt.studies.measures import Expectation
 from nctakt.studies.outcome import Outcome
 from nctakt.studies.plan import Plan
 from nctakt.studies.python_measure import PythonMeasure
-from nctakt.studies.realtime_parts import MACHINES, RealtimeParts
+from nctakt.run.realtime_parts import MACHINES, RealtimeParts
 from nctakt.studies.schedule_measures import problems_of_numbers
 from nctakt.studies.units import REACTION, units_of
 from nctakt.studies.window import Injection

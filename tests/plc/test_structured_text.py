@@ -416,6 +416,33 @@ def test_an_aborting_command_takes_the_place_of_the_first_one(tmp_path: Path) ->
     assert round(float(a[199]), 6) == 0.0
 
 
+SLOW_CYCLE = """PROGRAM MAIN
+VAR n, i, k : DINT; nLength : UDINT; bExceeded : BOOL; END_VAR
+n := n + 1;
+nLength := TwinCAT_SystemInfoVarList._TaskInfo[1].LastExecTime;
+bExceeded := TwinCAT_SystemInfoVarList._TaskInfo[1].CycleTimeExceeded;
+IF n = 3 THEN FOR i := 1 TO 1500 DO k := k + 1; END_FOR END_IF
+END_PROGRAM
+"""
+
+
+def test_a_cycle_that_takes_too_long_loses_the_next_ones(tmp_path: Path) -> None:
+    """ST-830: with 1 µs an instruction, cycle 3 begins at 2 ms; the next one after it has ended."""
+    (tmp_path / "nctakt.toml").write_text("[plc]\ninstruction_time = 1000\n", "utf-8")
+    plc = loaded(tmp_path, SLOW_CYCLE)
+    signals = ["MAIN.n", "MAIN.nLength", "MAIN.bExceeded"]
+    run = run_nc(plc, "N10 G04 1\nM30", 30, signals)
+    count, length = list(run.trace["MAIN.n"]), run.trace["MAIN.nLength"]
+    again = count.index(4)
+    length_us = int(length[again]) // 10
+    assert length_us > 1500
+    assert again == 2 + -(-length_us // 1000)
+    assert count[: again + 2] == [1, 2, *[3] * (again - 2), 4, 5]
+    assert list(run.trace["MAIN.bExceeded"][again - 1 : again + 2]) == [0, 1, 0]
+    [warning] = [one for one in run.diagnostics if one.id == 902632]
+    assert f"took {length_us / 1000:g} ms of 1 ms" in warning.text("en")
+
+
 def test_a_reset_does_not_touch_the_plc(tmp_path: Path) -> None:
     """ST-810: its cycles and values go on, one in each tick."""
     plc = loaded(tmp_path, "PROGRAM MAIN VAR n : UDINT; END_VAR n := n + 1; END_PROGRAM")

@@ -174,3 +174,15 @@ RETAINED_SKIPPED = warning(
     remedy_en="Declare it RETAIN or PERSISTENT, or let the file be written anew.",
     remedy_de="Sie als RETAIN oder PERSISTENT deklarieren oder die Datei neu schreiben lassen.",
 )
+CYCLE_TOO_LONG = warning(
+    902632,
+    en="at {time} a cycle of the task {task} took {length} of {cycle}: due times in it are lost",
+    de="bei {time} dauerte ein Zyklus der Task {task} {length} von {cycle}: Fälligkeiten in dieser "
+    "Zeit entfallen",
+    remedy_en="Shorten the code, or give the task a longer cycle; it is reported once for a task.",
+    remedy_de="Den Code kürzen oder der Task einen längeren Zyklus geben; je Task einmal gemeldet.",
+    task=("the task", "die Task"),
+    time=_TIME,
+    length=("how long the cycle took", "die Dauer des Zyklus"),
+    cycle=("the cycle of the task", "der Zyklus der Task"),
+)

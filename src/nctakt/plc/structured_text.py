@@ -27,6 +27,7 @@ from nctakt.messages.plc import INVALID_AXIS_COMMAND
 from nctakt.messages.plc_code import (
     AXIS_NOT_RELEASED,
     CONVERSION_OUTSIDE,
+    CYCLE_TOO_LONG,
     DIVISION_BY_ZERO,
     EXCEPTION_RAISED,
     INVALID_OPERATION,
@@ -44,7 +45,7 @@ from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
 from nctakt.plc.st_interface import StInterface, connect, lay_out
-from nctakt.project.project_file import find_project
+from nctakt.project.project_file import Project, find_project
 from nctakt.run.named_values import SignalCell
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
@@ -59,7 +60,7 @@ if TYPE_CHECKING:
     from nctakt.run.assembly import AssembledMachine
 
 #: What a task counts in the list of tasks.
-_COUNTED = ("CycleCount", "FirstCycle")
+_COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
 #: Elementary instructions per µs of a task's cycle (ST-830).
 _STEPS_PER_US = 1000
 _MESSAGES = {
@@ -81,24 +82,24 @@ def load_structured(path: str | Path, axes: Mapping[str, str] | None = None) -> 
     ``axes``: names of axes by paths of variables of the type AXIS_REF, before those of the project
     file.
     """
-    programs, findings, named = inspected(path)
+    programs, findings, project = inspected(path)
     if len(programs) > 1:
         names = ", ".join(one.name for one in programs)
         raise PlcError(diagnostic(SEVERAL_PLC_PROJECTS, file=str(path), names=names))
-    return plc_of(programs[0], path, findings, {**named, **(axes or {})})
+    return plc_of(programs[0], path, findings, project, axes)
 
 
 def load_projects(path: str | Path) -> AnyPlc:
     """Return the PLC of a file; of a system with several projects all of them together."""
-    programs, findings, axes = inspected(path)
-    plcs = [plc_of(one, path, () if i else findings, axes) for i, one in enumerate(programs)]
+    programs, findings, project = inspected(path)
+    plcs = [plc_of(one, path, () if i else findings, project) for i, one in enumerate(programs)]
     return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
 
 
 def inspected(
     path: str | Path, *others: Path
-) -> tuple[list[Program], Sequence[Diagnostic], Mapping[str, str]]:
-    """Return the projects of a file, the warnings, and the axes that the project file names.
+) -> tuple[list[Program], Sequence[Diagnostic], Project | None]:
+    """Return the projects of a file, the warnings, and the project file around it.
 
     ``others``: further files that make one project with it. Raises ``PlcError`` with all mistakes.
     """
@@ -111,20 +112,25 @@ def inspected(
         raise PlcError(*errors)
     if not programs:
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
-    axes: Mapping[str, str] = {} if project is None else project.axes
-    return programs, collector.diagnostics, axes
+    return programs, collector.diagnostics, project
 
 
 def plc_of(
     program: Program,
     path: str | Path,
     findings: Sequence[Diagnostic],
-    axes: Mapping[str, str],
+    project: Project | None,
+    axes: Mapping[str, str] | None = None,
 ) -> StructuredPlc:
-    """Return the PLC of a checked program; raises ``PlcError`` for what does not run here."""
+    """Return the PLC of a checked program with the settings of its project file.
+
+    ``axes``: further ones. Raises ``PlcError`` for what does not run here.
+    """
     if not any(task.programs for task in program.tasks):
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
-    plc = StructuredPlc(program, findings, axes)
+    named = {} if project is None else project.axes
+    plc = StructuredPlc(program, findings, {**named, **(axes or {})})
+    plc.instruction_ns = 0 if project is None else project.instruction_ns
     refused = [_refusal(program, one.node.start, one.what) for one in plc.translated.refused]
     if refused:
         raise PlcError(*refused)
@@ -155,6 +161,9 @@ class StructuredPlc(RealtimePlc):
         self.program = program
         #: The axes that variables of the type AXIS_REF mean, by their paths.
         self.axes = axes or {}
+        #: How long an elementary instruction takes in ns; 0: cycles take no time (ST-830).
+        self.instruction_ns = 0
+        self._overrun_tasks: set[int] = set()
         self._findings = findings
         self.translated: Translation = translate(program)
         self._tasks: PlcTasks | None = None
@@ -176,6 +185,8 @@ class StructuredPlc(RealtimePlc):
         interface = lay_out(machine, layout.interface, self.translated.roots)
         memory = layout.memory(bytes(interface.content))
         self.context = context = layout.context(memory)
+        context.instruction_ns = self.instruction_ns
+        self._overrun_tasks = set()
         self._interface = interface
         cnc = connect(machine, interface, context, memory)
         context.outside = self._outside(machine, interface)
@@ -226,7 +237,7 @@ class StructuredPlc(RealtimePlc):
             if variable is not None:
                 self.context.poke(variable.address, self.check(one.number_path, one.number))
 
-    def _task_info(self, task: Task) -> tuple[int, tuple[int, int]]:
+    def _task_info(self, task: Task) -> tuple[int, tuple[int, ...]]:
         """Fill in what code reads of a task (ST-721); return its number and what it counts in."""
         number = self.program.tasks.index(task) + 1
         path = f"TwinCAT_SystemInfoVarList._TaskInfo[{number}]"
@@ -237,11 +248,10 @@ class StructuredPlc(RealtimePlc):
         ):
             variable = find_variable(self.program, f"{path}.{name}")
             if variable is None:
-                return number, (0, 0)
+                return number, ()
             self.context.poke(variable.address, self.check(f"{path}.{name}", value))
         counted = (find_variable(self.program, f"{path}.{name}") for name in _COUNTED)
-        count, first = (0 if one is None else one.address for one in counted)
-        return number, (count, first)
+        return number, tuple(0 if one is None else one.address for one in counted)
 
     def _outside(self, machine: AssembledMachine, interface: StInterface) -> Connection:
         """Return what calls reach of the machine."""
@@ -273,9 +283,25 @@ class StructuredPlc(RealtimePlc):
         self._tasks.has_news = False
         if self.context.fault:
             return [self._fault()]
+        overruns = self._overrun()
         if self._interface is None or self._machine is None:
-            return ()
-        return list(self._interface.go_on(self._machine, self.context))
+            return overruns
+        return [*overruns, *self._interface.go_on(self._machine, self.context)]
+
+    def _overrun(self) -> list[Diagnostic]:
+        """Return a warning about a task whose cycle took too long, for each task once (ST-830)."""
+        number, self.context.overrun_task = self.context.overrun_task, 0
+        if not number or number in self._overrun_tasks:
+            return []
+        self._overrun_tasks.add(number)
+        task = self.program.tasks[number - 1]
+        words = {
+            "task": task.name,
+            "time": f"{self.context.now / 1e6:g} ms",
+            "length": f"{self.context.overrun_ns / 1e6:g} ms",
+            "cycle": f"{task.cycle_us / 1e3:g} ms",
+        }
+        return [diagnostic(CYCLE_TOO_LONG, **words)]
 
     def end(self) -> Sequence[Diagnostic]:
         """Call FB_exit of its instances, once (ST-405); return the fault in that.

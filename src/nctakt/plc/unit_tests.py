@@ -104,13 +104,13 @@ def load_suites(path: Path, plc: Path | None = None) -> StructuredPlc:
     runs then, but the programs of the file.
     """
     if path.suffix.lower() not in TEXT_SUFFIXES:
-        programs, findings, axes = inspected(path)
-        return plc_of(programs[0], path, findings, axes)
+        programs, findings, project = inspected(path)
+        return plc_of(programs[0], path, findings, project)
     is_text = plc is not None and plc.suffix.lower() in TEXT_SUFFIXES
     others = [plc] if plc is not None and is_text and plc.resolve() != path.resolve() else []
-    programs, findings, axes = inspected(path, *others)
+    programs, findings, project = inspected(path, *others)
     _choose_tasks(programs[0], path)
-    return plc_of(programs[0], path, findings, axes)
+    return plc_of(programs[0], path, findings, project)
 
 
 def _choose_tasks(program: Program, path: Path) -> None:

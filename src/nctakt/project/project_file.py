@@ -16,6 +16,7 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
     file = "Cell.plcproj"
     libraries = ["libraries"]         # folders with sources of libraries, or stubs for them
     axes = {"MAIN.axLoader" = "A"}    # the axis that a variable of the type AXIS_REF means
+    instruction_time = 20             # ns of an elementary instruction of Structured Text
 
     [fmu]                             # a simulation model beside the PLC, or fmu = "plant.fmu"
     file = "plant.fmu"
@@ -56,7 +57,7 @@ from nctakt.run.options import accepted_by, refused
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
-_PLC_KEYS = ("file", "libraries", "axes")
+_PLC_KEYS = ("file", "libraries", "axes", "instruction_time")
 _FMU_KEYS = ("file", "every", "inputs", "outputs", "start")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
@@ -65,6 +66,8 @@ _TEXT = Text("a text", "ein Text")
 _TEXTS = Text("a list of texts", "eine Liste von Texten")
 _LANGUAGE = Text("a language", "eine Sprache")
 _AXES = Text("a table of names of axes", "eine Tabelle mit Namen von Achsen")
+_MAX_NS = 1_000_000
+_NANOSECONDS = Text("whole nanoseconds, 0 … 1000000", "ganze Nanosekunden, 0 … 1000000")
 _ON_TABLE = Text("a table", "eine Tabelle")
 _VALUE = Text("a number or a text", "eine Zahl oder ein Text")
 _TIME = Text("a time above 0", "eine Zeit über 0")
@@ -95,7 +98,8 @@ class Project:
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
     are those of variables before the first tick; ``places``: where each stands, and ``plc`` and
     ``fmu``. ``libraries``: folders with sources of the PLC's libraries; ``axes``: what its
-    variables of the type AXIS_REF mean, by their paths.
+    variables of the type AXIS_REF mean, by their paths. ``instruction_ns``: how long an
+    elementary instruction of Structured Text takes, 0: no time.
     """
 
     file: Path
@@ -109,6 +113,7 @@ class Project:
     places: Mapping[str, Place] = field(default_factory=dict, compare=False, repr=False)
     libraries: tuple[Path, ...] = ()
     axes: Mapping[str, str] = field(default_factory=dict)
+    instruction_ns: int = 0
     fmu: FmuSettings | None = None
 
     def placed(self, found: Diagnostic) -> Diagnostic:
@@ -245,6 +250,7 @@ class _Reader:
             | {name: self._location_of_value(name) for name in values},
             libraries,
             axes,
+            self._instruction_ns(entries.get("plc")),
             self._fmu(entries.get("fmu")),
         )
 
@@ -256,6 +262,15 @@ class _Reader:
         example = 'axes = {"MAIN.axLoader" = "A"}'
         self._wrong("axes", table, _AXES, example, self._location_in("plc", "axes"))
         return {}
+
+    def _instruction_ns(self, value: Any) -> int:
+        """Return how long an instruction of the PLC takes, in ns."""
+        found = value.get("instruction_time", 0) if isinstance(value, dict) else 0
+        if isinstance(found, int) and not isinstance(found, bool) and 0 <= found <= _MAX_NS:
+            return found
+        location = self._location_in("plc", "instruction_time")
+        self._wrong("instruction_time", found, _NANOSECONDS, "instruction_time = 20", location)
+        return 0
 
     def _refuse(self, key: str) -> None:
         """Report an entry that is none, or a run option that belongs elsewhere."""

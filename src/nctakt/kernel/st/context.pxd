@@ -23,6 +23,9 @@ cdef class PlcContext:
     cdef public long long now
     cdef public long long steps
     cdef public long long max_steps
+    cdef public long long instruction_ns
+    cdef public long long overrun_task
+    cdef public long long overrun_ns
     cdef public int fault
     cdef public long long fault_source
     cdef public long long fault_a

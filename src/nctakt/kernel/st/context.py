@@ -22,6 +22,8 @@ class PlcContext:
     that is free, ``instance`` the block that is called, ``passing`` the address where a call's
     arguments go and its results come from. ``steps`` counts the elementary instructions of the
     cycle of ``task``, up to ``max_steps`` (ST-830); ``now`` is the cycle's time in ns (ST-804).
+    ``instruction_ns``: how long an instruction takes, 0: no time; ``overrun_task`` is the number of
+    a task whose cycle took too long, ``overrun_ns`` how long, 0 where nothing is to be reported.
     ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
     its source, its values and the calls that led to it (ST-560).
     """
@@ -49,6 +51,9 @@ class PlcContext:
         self.now = 0
         self.steps = 0
         self.max_steps = 1000000
+        self.instruction_ns = 0
+        self.overrun_task = 0
+        self.overrun_ns = 0
         self.fault = 0
         self.fault_source = 0
         self.fault_a = 0

@@ -18,10 +18,15 @@ cdef class CyclicTask(PlcTask):
     cdef long long number
     cdef long long count_at
     cdef long long first_at
+    cdef long long length_at
+    cdef long long exceeded_at
     cdef readonly long long due
     cdef readonly long long count
+    cdef readonly long long overruns
     cdef int is_due(self, long long end) noexcept nogil
     cdef int run(self, PlcContext context, long long begin, long long end) noexcept nogil
+    @cython.locals(length=cython.longlong, is_exceeded=cython.bint)
+    cdef void note_length(self, PlcContext context, long long begin) noexcept nogil
 
 cdef class PlcSide:
     cdef public bint has_news

@@ -33,8 +33,9 @@ class PlcTask:
 class CyclicTask(PlcTask):
     """A task with its programs; ``others`` are the tasks after it.
 
-    ``number`` counts from 1; ``count_at`` and ``first_at`` are the addresses of its CycleCount and
-    FirstCycle (ST-804), 0 without.
+    ``number`` counts from 1; ``count_at`` … ``exceeded_at`` are the addresses of its CycleCount,
+    FirstCycle, LastExecTime and CycleTimeExceeded (ST-804), 0 without. ``overruns`` counts the
+    cycles that took longer than ``cycle`` (ST-830).
     """
 
     def __init__(
@@ -46,6 +47,8 @@ class CyclicTask(PlcTask):
         number: int = 0,
         count_at: int = 0,
         first_at: int = 0,
+        length_at: int = 0,
+        exceeded_at: int = 0,
     ) -> None:
         check_range(cycle, 1, MAX_CYCLE_NS, "cycle")
         check_range(max_steps, 1, 1 << 62, "instructions")
@@ -56,8 +59,11 @@ class CyclicTask(PlcTask):
         self.number = number
         self.count_at = count_at
         self.first_at = first_at
+        self.length_at = length_at
+        self.exceeded_at = exceeded_at
         self.due = 0
         self.count = 0
+        self.overruns = 0
 
     def is_due(self, end: int) -> int:
         return 1 if self.due < end else self.others.is_due(end)
@@ -75,7 +81,23 @@ class CyclicTask(PlcTask):
                 words.store(context.memory, self.first_at, kinds.BOOL, self.count == 1)
             if self.body.run(context) == kinds.STOPS:
                 return kinds.STOPS
+            if context.instruction_ns:
+                self.note_length(context, begin)
         return self.others.run(context, begin, end)
+
+    def note_length(self, context: PlcContext, begin: int) -> None:
+        """Note how long a cycle took; due times that pass meanwhile are lost (ST-830)."""
+        length = context.steps * context.instruction_ns
+        while self.due < begin + length:
+            self.due += self.cycle
+        is_exceeded = length > self.cycle
+        if is_exceeded:
+            self.overruns += 1
+            context.overrun_task = self.number
+            context.overrun_ns = length
+        if self.count_at:
+            words.store(context.memory, self.length_at, kinds.U32, length // 100)
+            words.store(context.memory, self.exceeded_at, kinds.BOOL, is_exceeded)
 
 
 class PlcSide:
@@ -211,7 +233,7 @@ class PlcTasks(PlcSide):
         if self.tasks.run(self.context, begin, begin + self.tick_ns) == kinds.STOPS:
             self.has_news = True
             self.cnc.leave()
-        elif self.cnc.take():
+        elif self.cnc.take() or self.context.overrun_task:
             self.has_news = True
 
     def show_outputs(self) -> None:

@@ -61,7 +61,7 @@ async def listed(found: Bench) -> dict[str, tuple[int, int, int, bool]]:
 
 
 def test_each_access_has_its_length_or_is_refused_by_name() -> None:
-    """Reads and writes with zeros; what is refused stands with its reason in docs/ads-objects.md."""
+    """Reads and writes with zeros; what is refused is in docs/ads-objects.md."""
     names = {(row.class_, row.number): row for row in object_rows()}
     classes = {
         0x120100: ("platform", ""),

@@ -39,7 +39,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """ST-904: with place, the machine's times in the JUnit file, exit code 1; NC files beside them."""
+    """ST-904: with place, the machine's times in the JUnit file, exit code 1; NC files, too."""
     assert main(["test", ".", "--junit", "report.xml", *WORDS, "-rs"]) == 1
     shown = capsys.readouterr().out
     assert "3 passed, 1 failed" in shown or "1 failed, 3 passed, 2 skipped" in shown

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from nctakt.comparison.log import Numbers
 
 #: Types of channels of MF4 that are numbers.
-_NUMBER_TYPES = range(6)
+_NUMBER_TYPES = frozenset(range(6))
 
 
 class Mf4Log(Log):

@@ -295,13 +295,15 @@ class StructuredPlc(RealtimePlc):
             return []
         self._overrun_tasks.add(number)
         task = self.program.tasks[number - 1]
-        words = {
-            "task": task.name,
-            "time": f"{self.context.now / 1e6:g} ms",
-            "length": f"{self.context.overrun_ns / 1e6:g} ms",
-            "cycle": f"{task.cycle_us / 1e3:g} ms",
-        }
-        return [diagnostic(CYCLE_TOO_LONG, **words)]
+        return [
+            diagnostic(
+                CYCLE_TOO_LONG,
+                task=task.name,
+                time=f"{self.context.now / 1e6:g} ms",
+                length=f"{self.context.overrun_ns / 1e6:g} ms",
+                cycle=f"{task.cycle_us / 1e3:g} ms",
+            )
+        ]
 
     def end(self) -> Sequence[Diagnostic]:
         """Call FB_exit of its instances, once (ST-405); return the fault in that.

@@ -21,7 +21,6 @@ from nctakt.messages import diagnostic
 from nctakt.messages.pictures import RUN_NOT_RECORDED, SIGNAL_NOT_RECORDED, WRONG_SUFFIX
 from nctakt.plots.picture import (
     check_picture,
-    figure_of,
     has_matplotlib,
     png_of,
     write_picture,
@@ -62,6 +61,8 @@ class Drawer:
 
     def figure(self, run: Run, signals: Sequence[str] | None, language: Language) -> Figure:
         """Return a picture as a figure of matplotlib."""
+        from nctakt.plots.shown_figure import figure_of  # noqa: PLC0415 - loads matplotlib
+
         return figure_of(self._scene(run, signals, language), language)
 
     def png(self, run: Run) -> bytes | None:

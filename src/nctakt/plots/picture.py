@@ -14,7 +14,7 @@ import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy
 
@@ -30,10 +30,6 @@ from nctakt.plots.scene import Panel, Scene
 from nctakt.plots.sheet_path import draw_numbers, draw_plane, draw_space
 from nctakt.plots.style import ARROW, FIRED, GRID, INK, LANE_COLOURS
 from nctakt.plots.tool_path import MAX_MARKS
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 
 ENDINGS = (".png", ".svg", ".html")
 
@@ -91,23 +87,12 @@ def write_picture(scene: Scene, path: Path, language: Language) -> None:
     if suffix == ".html":
         write_page(scene, path, language)
     else:
-        path.write_bytes(_Sheet(scene, language).render(suffix[1:]))
-
-
-def figure_of(scene: Scene, language: Language) -> Figure:
-    """Return a run as a figure of matplotlib that notebooks show."""
-    from nctakt.plots.shown_figure import ShownFigure  # noqa: PLC0415 - only a picture needs it
-
-    sheet = _Sheet(scene, language)
-    figure: Figure
-    with new_sheet(sheet.height_in, ShownFigure) as figure:
-        sheet.draw(figure)
-    return figure
+        path.write_bytes(Sheet(scene, language).render(suffix[1:]))
 
 
 def png_of(scene: Scene, language: Language) -> bytes:
     """Return a run as the bytes of a PNG file."""
-    return _Sheet(scene, language).render("png")
+    return Sheet(scene, language).render("png")
 
 
 @contextlib.contextmanager
@@ -140,7 +125,7 @@ def picture_of(sheet: Any, format_: str) -> bytes:
     return buffer.getvalue() if format_ == "png" else _with_steady_names(buffer.getvalue())
 
 
-class _Sheet:
+class Sheet:
     """One sheet of matplotlib: path, lanes and panels below each other."""
 
     def __init__(self, scene: Scene, language: Language) -> None:

@@ -15,10 +15,10 @@ from nctakt.base.dataclass import dataclass
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
 from nctakt.run.program_run import ProgramRun
+from nctakt.run.realtime_parts import LentPart
 from nctakt.run.scheduled_run import ScheduledRun
 from nctakt.studies.inputs import RunInputs
 from nctakt.studies.outcome import Outcome
-from nctakt.run.realtime_parts import LentPart
 from nctakt.studies.window import Injection, WindowOutcome, decided_run
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event

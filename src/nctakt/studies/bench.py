@@ -27,6 +27,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords, merged
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
+from nctakt.run.realtime_parts import MACHINES, RealtimeParts
 from nctakt.run.tape import TapeWriter
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.studies.begun_run import BegunRun, Digest, FinishedRun
@@ -40,7 +41,6 @@ from nctakt.studies.measures import Expectation
 from nctakt.studies.outcome import Outcome
 from nctakt.studies.plan import Plan
 from nctakt.studies.python_measure import PythonMeasure
-from nctakt.run.realtime_parts import MACHINES, RealtimeParts
 from nctakt.studies.schedule_measures import problems_of_numbers
 from nctakt.studies.units import REACTION, units_of
 from nctakt.studies.window import Injection

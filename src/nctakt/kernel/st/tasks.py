@@ -96,7 +96,7 @@ class CyclicTask(PlcTask):
             context.overrun_task = self.number
             context.overrun_ns = length
         if self.count_at:
-            words.store(context.memory, self.length_at, kinds.U32, length // 100)
+            words.store(context.memory, self.length_at, kinds.U32, words.divide(length, 100))
             words.store(context.memory, self.exceeded_at, kinds.BOOL, is_exceeded)
 
 

@@ -144,4 +144,4 @@ def test_the_document_shows_what_the_command_prints(
             assert main(words) == 0
         assert capsys.readouterr().out == shown
         checked += 1
-    assert checked == 2
+    assert checked == 3

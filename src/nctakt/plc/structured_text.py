@@ -44,6 +44,7 @@ from nctakt.messages.plc_code import (
 from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
+from nctakt.plc.st_coverage import coverage_of
 from nctakt.plc.st_interface import StInterface, connect, lay_out
 from nctakt.project.project_file import Project, find_project
 from nctakt.run.named_values import SignalCell
@@ -52,11 +53,13 @@ from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
 from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType, Type
+from nctakt.translation.branches import BranchNumbers
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.project import Translation, translate
 from nctakt.translation.variables import PlacedVariable, find_variable, retained_paths
 
 if TYPE_CHECKING:
+    from nctakt.results.coverage import Coverage
     from nctakt.run.assembly import AssembledMachine
 
 #: What a task counts in the list of tasks.
@@ -166,6 +169,8 @@ class StructuredPlc(RealtimePlc):
         self._overrun_tasks: set[int] = set()
         self._findings = findings
         self.translated: Translation = translate(program)
+        #: The numbers of its branches, if they are counted.
+        self._numbers: BranchNumbers | None = None
         self._tasks: PlcTasks | None = None
         self._machine: AssembledMachine | None = None
         self._first_tick = 0
@@ -190,6 +195,8 @@ class StructuredPlc(RealtimePlc):
         self._interface = interface
         cnc = connect(machine, interface, context, memory)
         context.outside = self._outside(machine, interface)
+        if self._numbers is not None:
+            context.keep_counts(self._numbers.size)
         self._bind_axes(machine)
         tasks = PlcTask()
         for task in sorted(self.program.tasks, key=_priority, reverse=True):
@@ -209,6 +216,18 @@ class StructuredPlc(RealtimePlc):
             raise PlcError(self._fault())
         machine.registry.plc_span = self.span_of
         return self
+
+    def count_branches(self) -> None:
+        """Count what its branches do from the next ``attach`` on."""
+        if self._numbers is None:
+            self._numbers = BranchNumbers(self.program)
+            self.translated = translate(self.program, self._numbers.by_identity)
+
+    def coverage(self) -> Coverage | None:
+        """Return which branches have run since it was attached; ``None`` if nothing counts them."""
+        if self._numbers is None:
+            return None
+        return coverage_of(self.program, self._numbers, self.context.counts)
 
     def side(self) -> PlcSide:
         """Return its tasks on the machine that it is attached to."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Branch coverage of realtime cycles, of one run or of many runs together.
+"""Branch coverage of realtime cycles and Structured Text, of one run or of many together.
 
 In: the histories of a run (``histories.py``), from the same probes as ``nctakt why``. Out:
 ``Coverage``. All counts are ticks: a realtime cycle runs once in a tick. A definition that was
@@ -27,6 +27,13 @@ BranchState = Literal[
 ]
 BRANCH_STATES: tuple[BranchState, ...] = get_args(BranchState)
 
+#: The word of a branch, in realtime cycles and in Structured Text.
+CoverageWord = Literal[BranchWord, "IF", "ELSIF", "ELSE", "CASE", "FOR", "WHILE", "REPEAT"]
+COVERAGE_WORDS: tuple[str, ...] = get_args(CoverageWord)
+#: Words of branches without a condition.
+WITHOUT_CONDITION = ("$ELSE", "ELSE", "CASE", "FOR")
+#: What a unit of Structured Text is, as ``CycleCounts.scope``.
+PLC_SCOPES = ("PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "METHOD", "ACTION", "PROPERTY")
 _RAN = ("ran", "never false")
 
 
@@ -82,7 +89,7 @@ class BranchCounts:
     line: int
     column: int
     text: str
-    word: BranchWord
+    word: CoverageWord
     frequency: str
     outer: int | None
     lines: tuple[int, ...]
@@ -105,6 +112,9 @@ class BranchCounts:
 @dataclass(frozen=True, slots=True)
 class CycleCounts:
     """One definition: the number of its ``instances`` and of their run-throughs, ``runs``.
+
+    Of Structured Text one function, method or body of a block: ``runs`` counts its calls, ``scope``
+    is its keyword (``PLC_SCOPES``), and all counts are evaluations.
 
     ``name`` and ``scope`` are those of its first instance, empty without one. ``source`` are its
     lines, which begin at ``line``; ``outside`` those outside of all branches.
@@ -138,7 +148,7 @@ class CycleCounts:
     def state(self, branch: BranchCounts) -> BranchState:
         """Return the state of one of its branches."""
         if branch.bodies:
-            is_plain = not branch.frequency and branch.word != "$ELSE"
+            is_plain = not branch.frequency and branch.word not in WITHOUT_CONDITION
             return "never false" if is_plain and not branch.condition.false else "ran"
         if not self.runs:
             return "cycle"
@@ -283,8 +293,9 @@ def _sums(
 
 def add_up(cycles: Iterable[CycleCounts]) -> tuple[CycleCounts, ...]:
     """Return the counts added up by definition, in the order of file and line."""
-    totals: dict[tuple[str, int], CycleCounts] = {}
+    totals: dict[tuple[str, int, str], CycleCounts] = {}
     for cycle in cycles:
-        key = (cycle.file, cycle.line)
+        # Several methods may begin in one line, a cycle may have another name in each run.
+        key = (cycle.file, cycle.line, cycle.name if cycle.scope in PLC_SCOPES else "")
         totals[key] = totals[key].plus(cycle) if key in totals else cycle
     return tuple(totals[key] for key in sorted(totals))

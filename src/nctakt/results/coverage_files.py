@@ -11,16 +11,18 @@ from __future__ import annotations
 import dataclasses
 import json
 from collections.abc import Callable, Iterator
-from typing import Any, TypeVar, get_args
+from typing import Any, TypeVar, cast
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.coverage import INVALID_COVERAGE_DATA
-from nctakt.nc.check.branches import BranchWord
 from nctakt.results.coverage import (
+    COVERAGE_WORDS,
+    WITHOUT_CONDITION,
     BranchCounts,
     ConditionCounts,
     Coverage,
+    CoverageWord,
     CycleCounts,
     NearestMiss,
 )
@@ -86,12 +88,12 @@ def _cycle_in(read: Any) -> CycleCounts:
 
 
 def _branch_in(read: Any) -> BranchCounts:
-    (word,) = (word for word in get_args(BranchWord) if word == read["word"])
+    (word,) = (word for word in COVERAGE_WORDS if word == read["word"])
     return BranchCounts(
         _count(read["line"]),
         _count(read["column"]),
         _text(read["text"]),
-        word,
+        cast("CoverageWord", word),
         _text(read["frequency"]),
         None if read["outer"] is None else _count(read["outer"]),
         _each(read["lines"], _count),
@@ -144,8 +146,8 @@ def _count(read: object) -> int:
 def as_lcov(coverage: Coverage) -> str:
     """Return a tracefile for ``genhtml`` and code hosts.
 
-    A line's count is the number of ticks in which it ran. Each condition has two branches, true and
-    false; an ``$ELSE`` has no condition and so no branch of its own.
+    A line's count is the number of ticks in which it ran, of Structured Text how often it ran. Each
+    condition has two branches, true and false, each label of CASE one; an ``$ELSE`` has none.
     """
     lines: list[str] = []
     for file in dict.fromkeys(cycle.file for cycle in coverage.cycles):
@@ -166,9 +168,10 @@ def _lcov_branches(cycle: CycleCounts) -> Iterator[tuple[int, int, str]]:
     """Yield the line, the branch's number in it, and its count (``-``: its line never ran)."""
     numbers: dict[int, int] = {}
     for branch in cycle.branches:
-        if branch.word == "$ELSE":
+        if branch.word in ("$ELSE", "ELSE", "FOR"):
             continue
-        for count in (branch.bodies, branch.condition.false):
+        false = () if branch.word in WITHOUT_CONDITION else (branch.condition.false,)
+        for count in (branch.bodies, *false):
             number = numbers.get(branch.line, 0)
             numbers[branch.line] = number + 1
             yield branch.line, number, str(count) if branch.evaluated or branch.bodies else "-"

@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator
 
 from nctakt.base.diagnostics import Language, Text
 from nctakt.results.coverage import (
+    PLC_SCOPES,
+    WITHOUT_CONDITION,
     BranchCounts,
     BranchState,
     ConditionCounts,
@@ -28,6 +30,7 @@ _ONCE = Text("run once", "einmal gelaufen")
 _TIMES = Text("run {runs} times", "{runs}-mal gelaufen")
 _DEFINED = Text("defined {instances} times", "{instances}-mal angelegt")
 _NEVER = Text("never defined", "nie angelegt")
+_UNCALLED = Text("never called", "nie aufgerufen")
 _IDLE = Text("defined, never run", "angelegt, nie gelaufen")
 _COLUMNS = (
     Text("line", "Zeile"),
@@ -55,6 +58,7 @@ _LEGEND = Text(
     "! never ran   ~ never false   counts are in ticks",
     "! nie ausgeführt   ~ nie falsch   Zahlen in Takten",
 )
+_OF_PLC = Text(", of the PLC in evaluations", ", der SPS in Auswertungen")
 
 _MARKS: dict[BranchState, str] = {"ran": " ", "never false": "~"}
 #: Widths of the columns line, evaluated, true, false, body.
@@ -74,7 +78,9 @@ class CoverageText:
 
     def source(self) -> str:
         """Return the lines of each definition with the counts of their branches."""
-        return self._joined(self._source, self._get(_LEGEND))
+        has_plc = any(cycle.scope in PLC_SCOPES for cycle in self._coverage.cycles)
+        legend = self._get(_LEGEND) + (self._get(_OF_PLC) if has_plc else "")
+        return self._joined(self._source, legend)
 
     def _joined(self, lines_of: Callable[[CycleCounts], Iterator[str]], legend: str = "") -> str:
         if not self._coverage.cycles:
@@ -92,11 +98,13 @@ class CoverageText:
 
     def _headline(self, cycle: CycleCounts) -> str:
         name = self._get(_CYCLE, name=cycle.name) if cycle.name else self._get(_NO_NAME)
-        facts = [f"{cycle.file}:{cycle.line}  {name} {cycle.scope}".rstrip()]
+        is_plc = cycle.scope in PLC_SCOPES
+        title = f"{cycle.scope} {cycle.name}" if is_plc else f"{name} {cycle.scope}".rstrip()
+        facts = [f"{cycle.file}:{cycle.line}  {title}"]
         if not cycle.instances and not cycle.runs:
             facts.append(self._get(_NEVER))
         elif not cycle.runs:
-            facts.append(self._get(_IDLE))
+            facts.append(self._get(_UNCALLED if is_plc else _IDLE))
         else:
             if cycle.instances > 1:
                 facts.append(self._get(_DEFINED, instances=cycle.instances))
@@ -129,7 +137,9 @@ class CoverageText:
             yield f"{row}  {'  ' * _depth(cycle, branch)}{branch.text}"
             indent = " " * (2 + sum(_WIDTHS) + 2 + 2 * _depth(cycle, branch) + 2)
             if state != "ran":
-                yield indent + self._state(state, branch.condition)
+                is_uncalled = state == "cycle" and cycle.scope in PLC_SCOPES
+                text = self._get(_UNCALLED) if is_uncalled else ""
+                yield indent + (text or self._state(state, branch.condition))
             for part in branch.parts:
                 yield indent + self._part(part)
 
@@ -183,8 +193,8 @@ _NO_COUNTS = ("", "", "", "")
 
 
 def _counts(branch: BranchCounts) -> tuple[str, str, str, str]:
-    """Return the cells evaluated, true, false, body; the first three are empty for ``$ELSE``."""
-    if branch.word == "$ELSE":
+    """Return the cells evaluated, true, false, body; without a condition only the last one."""
+    if branch.word in WITHOUT_CONDITION:
         return ("", "", "", str(branch.bodies))
     condition = branch.condition
     counts = (branch.evaluated, condition.true, condition.false, branch.bodies)

@@ -81,6 +81,9 @@ class ProgramRun:
         self._stimuli = [read_stimulus(stimulus) for stimulus in options["at"]]
         _set_up(loop.channels, options)
         self._plc = plc = plc_object(options["plc"])
+        if options["why"]:
+            for one in parts_of(plc)[0]:
+                one.count_branches()
         loop.attach(plc)
         for name, value in (options["set"] or {}).items():
             machine.write(name, value)
@@ -339,6 +342,10 @@ class ProgramRun:
         if scheduled is not None:
             self._diagnostics += scheduled.findings()
         report, coverage = loop.recording.why(self._first_tick, self.texts)
+        for one in parts_of(plc)[0]:
+            counted = one.coverage()
+            if coverage is not None and counted is not None:
+                coverage = coverage.plus(counted)
         statistics = self._statistics
         kind: type[Run] = Run
         if self._memory is not None:

@@ -13,6 +13,7 @@ from nctakt.run.named_values import NamedValues, SignalCell
 from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 
 if TYPE_CHECKING:
+    from nctakt.results.coverage import Coverage
     from nctakt.run.assembly import AssembledMachine
 
 
@@ -38,6 +39,13 @@ class RealtimePlc(WatchedPlc):
     def side(self) -> PlcSide:
         """Return what runs in the tick, once it is attached."""
         raise NotImplementedError
+
+    def count_branches(self) -> None:
+        """Count what its branches do from the next ``attach`` on, if it can."""
+
+    def coverage(self) -> Coverage | None:
+        """Return which branches have run since it was attached; ``None`` if nothing counts them."""
+        return None
 
     def data(self) -> memoryview:
         """Return its data, once it is attached."""

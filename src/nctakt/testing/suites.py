@@ -7,6 +7,7 @@ The suites of a file run together, once in a process, when the first of their te
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +27,7 @@ from nctakt.plc.unit_tests import (
 )
 from nctakt.project.run_settings import Named, RunSettings
 from nctakt.testing.collecting import UnmetError
+from nctakt.testing.coverage import session_coverage
 from nctakt.testing.settings_under_test import settings_of_test
 
 #: The test of a suite for all tests whose names its text does not say.
@@ -54,7 +56,13 @@ class SuiteFile(pytest.File):
         """Return what has become of all tests; the first call runs them."""
         if self._found is None:
             machine = load_machine(self._settings.machine)
+            session = session_coverage(self.config)
+            if session is not None:
+                self._plc.count_branches()
             self._found = run_suites(self._plc, machine, self._settings.until)
+            counted = self._plc.coverage()
+            if session is not None and counted is not None:
+                session.add(replace(counted, runs=1))
         return self._found
 
 

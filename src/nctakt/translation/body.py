@@ -8,6 +8,7 @@ order; what an earlier one needs of a later one is declared here.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from typing import Protocol
 
 from nctakt.kernel.st.calls import Callee, Routine
@@ -47,6 +48,8 @@ class Routines(Protocol):
     layout: Layout
     #: The pointers to the CNC's interface that code uses.
     roots: set[str]
+    #: The numbers of conditions and bodies that are counted, by identity.
+    counted: Mapping[int, int]
 
     def routine(self, called: Callable) -> Routine:
         """Return the routine of a function, method or body."""

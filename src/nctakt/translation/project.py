@@ -8,7 +8,7 @@ what a task reaches is translated; what cannot run there is refused by name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.st.calls import Call as CallNode
@@ -52,9 +52,12 @@ class Translation:
     roots: set[str]
 
 
-def translate(program: Program) -> Translation:
-    """Translate what the tasks of a checked program reach."""
-    project = _Project(program)
+def translate(program: Program, counted: Mapping[int, int] | None = None) -> Translation:
+    """Translate what the tasks of a checked program reach.
+
+    ``counted``: the numbers of the conditions and bodies that are counted, by identity.
+    """
+    project = _Project(program, counted or {})
     start, end = project.start(), project.end()
     bodies = {
         pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
@@ -66,8 +69,9 @@ def translate(program: Program) -> Translation:
 class _Project:
     """The routines and the memory of a program while they are made."""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: Program, counted: Mapping[int, int]) -> None:
         self.program = program
+        self.counted = counted
         self.layout = Layout(program.data_size)
         self.refused: list[CannotRunError] = []
         self.roots: set[str] = set()

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel.st import branching, kinds
 from nctakt.kernel.st.calls import Call as CallNode
+from nctakt.kernel.st.counting import CountedStep
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import (
     CopyBytes,
@@ -40,7 +41,9 @@ class Statements(Calls):
 
     def statements(self, written: Sequence[Statement]) -> Step:
         """Return statements in order."""
-        return steps_in_order([self.statement(one) for one in written])
+        step = steps_in_order([self.statement(one) for one in written])
+        number = self.project.counted.get(id(written))
+        return step if number is None else CountedStep(step, number)
 
     def statement(self, written: Statement) -> Step:
         """Return a statement; what it keeps for a while is free after it."""

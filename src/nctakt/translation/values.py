@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.kernel.st import kinds
+from nctakt.kernel.st.counting import CountedTruth
 from nctakt.kernel.st.kept import RealAfter, WholeAfter
 from nctakt.kernel.st.reals import (
     AddReal,
@@ -95,6 +96,11 @@ class Values(Designators):
     """Nodes of expressions."""
 
     def whole(self, expression: Expression) -> Whole:
+        node = self._whole(expression)
+        number = self.project.counted.get(id(expression))
+        return node if number is None else CountedTruth(node, number)
+
+    def _whole(self, expression: Expression) -> Whole:
         self.cost += 1
         if expression.value is not None and not isinstance(expression.value, bytes):
             return WholeConstant(as_word(int(expression.value)))

@@ -34,9 +34,12 @@ cdef class PlcContext:
     cdef public long long fault_instance
     cdef readonly long long[::1] trail
     cdef public long long trail_length
+    cdef readonly long long[::1] counts
+    cdef long long count_end
     cdef public bint stops_at_invalid
     cdef public bint wraps_conversions
 
+    cdef void count(self, long long number) noexcept nogil
     cpdef void begin(self, long long now) noexcept nogil
     cdef void fail(self, int message, long long a, long long b) noexcept nogil
     cdef int stop_at(self, long long source) noexcept nogil

@@ -24,6 +24,8 @@ class PlcContext:
     cycle of ``task``, up to ``max_steps`` (ST-830); ``now`` is the cycle's time in ns (ST-804).
     ``instruction_ns``: how long an instruction takes, 0: no time; ``overrun_task`` is the number of
     a task whose cycle took too long, ``overrun_ns`` how long, 0 where nothing is to be reported.
+    ``caller`` is the source of the latest call of a test's function; ``counts`` says how often
+    conditions and bodies ran.
     ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
     its source, its values and the calls that led to it (ST-560).
     """
@@ -62,8 +64,21 @@ class PlcContext:
         self.fault_instance = 0
         self.trail = memoryview(bytearray(16 * (kinds.MAX_DEPTH + 2))).cast("q")
         self.trail_length = 0
+        self.count_end = 0
+        self.counts = memoryview(bytearray(8)).cast("q")
         self.stops_at_invalid = True
         self.wraps_conversions = False
+
+    def keep_counts(self, size: int) -> None:
+        """Count so many conditions and bodies from now on."""
+        check_range(size, 0, kinds.MAX_COUNTS, "counts")
+        self.counts = memoryview(bytearray(8 * size + 8)).cast("q")
+        self.count_end = size
+
+    def count(self, number: int) -> None:
+        """Count a condition or a body, if it is counted at all."""
+        if number < self.count_end:
+            self.counts[number] += 1
 
     def begin(self, now: int) -> None:
         """Begin a cycle: no instruction is counted yet, no call is open."""

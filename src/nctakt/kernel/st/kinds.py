@@ -58,6 +58,8 @@ MAX_MEMORY = 1 << 30
 #: Bytes that a PLC gets from outside in one cycle, and variables that are signals, at most.
 MAX_INPUTS = 4096
 MAX_OUTPUTS = 256
+#: Counts of conditions and bodies in one project, at most.
+MAX_COUNTS = 1 << 22
 
 #: What code asks of an axis or of a command.
 (

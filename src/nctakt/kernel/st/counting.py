@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+"""How often conditions were true and false, and bodies ran: only what is asked for is counted.
+
+The nodes stand around those of conditions and bodies; they cost no elementary instructions, so that
+a run that counts does the same as one that does not.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.st import kinds
+from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.steps import Step
+from nctakt.kernel.st.wholes import Whole
+
+
+class CountedTruth(Whole):
+    """A condition: counts ``number`` when it is true, the next number when it is false."""
+
+    def __init__(self, operand: Whole, number: int) -> None:
+        check_range(number, 0, kinds.MAX_COUNTS - 2, "number")
+        self.operand = operand
+        self.number = number
+
+    def value(self, context: PlcContext) -> int:
+        value = self.operand.value(context)
+        if context.fault == 0:
+            context.count(self.number if value else self.number + 1)
+        return value
+
+
+class CountedStep(Step):
+    """A body: counts ``number`` each time when it begins."""
+
+    def __init__(self, body: Step, number: int) -> None:
+        check_range(number, 0, kinds.MAX_COUNTS - 1, "number")
+        self.body = body
+        self.number = number
+
+    def run(self, context: PlcContext) -> int:
+        context.count(self.number)
+        return self.body.run(context)

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""Branch coverage of a PLC in Structured Text, in the form of that of realtime cycles.
+
+In: the numbered branches of a program and their counts. Out: ``Coverage``: each function, method
+and body with its branches; conditions with the operands of AND and OR.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nctakt.results.coverage import BranchCounts, ConditionCounts, Coverage, CycleCounts
+from nctakt.st.program import Program
+from nctakt.st.sources import Sources
+from nctakt.st.types import Expression
+from nctakt.translation.branches import BranchNumbers, NumberedBranch, NumberedUnit
+
+
+def coverage_of(program: Program, numbers: BranchNumbers, counts: Sequence[int]) -> Coverage:
+    """Return the coverage of a program by its counts; it belongs to a run that is counted once."""
+    return Coverage(tuple(_unit(program.sources, unit, counts) for unit in numbers.units))
+
+
+def _unit(sources: Sources, unit: NumberedUnit, counts: Sequence[int]) -> CycleCounts:
+    piece = sources.piece_of(unit.called.start)
+    file = "" if piece is None else piece.file
+    first = sources.line_number(unit.called.start)
+    last = max(first, sources.line_number(unit.end - 1))
+    source = tuple(sources.line(file, line) for line in range(first, last + 1))
+    return CycleCounts(
+        file,
+        first,
+        unit.called.path,
+        unit.title,
+        source,
+        _lines(sources, unit.starts),
+        1,
+        counts[unit.number],
+        tuple(_branch(sources, branch, counts) for branch in unit.branches),
+    )
+
+
+def _branch(sources: Sources, branch: NumberedBranch, counts: Sequence[int]) -> BranchCounts:
+    piece = sources.piece_of(branch.start)
+    file, line, column = ("", 0, 0) if piece is None else (piece.file, *piece.locate(branch.start))
+    text = "ELSE" if branch.kind == "ELSE" else sources.line(file, line).strip()
+    if branch.condition is None:
+        evaluated = bodies = counts[branch.number]
+        condition = ConditionCounts(text, "", bodies, 0)
+    else:
+        condition = _condition(sources, branch.condition, branch.number, counts)
+        evaluated = condition.true + condition.false
+        bodies = evaluated if branch.kind == "REPEAT" else condition.true
+    return BranchCounts(
+        line,
+        column,
+        text,
+        branch.kind,
+        "",
+        branch.outer,
+        (line, *_lines(sources, branch.starts)),
+        evaluated,
+        bodies,
+        condition,
+        tuple(_condition(sources, part, number, counts) for part, number in branch.parts),
+    )
+
+
+def _condition(
+    sources: Sources, expression: Expression, number: int, counts: Sequence[int]
+) -> ConditionCounts:
+    piece = sources.piece_of(expression.start)
+    text = ""
+    if piece is not None:
+        text = piece.text[expression.start - piece.base : expression.end - piece.base]
+    return ConditionCounts(" ".join(text.split()), "", counts[number], counts[number + 1])
+
+
+def _lines(sources: Sources, starts: Sequence[int]) -> tuple[int, ...]:
+    return tuple(dict.fromkeys(sources.line_number(start) for start in starts))

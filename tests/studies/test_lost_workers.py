@@ -203,6 +203,7 @@ def schedule(folder: Path) -> Study:
     )
 
 
+@pytest.mark.nightly
 @pytest.mark.filterwarnings("ignore")
 def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> None:
     """Dask workers on this machine, one of them killed: the rows of one process, byte for byte."""

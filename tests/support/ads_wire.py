@@ -167,9 +167,9 @@ class _Machine:
         self._session.waiting.remove(found[0])
 
 
-class _Names(dict[str, tuple[str, str, bool]]):
-    def __missing__(self, name: str) -> tuple[str, str, bool]:
-        return name, "", False
+class _Names(dict[str, Any]):
+    def __missing__(self, name: str) -> Any:
+        return SimpleNamespace(cell=name, unit="", is_whole=False)
 
 
 class _Cells:

@@ -53,6 +53,7 @@ def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFi
     assert cases["right"].get("time") == "0.020"
 
 
+@pytest.mark.nightly
 def test_tests_are_chosen(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """By words of their names; nothing chosen is wrong usage (902541)."""
     assert main(["test", "suites.st", "-k", "right", *WORDS]) == 0
@@ -61,6 +62,7 @@ def test_tests_are_chosen(folder: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert "error 902541: no test in suites.st" in capsys.readouterr().err
 
 
+@pytest.mark.nightly
 def test_mistakes_of_the_text_are_shown(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """With their place, and exit code 1; a report that would overwrite the text is refused."""
     (folder / "suites.st").write_text(SUITES.replace("n + 1", "m + 1"), "utf-8")

@@ -57,7 +57,7 @@ _STANDARD_RULES = {"overflow": "skip", "calls": "block", "suspension": "ticks"}
 @with_options(*LIST_OPTIONS[1:])
 @option(
     "--as",
-    "form",
+    "written_as",
     type=click.Choice(["uniform", "list", "longest"]),
     default="uniform",
     text=Text(
@@ -99,7 +99,7 @@ def _learn(words: dict[str, Any]) -> int:
     learnt = learn_times(model, read_recording(path, text))
     if not learnt.calls and not learnt.external:
         raise Failure(*read.diagnostics, *learnt.diagnostics, diagnostic(NOTHING_LEARNT, file=path))
-    load = load_text(model, learnt, words["form"], Path(path).name)
+    load = load_text(model, learnt, words["written_as"], Path(path).name)
     if words["output"] is not None:
         with OutputFile(words["output"], "--output", read.access) as file:
             file.write(load)

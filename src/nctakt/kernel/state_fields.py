@@ -44,10 +44,10 @@ UNREAD = {
 #: Where expressions and statements of cycles stand: they do not change, except these.
 TREES = ("nctakt.kernel.cycles.", "nctakt.kernel.st.")
 CHANGING_IN_TREES = (
-    "AxisReleases", "ChannelRecords", "CncInterface", "Condition", "Connection", "Context",
-    "ControlUnits", "Counted", "CycleManager", "CyclicTask", "FeedMemory", "IfAlways", "IfEdge",
-    "IfOnce", "PlcContext", "PlcSide", "PlcTasks", "Reaction", "RealtimeCycle", "SectionSource",
-    "SpindleSource", "UnitBanks",
+    "AxisReleases", "ChannelRecords", "CncInterface", "Combination", "Condition", "Connection",
+    "Context", "ControlUnits", "Counted", "CycleManager", "CyclicTask", "FeedMemory", "IfAlways",
+    "IfEdge", "IfOnce", "PlcContext", "PlcSide", "PlcTasks", "Reaction", "RealtimeCycle",
+    "SectionSource", "SpindleSource", "UnitBanks",
 )  # fmt: skip
 #: What no snapshot is taken of: a shared image, and what stops the ticks.
 LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits", "Watched")

@@ -81,18 +81,7 @@ class ProgramRun:
         self._stimuli = [read_stimulus(stimulus) for stimulus in options["at"]]
         _set_up(loop.channels, options)
         self._plc = plc = plc_object(options["plc"])
-        if options["why"]:
-            for one in parts_of(plc)[0]:
-                one.count_branches()
-        loop.attach(plc)
-        for name, value in (options["set"] or {}).items():
-            machine.write(name, value)
-        machine.access.apply_writes()
-        machine.inputs.listen(options["record"])
-        for stimulus in self._stimuli:
-            machine.access.check(stimulus.name, stimulus.value)
-        if isinstance(plc, WatchedPlc):
-            plc.begin_run(PlcView(machine))
+        self._attach_plc()
         self._first_diagnostic = len(diagnostics) if first_tick else 0
         if isinstance(plc, WatchedPlc):
             diagnostics += plc.notes()
@@ -123,6 +112,22 @@ class ProgramRun:
         self._parts: Iterator[int] | None = None
         self._loaded: list[LoadedProgram] = []
         self.state: RunState | None = None
+
+    def _attach_plc(self) -> None:
+        """Let the PLC begin on the machine; set the values that are there before the first tick."""
+        machine, options, plc = self._machine, self._options, self._plc
+        if options["why"]:
+            for one in parts_of(plc)[0]:
+                one.count_branches()
+        self._loop.attach(plc)
+        for name, value in (options["set"] or {}).items():
+            machine.write(name, value)
+        machine.access.apply_writes()
+        machine.inputs.listen(options["record"])
+        for stimulus in self._stimuli:
+            machine.access.check(stimulus.name, stimulus.value)
+        if isinstance(plc, WatchedPlc):
+            plc.begin_run(PlcView(machine))
 
     @property
     def machine(self) -> AssembledMachine:

@@ -145,6 +145,9 @@ class MqttDoor:
                     is_connected = False
                     with contextlib.suppress(*lost):
                         await client.__aexit__(None, None, None)
+            task = asyncio.current_task()
+            if task is not None and task.cancelling():  # a group that fails meanwhile hides it
+                raise asyncio.CancelledError
             await asyncio.sleep(retry_s)
             retry_s = min(2.0 * retry_s, _LAST_RETRY_S)
 

@@ -120,6 +120,7 @@ class MqttDoor:
             await self._publish(client, "status", _json(online=True), retain=True)
             for name in _REQUESTS:
                 await client.subscribe(f"{self._broker.root}/{name}", _AT_LEAST_ONCE)
+            _end_if_cancelled()
         except BaseException as error:
             await client.__aexit__(type(error), error, None)
             raise
@@ -145,9 +146,7 @@ class MqttDoor:
                     is_connected = False
                     with contextlib.suppress(*lost):
                         await client.__aexit__(None, None, None)
-            task = asyncio.current_task()
-            if task is not None and task.cancelling():  # a group that fails meanwhile hides it
-                raise asyncio.CancelledError
+            _end_if_cancelled()
             await asyncio.sleep(retry_s)
             retry_s = min(2.0 * retry_s, _LAST_RETRY_S)
 
@@ -173,6 +172,7 @@ class MqttDoor:
         self, client: aiomqtt.Client, topic: str, text: str, *, retain: bool = False
     ) -> None:
         await client.publish(f"{self._broker.root}/{topic}", text, _AT_LEAST_ONCE, retain=retain)
+        _end_if_cancelled()
 
     # --- what is told ---------------------------------------------------------------------------
 
@@ -274,6 +274,17 @@ class _Unreadable(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Take a record of the library."""
         self._log.refuse(_DOOR, self._broker, "a message that cannot be read")
+
+
+def _end_if_cancelled() -> None:
+    """Raise ``CancelledError`` in a task that somebody has cancelled.
+
+    The library waits by ``asyncio.wait_for``, which loses a cancellation in Python 3.11 where the
+    answer comes at the same time; a group of tasks loses it where one of them fails.
+    """
+    task = asyncio.current_task()
+    if task is not None and task.cancelling():
+        raise asyncio.CancelledError
 
 
 async def _end_when(behind: asyncio.Event) -> None:

@@ -443,6 +443,13 @@ def test_a_cycle_that_takes_too_long_loses_the_next_ones(tmp_path: Path) -> None
     assert f"took {length_us / 1000:g} ms of 1 ms" in warning.text("en")
 
 
+@pytest.mark.parametrize("name", ["gone.st", "gone.plcproj"])
+def test_a_missing_file_is_named_as_such(tmp_path: Path, name: str) -> None:
+    """It was said that it could not be written, with a remedy for that."""
+    with pytest.raises(PlcError, match="900500"):
+        load_structured(tmp_path / name)
+
+
 def test_a_reset_does_not_touch_the_plc(tmp_path: Path) -> None:
     """ST-810: its cycles and values go on, one in each tick."""
     plc = loaded(tmp_path, "PROGRAM MAIN VAR n : UDINT; END_VAR n := n + 1; END_PROGRAM")

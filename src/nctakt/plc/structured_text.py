@@ -106,10 +106,18 @@ def inspected(
 
     ``others``: further files that make one project with it. Raises ``PlcError`` with all mistakes.
     """
-    collector = Collector()
-    project = find_project(Path(path), FileAccess())
+    collector, access = Collector(), FileAccess()
+    project = find_project(Path(path), access)
     folders = () if project is None else project.libraries
-    programs = inspect_paths([Path(path), *others], _read, collector, folders=folders)
+
+    def read(file: Path) -> bytes | None:
+        try:
+            return access.read_bytes(file)
+        except Failure as failure:
+            collector.diagnostics += failure.diagnostics
+            return None
+
+    programs = inspect_paths([Path(path), *others], read, collector, folders=folders)
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
     if errors:
         raise PlcError(*errors)
@@ -138,10 +146,6 @@ def plc_of(
     if refused:
         raise PlcError(*refused)
     return plc
-
-
-def _read(path: Path) -> bytes | None:
-    return path.read_bytes()
 
 
 def _refusal(program: Program, start: int, what: str) -> Diagnostic:

@@ -46,7 +46,7 @@ _USAGE = Text("Usage: ", "Aufruf: ")
 _LANGUAGE = Text(
     "Language of help, texts and messages.", "Sprache der Hilfe, der Texte und Meldungen."
 )
-#: What stands for a value in the usage and the options, in German.
+#: German names of the values in usage lines and options.
 _GERMAN_VALUES: Mapping[str, str] = {
     "ADDRESS": "ADRESSE",
     "COMMAND": "BEFEHL",
@@ -99,7 +99,7 @@ def shown_language(context: click.Context) -> Language:
 
 
 def _with_values(pieces: str, context: click.Context) -> str:
-    """Return usage or an option with what stands for its values in the language of the help."""
+    """Return a usage line or an option with the names of its values in the language of the help."""
     if shown_language(context) == "en":
         return pieces
     return _VALUE.sub(lambda match: _GERMAN_VALUES[match[0]], pieces)
@@ -142,7 +142,7 @@ def option(
 def _keep_language(
     context: click.Context, _parameter: click.Parameter, language: str | None
 ) -> None:
-    """Give the subcommands of a group the language that stands before them."""
+    """Give the subcommands of a group the language that precedes them on the command line."""
     if language is not None:
         context.meta[_GIVEN_LANGUAGE] = language
 

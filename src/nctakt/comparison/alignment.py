@@ -3,7 +3,7 @@
 
 First both are differentiated on a coarse grid and correlated; then the deviation at the log's own
 stamps is made small by Huber's least squares over offset, drift, bias and gain. The log is never
-resampled for what is reported, and bias and gain are told, not taken out.
+resampled for what is reported, and bias and gain are reported, not removed.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ Numbers = NDArray[numpy.float64]
 _GRID_US = 4000.0
 #: A second peak of this share of the first makes the answer ambiguous (LG-704).
 _SECOND_PEAK = 0.95
-#: Least correlation that is believed.
+#: Lowest correlation at which the alignment is trusted.
 _MIN_QUALITY = 0.5
-#: Shortest log of which a drift is told, in µs.
+#: Shortest log for which a drift is reported, in µs.
 _DRIFT_FROM_US = 60e6
-#: Samples that the fit takes at most, and its rounds.
+#: Largest number of samples in the fit, and of its rounds.
 _MAX_FITTED, _ROUNDS = 200_000, 30
 #: A step of the offset below this ends the fit, in µs.
 _SETTLED_US = 0.05
-#: Fewer samples than this tell nothing.
+#: Smallest number of samples that can be aligned.
 _MIN_SAMPLES = 5
-#: A drift of less than so many standard errors is none.
+#: A drift counts from this many standard errors on.
 _SIGNIFICANT = 3.0
-#: Residuals beyond so many of their typical size count less.
+#: Residuals beyond this multiple of their typical size get less weight.
 _HUBER = 1.345
 
 

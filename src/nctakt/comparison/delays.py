@@ -19,11 +19,11 @@ from nctakt.comparison.alignment import Alignment, Curve
 from nctakt.comparison.log import Samples
 from nctakt.trace.events import Event
 
-#: A jump of less than this is none, in µs, and one of less than so many standard errors.
+#: The smallest jump that counts, in µs and in standard errors.
 _MIN_JUMP_US, _SIGNIFICANT = 500.0, 5.0
-#: Samples of a block in which something moves, at least.
+#: Smallest number of samples of a block in which something moves.
 _MIN_MOVING = 5
-#: Of the time of a block, in µs²: what a tick cannot tell apart.
+#: Variance below which two delays cannot be distinguished, in µs².
 _MIN_VARIANCE = 1.0
 
 

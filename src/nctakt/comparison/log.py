@@ -2,7 +2,7 @@
 """A machine's log as data: its columns, and the samples of those that are asked for.
 
 A log has several time bases (LG-101): each signal has its own stamps, in microseconds since the
-log's first one. What could not be settled while it was read is told in ``notes``.
+log's first one. ``notes`` holds what reading it left open.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class Log(abc.ABC):
 
     @abc.abstractmethod
     def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
-        """Return the samples of columns; raises ``Failure`` for what is no sample."""
+        """Return the samples of columns; raises ``Failure`` for a cell that is not a number."""
 
     def settled(self, name: str, times: Numbers, values: Numbers) -> Samples:
         """Return the samples of a column; those that share a stamp are spread.

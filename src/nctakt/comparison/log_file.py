@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A file of a machine's log -> ``Log``, by what stands in it."""
+"""Opens a machine's log: the format is recognised by the content of the file."""
 
 from __future__ import annotations
 

@@ -2,8 +2,8 @@
 """Which column of a log belongs to which signal of a run.
 
 In: the columns, the signals, and a mapping file in TOML. Out: pairs. A column with the name of a
-signal belongs to it; one that only looks like it is suggested, and told; where several look like
-one signal none is taken.
+signal belongs to it; a similar name is a suggestion and marked as such; of several similar names
+none is taken.
 """
 
 from __future__ import annotations
@@ -188,7 +188,7 @@ def _fitting(
 def _by_name(
     log: Log, known: Mapping[str, Signal], axes: Sequence[str]
 ) -> list[tuple[str, LogColumn, bool]]:
-    """Return signal and column of equal names, then those that look alike, told as such."""
+    """Return signals and columns of equal names, then similar ones, marked as suggestions."""
     found = [(column.name, column, False) for column in log.columns if column.name in known]
     taken = {name for name, _, _ in found}
     alike: dict[str, list[LogColumn]] = defaultdict(list)

@@ -59,10 +59,10 @@ _SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
 _WITHIN = Text("within the tolerances", "innerhalb der Toleranzen")
 _BEYOND = Text("beyond the tolerances", "außerhalb der Toleranzen")
 
-#: Places that are told where the log becomes later or earlier, at most.
+#: Largest number of blocks that are listed as delays.
 _MAX_DELAYS = 10
-#: A gain that is told: further from 1 than this.
-_TOLD_GAIN = 1e-4
+#: A gain is reported if it differs from 1 by more than this.
+_REPORTED_GAIN = 1e-4
 
 
 def comparison_text(comparison: Comparison, program: str, language: Language) -> str:
@@ -92,7 +92,7 @@ def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
             names=comparison.aligned_by,
             quality=f"{found.quality:.3f}",
         )
-        if abs(found.gain - 1.0) > _TOLD_GAIN:
+        if abs(found.gain - 1.0) > _REPORTED_GAIN:
             yield _GAIN.get(language).format(gain=f"{found.gain:.5f}", bias=f"{found.bias:.4g}")
 
 

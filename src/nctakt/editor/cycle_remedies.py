@@ -319,7 +319,7 @@ def _after_cycle(cycle: _Cycle, span: Span, language: Language) -> Iterator[Reme
 
 
 def _into_parameter(cycle: _Cycle, span: Span, language: Language) -> Iterator[Remedy]:
-    """Yield the assignment of a query to a free parameter in front of the cycle."""
+    """Yield the assignment of a query to a free parameter before the cycle."""
     document = cycle.document
     used = names_of(document, -1, "parameter", any_use=True)
     number = 1 + max((int(name[1:]) for name in used), default=0)

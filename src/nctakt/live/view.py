@@ -302,7 +302,7 @@ def is_moved(branch: BranchState) -> bool:
 
 
 def branch_text(branch: BranchState, line: str, texts: Texts, *, has_ended: bool = False) -> str:
-    """Return what stands beside a condition: its last evaluation, the values of now, its runs."""
+    """Return the text beside a condition: last evaluation, present values, number of runs."""
     ran = f"{texts['ran']} {branch.count}×"
     seen, now = branch.seen, branch.now
     if seen is None:

@@ -321,7 +321,7 @@ class _Reader:
                 )
 
     def _fmu(self, value: Any) -> FmuSettings | None:
-        """Return what stands about an FMU beside the PLC."""
+        """Return the settings of the FMU beside the PLC."""
         if not isinstance(value, dict):
             file = self._path("fmu", value, 'fmu = "plant.fmu"')
             return None if file is None else FmuSettings(file)

@@ -551,7 +551,7 @@ class Engine:
         ]
 
     def _ended_cycles(self) -> list[CycleState]:
-        """Return the newest cycle of each place where none lives; at most so many places."""
+        """Return, for each definition without a living cycle, its newest one, up to a bound."""
         managers = [channel.manager for channel in self._machine.channels]
         living = {cycle.serial for manager in managers for cycle in manager.loaded}
         newest = list(self._newest.values())[-_ENDED_SHOWN:]

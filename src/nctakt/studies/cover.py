@@ -22,7 +22,7 @@ from nctakt.studies.dimension import Value, chance
 from nctakt.studies.inputs import inputs_of
 from nctakt.studies.unreachable import Proofs, unreachable
 
-#: Runs that are spread before a branch is approached: at most so many, and this part of the budget.
+#: Bounds of the spread runs before the first approach: their number, their part of the budget.
 _FIRST_RUNS, _FIRST_PART = 16, 8
 
 #: Known points that an approach may ask for in a row before another one has its turn.
@@ -72,7 +72,7 @@ class Reached:
 
 
 def reach(bench: Bench, budget: int, earlier: Sequence[Sequence[Value]] = ()) -> Reached:
-    """Make runs until every branch has run, at most so many; return what they reached.
+    """Make up to ``budget`` runs until every branch has run; return what they reached.
 
     ``earlier``: points to begin with.
     """

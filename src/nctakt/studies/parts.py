@@ -28,7 +28,7 @@ class Part:
     count: int
 
     def runs(self, size: int) -> range:
-        """Return the numbers of its runs, of so many."""
+        """Return the numbers of its runs."""
         return range(size * (self.number - 1) // self.count, size * self.number // self.count)
 
     def file(self, folder: Path) -> Path:

@@ -23,7 +23,7 @@ class Condition:
     """Base, and null object: always true, nothing recorded.
 
     ``probe`` is its number in the probe rows; ``truth`` the last one, ``codes.UNKNOWN`` from its
-    cycle's START on. ``next_tick`` is the tick behind its last evaluation, -1 before the first;
+    cycle's START on. ``next_tick`` is the tick after its last evaluation, -1 before the first;
     ``seen_left`` and ``seen_right`` are the values that this evaluation compared.
     ``distance``: left side less right side in that evaluation.
     """

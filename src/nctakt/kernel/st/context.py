@@ -70,7 +70,7 @@ class PlcContext:
         self.wraps_conversions = False
 
     def keep_counts(self, size: int) -> None:
-        """Count so many conditions and bodies from now on."""
+        """Count the runs of ``size`` conditions and bodies from now on."""
         check_range(size, 0, kinds.MAX_COUNTS, "counts")
         self.counts = memoryview(bytearray(8 * size + 8)).cast("q")
         self.count_end = size

@@ -96,6 +96,7 @@ END_PROGRAM
         ("nCount : UDINT;", "gpVECh[0]", []),
         ("nCount : UDINT; fill : UDINT; aList : ARRAY[0..9] OF LREAL; bFlag : BOOL;", "p", []),
         ("nCount : REAL;", "p", [(902366, 5)]),
+        ("nCount : REAL;", "GPVECH[0]", [(902366, 5)]),
         ("nCount : UDINT; aList : ARRAY[0..9] OF REAL;", "p", [(902366, 5)]),
         ("nCount : DINT;", "p", [(902366, 5)]),
         ("nCount : UDINT; nHigh : INT; aList : ARRAY[0..9] OF LREAL;", "p", []),

@@ -216,6 +216,16 @@ def test_files_that_are_no_fmu_for_this_computer_are_refused(tmp_path: Path, nam
         Fmu(write_fmu(tmp_path / "p.fmu", change(description(3)), None))
 
 
+def test_a_description_in_another_encoding_is_refused(tmp_path: Path) -> None:
+    """There a document type could not be seen."""
+    pytest.importorskip("fmpy", reason="FMUs need FMPy (extra fmi)")
+    file = tmp_path / "p.fmu"
+    with zipfile.ZipFile(file, "w") as archive:
+        archive.writestr("modelDescription.xml", ("<!DOCTYPE a>" + description(3)).encode("utf-16"))
+    with pytest.raises(FmuError, match=r"902601: .*UTF-8"):
+        Fmu(file)
+
+
 def test_archives_that_are_none_are_refused(tmp_path: Path) -> None:
     """A text, a missing file, a link, a cut off archive."""
     file = write_fmu(tmp_path / "p.fmu", description(3), None)

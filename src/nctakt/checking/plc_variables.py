@@ -62,13 +62,19 @@ def pointed(target: object, value: object) -> Pointed | None:
     if not isinstance(variable.type.target, StructType):
         return None
     channel: int | None = None
-    if isinstance(value, tree.Name) and value.name == _GLOBAL:
+    if _names(value, _GLOBAL):
         channel = 0
-    elif isinstance(value, tree.Index) and isinstance(value.base, tree.Name):
+    elif isinstance(value, tree.Index) and _names(value.base, _CHANNELS):
         number = value.indices[0].value
-        if value.base.name == _CHANNELS and isinstance(number, int):
+        if isinstance(number, int) and number >= 0:  # another index is reported by itself
             channel = number + 1
     return Pointed(variable, channel)
+
+
+def _names(node: object, root: str) -> bool:
+    """Return whether an expression is a pointer of the interface, however it is spelt."""
+    target = node.target if isinstance(node, tree.Name) else None
+    return isinstance(target, Variable) and target.name == root
 
 
 def differing(found: list[Pointed], machine: Machine) -> Iterator[tuple[Node, dict[str, object]]]:
@@ -78,10 +84,11 @@ def differing(found: list[Pointed], machine: Machine) -> Iterator[tuple[Node, di
         channels.setdefault(one.pointer, set()).add(one.channel)
     compared: set[tuple[int, int]] = set()
     for pointer, known in channels.items():
+        if None in known:
+            continue
         kind = pointer.type.target if isinstance(pointer.type, PointerType) else None
-        for channel in known if None not in known else ():
-            is_there = channel is not None and channel <= len(machine.channels)
-            if not isinstance(kind, StructType) or channel is None or not is_there:
+        for channel in sorted(one for one in known if one is not None):
+            if not isinstance(kind, StructType) or channel > len(machine.channels):
                 continue
             if (id(kind), channel) not in compared:
                 compared.add((id(kind), channel))

@@ -63,6 +63,10 @@ def read_description(file: Path, access: FileAccess) -> bytes:
         if archive.getinfo(_DESCRIPTION).file_size > _MAX_DESCRIPTION_BYTES:
             raise not_readable(file, f"{_DESCRIPTION} has more than 64 MiB")
         text = archive.read(_DESCRIPTION)
+    try:
+        text.decode("utf-8")  # as FMI asks: in another encoding the next check would see nothing
+    except UnicodeDecodeError:
+        raise not_readable(file, f"{_DESCRIPTION} is not UTF-8") from None
     if b"<!DOCTYPE" in text:
         raise not_readable(file, f"{_DESCRIPTION} declares a document type")
     return text

@@ -269,6 +269,39 @@ def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
     assert "its oldest subscription ends: others have less" in served.refusals()
 
 
+def test_who_asks_later_learns_that_a_subscription_has_ended(served):
+    """A subscription that ends while its client asks for nothing says so at the next request."""
+
+    async def work():
+        held = served.door._subscriptions.subscriptions
+        await until(lambda: not held)
+        async with contextlib.AsyncExitStack() as stack:
+            silent = await stack.enter_async_context(connected(served))
+            asking = silent.uaclient.session
+            asking.ensure_publish_loop = lambda: None
+            parameters = ua.CreateSubscriptionParameters(50, 10_000, 5_000, 0, True, 0)
+            created = [await asking.create_subscription(parameters, None) for _ in range(3)]
+            numbers = [one.SubscriptionId for one in created]
+            for count in (2, 2, 2, 2, 2, 1):
+                client = await stack.enter_async_context(connected(served))
+                for _ in range(count):
+                    await client.create_subscription(50, None)
+            newcomer = await stack.enter_async_context(connected(served))
+            await newcomer.create_subscription(50, None)
+            assert numbers[0] not in held
+            assert set(numbers[1:]) <= held.keys()
+            told = {}
+            for _ in numbers:
+                response = (await asking.publish([])).Parameters
+                told[response.SubscriptionId] = [
+                    part.Status.name for part in response.NotificationMessage.NotificationData
+                ]
+            assert told == {numbers[0]: ["BadTooManySubscriptions"], numbers[1]: [], numbers[2]: []}
+        await is_well(served)
+
+    asyncio.run(work())
+
+
 def test_wrong_items_and_foreign_subscriptions_are_refused(served):
     """Unknown nodes, attributes, filters; the subscription of somebody else."""
 

@@ -117,12 +117,12 @@ class Processor(LibraryProcessor):
 
     def _take_request(self, request: PublishRequestData) -> None:
         """Answer a publish request at once if something waits for it; else keep it."""
-        subscriptions = self.iserver.subscription_service.subscriptions
+        service = self.iserver.subscription_service
         waiting = self.waiting_results
         while waiting:
             number = next(iter(waiting))
             del waiting[number]
-            subscription = subscriptions.get(number)
+            subscription = service.waiting(number)
             if subscription is not None and subscription.publish(request):
                 return
         if len(self.publish_requests) >= self._own.publish_requests:

@@ -191,7 +191,7 @@ class ClientSession(InternalSession):
     def acknowledge(self, done: Sequence[Any]) -> list[int]:
         """Forget messages that the client has got; raises ``ServiceError`` without any."""
         service = self.subscription_service
-        if not any(one.session_id == self.session_id for one in service.subscriptions.values()):
+        if not service.has_any(self.session_id):
             raise ServiceError(ua.StatusCodes.BadNoSubscription)
         return list(service.publish(done or (), self.session_id))
 

@@ -18,7 +18,7 @@ import pytest
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing here")
 
-from asyncua import Client
+from support.opcua_client import patient_client
 from support.page_driving import BROWSER, chromium, opened
 
 from nctakt.files.access import FileAccess
@@ -87,7 +87,7 @@ class Hmi:
 
 async def lead(url, page):
     """START and the wish by OPC UA, feed hold by the page; return the counted reactions."""
-    async with Client(url) as client:
+    async with patient_client(url) as client:
         hmi = Hmi(client)
         await hmi.call("Start")
         await hmi.is_at("ActProgramStatus", 1)

@@ -17,7 +17,8 @@ import pytest
 
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
-from asyncua import Client, ua
+from asyncua import ua
+from support.opcua_client import patient_client
 from support.published_model import installed
 from support.served import Served
 
@@ -86,7 +87,7 @@ def test_others_are_refused(tmp_path):
     url = served.url.replace("0.0.0.0", "127.0.0.1")
 
     async def refused(user, password, *, encrypts=True):
-        client = Client(url)
+        client = patient_client(url)
         client.application_uri = application_uri()
         if encrypts:
             certificate, key = folder / "certificate.der", folder / "key.pem"

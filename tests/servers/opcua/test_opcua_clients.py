@@ -10,8 +10,9 @@ import pytest
 
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
-from asyncua import Client, ua
-from support.served import PATIENCE_S, Served, until
+from asyncua import ua
+from support.opcua_client import patient_client
+from support.served import Served, until
 
 from nctakt.servers.opcua.types import all_components
 
@@ -34,7 +35,7 @@ def run(served, work, language="en"):
     """Run a coroutine function with a connected client."""
 
     async def connected():
-        client = Client(served.url, timeout=PATIENCE_S)
+        client = patient_client(served.url)
         client.set_locale([language])
         async with client:
             await client.load_data_type_definitions()

@@ -18,8 +18,9 @@ import pytest
 
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
-from asyncua import Client, ua
-from support.served import PATIENCE_S, Served, until
+from asyncua import ua
+from support.opcua_client import patient_client
+from support.served import Served, until
 
 from nctakt.base.failure import Failure
 from nctakt.servers.notices import ServerNotice
@@ -67,7 +68,7 @@ async def connected(served):
 
     async def connect():
         with contextlib.suppress(ua.UaError, OSError, asyncio.TimeoutError):
-            client = Client(served.url, timeout=PATIENCE_S)
+            client = patient_client(served.url)
             await client.connect()
             return client
         return None
@@ -193,7 +194,7 @@ def test_limits_of_sessions_subscriptions_and_items_are_told(served):
             clients = []
             with pytest.raises((ua.uaerrors.BadTooManySessions, ConnectionError)):
                 for _ in range(9):
-                    clients.append(Client(served.url, timeout=PATIENCE_S))
+                    clients.append(patient_client(served.url))
                     await clients[-1].connect()
             for one in clients:
                 with contextlib.suppress(Exception):
@@ -208,7 +209,7 @@ def test_who_has_vanished_makes_room(served):
     """Sessions that wait for their clients go where others need their places, the oldest first."""
 
     async def vanish(number):
-        client = Client(served.url, timeout=PATIENCE_S)
+        client = patient_client(served.url)
         await client.connect()
         await client.create_subscription(50, None)
         session = served.door._server.iserver.client_sessions[-1]
@@ -226,7 +227,7 @@ def test_who_has_vanished_makes_room(served):
             assert len(server.client_sessions) == 8
             others = []
             for _ in range(3):
-                others.append(Client(served.url, timeout=PATIENCE_S))
+                others.append(patient_client(served.url))
                 await others[-1].connect()  # at once
             assert [one for one in gone if one in server.client_sessions] == gone[3:]
             assert len(served.door._subscriptions.subscriptions) == 4

@@ -17,12 +17,13 @@ import pytest
 
 pytest.importorskip("asyncua", reason="OPC UA needs the extra opcua")
 
-from asyncua import Client, ua
+from asyncua import ua
 from cryptography import x509
 from cryptography.hazmat.primitives import hashes
 from cryptography.hazmat.primitives.asymmetric import rsa
 from cryptography.hazmat.primitives.serialization import Encoding, NoEncryption, PrivateFormat
 from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID
+from support.opcua_client import patient_client
 from support.served import Served
 
 from nctakt.base.failure import Failure
@@ -174,7 +175,7 @@ class Visitor:
 
     async def comes_in(self, one: x509.Certificate, **words: Any) -> str:
         """What becomes of a client: the name of its status, or nothing where it has written."""
-        client = Client(self.url, timeout=20)
+        client = patient_client(self.url)
         client.application_uri = words.get("uri", URI)
         file = self._folder / "client.der"
         file.write_bytes(der(one))
@@ -194,7 +195,7 @@ class Visitor:
 
     async def without_encryption(self, *, opens: bool) -> str:
         """The same of a client that does not encrypt, and does not look at what is offered."""
-        client = Client(self.url, timeout=20)
+        client = patient_client(self.url)
         await client.connect_socket()
         await client.send_hello()
         try:
@@ -264,14 +265,14 @@ def test_sessions_that_no_user_enters_make_room(tmp_path: Path) -> None:
     async def work() -> None:
         idle = []
         for _ in range(4):
-            client = Client(url, timeout=20)
+            client = patient_client(url)
             await client.connect_socket()
             await client.send_hello()
             await client.open_secure_channel()
             await client.create_session()
             idle.append(client)
         await asyncio.sleep(0.2)
-        async with Client(url, timeout=20) as good:
+        async with patient_client(url) as good:
             await good.get_node(OVERRIDE).write_value(100.0)
         for client in idle:
             client.disconnect_socket()

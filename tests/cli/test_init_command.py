@@ -54,6 +54,15 @@ def test_the_first_test_takes_a_program_without_errors(cell: Path) -> None:
     assert 'run_nc("programs/c_part.nc")' in (cell / "test_programs.py").read_text("utf-8")
 
 
+def test_the_first_test_takes_a_program_that_needs_no_other_channel(cell: Path) -> None:
+    """A program that waits for a signal of another channel stands still alone."""
+    waits = "#WAIT [ID1 CH2]\nG01 X1 F6000\nM30\n"
+    (cell / "programs" / "b_waits.nc").write_text(waits, "utf-8")
+    assert main(["check", "programs/b_waits.nc", "--quiet"]) == 0
+    assert main(["init", "--quiet"]) == 0
+    assert 'run_nc("programs/part.nc")' in (cell / "test_programs.py").read_text("utf-8")
+
+
 def test_a_plc_in_structured_text_is_found(cell: Path, capsys: Captured) -> None:
     """Files without a project count as those of a project do; several are named as a comment."""
     (cell / "gate.st").write_text("PROGRAM MAIN\nEND_PROGRAM\n", "utf-8")

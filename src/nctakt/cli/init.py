@@ -37,6 +37,7 @@ _MAX_NAMED = 5
 #: Maximum number of programs that are checked until one has no errors.
 _MAX_CHECKED = 20
 _END = re.compile(rb"\bM0*(?:2|30)\b", re.IGNORECASE)
+_OTHER_CHANNEL = re.compile(rb"#[ \t]*WAIT\b", re.IGNORECASE)
 _FOUND = {
     "machines": Text("machines", "Maschinen"),
     "programs": Text("programs", "Programme"),
@@ -144,9 +145,14 @@ def _content(folder: Path) -> _Content:
 def _main_program(folder: Path, programs: Sequence[str], machines: Sequence[str]) -> str:
     """Return the first program with M2 or M30 and without errors, else the first with M2 or M30.
 
-    A machine that is the only one counts for all programs, as the project file says then.
+    A machine that is the only one counts for all programs, as the project file says then. Those
+    of the folder itself come first, those that wait for another channel last.
     """
-    ends = [name for name in programs if _END.search(FileAccess().read_bytes(folder / name))]
+    texts = {name: FileAccess().read_bytes(folder / name) for name in programs}
+    ends = sorted(
+        (name for name in programs if _END.search(texts[name])),
+        key=lambda name: (bool(_OTHER_CHANNEL.search(texts[name])), name.count("/")),
+    )
     machine = folder / machines[0] if len(machines) == 1 else None
     for name in ends[:_MAX_CHECKED]:
         findings = check(folder / name, machine=machine)

@@ -54,8 +54,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "G90, G91, INDP, V.RTA.ACS.ACT_POS.X, Z.ACS.ACT_POS (--signals)"),
     ),
     _concept(
-        "reaction, react, reactions, gate, clamp, door, Reaktion, Reaktionen, Tor, Tür, "
-        "Spannmittel",
+        "reaction, react, reactions, gate, clamp, door, guard, Reaktion, Reaktionen, Tor, Tür, "
+        "Schutztür, Spannmittel",
         Text(
             "What a realtime cycle does in the tick in which its condition becomes true: a gate "
             "closes by M100 as soon as an axis has passed a position",
@@ -68,6 +68,44 @@ _CONCEPTS = (
             "  $ENDIF\n#RT CYCLE END",
         ),
         fact(*_FURTHER, "#RT CYCLE, $IF, ONCE, EDGE, M; nctakt why part.nc"),
+    ),
+    _concept(
+        "realtime cycle, realtime cycles, real-time cycle, Echtzeitzyklus, Echtzeitzyklen, "
+        "Echtzeit-Zyklus, Echtzeit-Zyklen",
+        Text(
+            "Conditions and actions that the controller runs through in each tick beside the "
+            "path, without waiting for the PLC; SCOPE says how long they live",
+            "Bedingungen und Aktionen, die die Steuerung neben der Bahn in jedem Takt durchläuft, "
+            "ohne auf die SPS zu warten; SCOPE sagt, wie lange sie leben",
+        ),
+        fact(
+            *_EXAMPLES,
+            "#RT CYCLE [ID=1 SCOPE=PROG]\n  $IF ONCE V.RTA.ACS.ACT_POS.X > 200\n    M100\n"
+            "  $ENDIF\n#RT CYCLE END",
+        ),
+        fact(*_FURTHER, "#RT CYCLE, SCOPE, $IF, ONCE, EDGE, V.RTG, V.RTA, reaction; docs/why.md"),
+    ),
+    _concept(
+        "spindle, spindles, Spindel, Spindeln, Drehzahl",
+        Text(
+            "M3 and M4 turn the main spindle with the speed S, M5 stops it, M19 positions it; "
+            "S[…] commands any spindle by its name",
+            "M3 und M4 drehen die Hauptspindel mit der Drehzahl S, M5 hält sie an, M19 "
+            "positioniert sie; S[…] gibt einer Spindel Aufträge mit ihrem Namen",
+        ),
+        fact(*_EXAMPLES, "M3 S1000\nS[M3 REV1000]\nM19 S.POS90"),
+        fact(*_FURTHER, "S, M3, M4, M5, M19, G96, G97, G63, G33"),
+    ),
+    _concept(
+        "single block, Einzelsatz, Einzelsatzbetrieb",
+        Text(
+            "The program stops after each block and goes on with START; the debugger and the page "
+            "step by blocks in the same manner",
+            "Das Programm hält nach jedem Satz und geht mit START weiter; Debugger und Seite "
+            "gehen ebenso satzweise weiter",
+        ),
+        fact(*_EXAMPLES, "nctakt run part.nc --set HLI.SINGLE_BLOCK=1"),
+        fact(*_FURTHER, "HLI.SINGLE_BLOCK, HLI.START, #SINGLE STEP, M00, M01"),
     ),
     _concept(
         "override, Vorschubbeeinflussung, Potentiometer",
@@ -85,7 +123,7 @@ _CONCEPTS = (
     ),
     _concept(
         "waiting, wait, waits, warten, wartet, Wartezeit, Stillstand, standstill, hang, hangs, "
-        "stuck, hängt",
+        "stuck, stops, hängt, stehen, steht, bleibt",
         Text(
             "A program that does not go on waits for the PLC's acknowledgement of a function, for "
             "an axis or a spindle, for START, for a signal of another channel, or for a time",

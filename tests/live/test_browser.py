@@ -199,6 +199,7 @@ def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path
         first.keyboard.press("Control+s")
         expect(second.locator(".cm-content")).to_contain_text("F60000")
         expect(second.get_by_text("not saved")).to_have_count(0)
+        expect(first.get_by_test_id("clock")).not_to_contain_text("before tick 0 ")
         second.locator(".cm-content").get_by_text("X20").click()
         second.keyboard.press("End")
         second.keyboard.type("1")
@@ -212,6 +213,46 @@ def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path
         assert "F600002" in path.read_text("utf-8")
         for page in (first, second):
             page.close()
+
+
+#: Types into the editor of a page, whose server does not hear of it yet.
+_TYPE_UNHEARD = """() => {
+  const component = getElement(Number(document.querySelector("[data-testid=editor]").id.slice(1)));
+  component.emitting = false;
+  component.editor.dispatch({ changes: { from: 0, insert: "N7 " } });
+  component.emitting = true;
+}"""
+
+
+@pytest.mark.nightly
+def test_what_somebody_types_stays(browser: Any, tmp_path: Path) -> None:
+    """Another browser saves before the server has heard of it; another program is shown."""
+    path, other = written(tmp_path), written(tmp_path, "G01 X7 F6000\nM30\n", "other.nc")
+    with served(str(path), str(other)) as address:
+        first, second = opened(browser, address), opened(browser, address)
+        second.wait_for_function("globalThis.nctaktEditor && document.querySelector('.cm-content')")
+        second.evaluate(_TYPE_UNHEARD)
+        first.locator(".cm-content").get_by_text("X20").click()
+        first.keyboard.press("End")
+        first.keyboard.type("0")
+        first.keyboard.press("Control+s")
+        expect(first.get_by_test_id("state")).to_have_text(re.compile("^ended"))
+        expect(second.get_by_test_id("load")).to_be_visible()
+        expect(second.locator(".cm-content")).to_contain_text("N7 #RT CYCLE")
+        assert "F60000" in path.read_text("utf-8")
+        second.close()
+
+        first.locator(".cm-content").get_by_text("F60000").click()
+        first.keyboard.press("End")
+        first.keyboard.type("9")
+        expect(first.get_by_text("not saved")).to_be_visible()
+        for name, text in (("other.nc", "G01 X7"), ("part.nc", "F600009")):
+            first.get_by_test_id("file").click()
+            first.get_by_role("option", name=name).click()
+            expect(first.locator(".cm-content")).to_contain_text(text)
+        expect(first.get_by_text("not saved")).to_be_visible()
+        assert "F600009" not in path.read_text("utf-8")
+        first.close()
 
 
 @pytest.mark.nightly

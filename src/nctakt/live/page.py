@@ -110,7 +110,7 @@ class Page:
         with ui.element("div").classes("nc-body"):
             with ui.element("div").classes("nc-column nc-left"):
                 self._program = ProgramCard(
-                    self._commander, documents, self._ask_why, self._show_findings
+                    self._commander, documents, self._ask_why, self._show_findings, self._play
                 )
                 self._lists = Lists(self._commander, self._program.reveal)
             with ui.element("div").classes("nc-column nc-middle"):
@@ -181,6 +181,7 @@ class Page:
             return
         if self._looks % _DISK_EVERY == 0:
             self._program.look_at_disk()
+        self._program.follow()
         self._show_pen()
         self._show_bar(snapshot)
         if snapshot.number == self._shown:
@@ -265,10 +266,13 @@ class Page:
 
         await self._commander.do(toggle)
 
-    async def _choose_speed(self, _: Any = None) -> None:
+    async def _play(self) -> None:
         speed = _SPEEDS[self._speed.value]
+        await self._commander.do(lambda session: session.play(speed))
+
+    async def _choose_speed(self, _: Any = None) -> None:
         if self._shared.snapshot.is_playing and self._commander.has_pen:
-            await self._commander.do(lambda session: session.play(speed))
+            await self._play()
 
     def _change_speed(self, steps: int) -> None:
         names = list(_SPEEDS)

@@ -7,11 +7,13 @@ saved and run again.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import json
+from collections.abc import Awaitable, Callable, Mapping
 from typing import Any
 
 from nicegui import run, ui
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
@@ -29,8 +31,29 @@ _LINE_OF_CURSOR = (
 )
 
 
+#: Lets the editor have another text, unless somebody has typed since the server has heard of it.
+_REPLACE = "nctaktEditor.replace(OLD, NEW)"
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """A text that takes the place of another one in the editor.
+
+    ``begin``: the text of the file from which ``new`` was changed.
+    """
+
+    document: Document
+    begin: str
+    old: str
+    new: str
+
+
 class ProgramCard:
-    """The editor of one browser; ``findings``: of the text as it stands there."""
+    """The editor of one browser; ``findings``: of the text as it stands there.
+
+    What somebody types is kept: another text takes its place only where the browser confirms that
+    it is the text that the server knows, and what was not saved comes back with its program.
+    """
 
     def __init__(
         self,
@@ -38,6 +61,7 @@ class ProgramCard:
         documents: Mapping[int, list[Document]],
         ask_why: Callable[[int], Any],
         on_findings: Callable[[], None],
+        play: Callable[[], Awaitable[None]],
     ) -> None:
         self._commander = commander
         self._shared = commander.shared
@@ -45,6 +69,9 @@ class ProgramCard:
         self._documents = documents
         self._ask_why = ask_why
         self._on_findings = on_findings
+        self._play = play
+        self._change: _Change | None = None
+        self._drafts: dict[str, tuple[str, str]] = {}
         self._typed = 0
         self._checks = Newest(self._check)
         self._marks: list[dict[str, Any]] | None = None
@@ -82,7 +109,7 @@ class ProgramCard:
                 self.document.text,
                 theme="basicLight",
                 line_wrapping=True,
-                on_change=self._check_later,
+                on_change=self._changed,
             ).props("data-testid=editor")
             ui.on("nctakt_line", self._click)
 
@@ -112,9 +139,6 @@ class ProgramCard:
 
     def show(self, snapshot: Snapshot) -> None:
         """Show the blocks, conditions and stops of a tick."""
-        is_taken_over = self._begin == self.document.text or self._editor.value != self._begin
-        if self._shown_document() is not self.document or not is_taken_over:
-            self._show_document()
         self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
         shared, file = self._shared, self.document.file
         marks = view.finding_marks(self._checked_lines, file, self.findings)
@@ -130,12 +154,45 @@ class ProgramCard:
         """Whether the findings are those of the editor's text as it stands."""
         return (self._editor.value or "").split("\n") == self._checked_lines
 
-    def _show_document(self) -> None:
-        self.document = self._shown_document()
-        self._begin = self.document.text
+    def follow(self) -> None:
+        """Show the program that is chosen, as it was saved last unless it is changed here."""
+        shown, value = self._shown_document(), self._editor.value or ""
+        is_behind = self._begin != self.document.text and value == self._begin
+        if shown is not self.document:
+            begin, text = self._drafts.get(shown.file, (shown.text, shown.text))
+            self._replace(_Change(shown, begin, value, text))
+        elif is_behind:
+            self._replace(_Change(shown, shown.text, value, shown.text))
+
+    def _replace(self, change: _Change) -> None:
+        """Let the editor have another text; where somebody types meanwhile, the next look does."""
+        if change == self._change:
+            return  # the browser has been asked
+        self._change = change
+        if change.new == change.old:
+            self._take_over()
+            return
+        code = _REPLACE.replace("OLD", json.dumps(change.old))
+        ui.run_javascript(code.replace("NEW", json.dumps(change.new)))
+
+    def _changed(self) -> None:
+        """Take over what somebody has typed, or what has taken the place of another text."""
+        if self._change is not None and self._editor.value == self._change.new:
+            self._take_over()
+        self._change = None
+        self._check_later()
+
+    def _take_over(self) -> None:
+        """Go on with the text that the editor has now."""
+        change, self._change = self._change, None
+        assert change is not None
+        self._drafts.pop(change.document.file, None)
+        if change.document is not self.document and change.old != self._begin:
+            self._drafts[self.document.file] = self._begin, change.old
+        self.document, self._begin = change.document, change.begin
         self._marks, self.findings, self._checked_lines = None, [], []
         self._choice.set_value(self._key())
-        self._editor.set_value(self.document.text)
+        self.show(self._shared.snapshot)
 
     def look_at_disk(self) -> None:
         """Tell when the file on disk is another than the one that this browser shows or changes."""
@@ -146,7 +203,8 @@ class ProgramCard:
 
     def set_dark(self, is_dark: bool) -> None:
         """Use dark or light colours."""
-        self._editor.set_theme("vscodeDark" if is_dark else "basicLight")
+        # not as a property of the element: with it the browser gets the text that the server knows
+        self._editor.run_method("setTheme", "vscodeDark" if is_dark else "basicLight")
 
     def reveal(self, line: int) -> None:
         """Scroll to a line."""
@@ -212,6 +270,7 @@ class ProgramCard:
         if await self._commander.attempt(save_and_run):
             self._marks = None
             ui.notify(self._texts["saved"], type="positive", timeout=2000)
+            await self._play()
 
     async def _read(self) -> None:
         """Show the file as it is on disk now, and run it."""
@@ -222,7 +281,8 @@ class ProgramCard:
                 self._shared.reopen(self._shared.program)
 
             if await self._commander.attempt(read_and_run):
-                self._show_document()
+                own, text = self.document, self.document.text
+                self._replace(_Change(own, text, self._editor.value or "", text))
 
     async def _choose(self, event: Any) -> None:
         """Show another program, of this channel or another one."""

@@ -31,10 +31,6 @@ _LINE_OF_CURSOR = (
 )
 
 
-#: Lets the editor have another text, unless somebody has typed since the server has heard of it.
-_REPLACE = "nctaktEditor.replace(OLD, NEW)"
-
-
 @dataclass(frozen=True, slots=True)
 class _Change:
     """A text that takes the place of another one in the editor.
@@ -172,8 +168,9 @@ class ProgramCard:
         if change.new == change.old:
             self._take_over()
             return
-        code = _REPLACE.replace("OLD", json.dumps(change.old))
-        ui.run_javascript(code.replace("NEW", json.dumps(change.new)))
+        ui.run_javascript(
+            f"nctaktEditor.replace({json.dumps(change.old)}, {json.dumps(change.new)})"
+        )
 
     def _changed(self) -> None:
         """Take over what somebody has typed, or what has taken the place of another text."""

@@ -165,6 +165,47 @@ def test_what_belongs_to_no_test_fails_all_of_its_suite(tmp_path: Path) -> None:
     assert "suites.st:2:9: error 902542" in problem
 
 
+@pytest.mark.parametrize(
+    ("before", "number"),
+    [("n := n / n;", 902265), ("IF n = 0 THEN RETURN; END_IF TEST('first');", 902540)],
+    ids=["fault", "never opened"],
+)
+def test_no_test_passes_that_had_no_turn(tmp_path: Path, before: str, number: int) -> None:
+    """ST-904: what a suite had not opened when its run ended has failed, with the reason."""
+    body = f"{before} TEST('later'); TEST_FINISHED(); TEST(CONCAT('a', 'b')); TEST_FINISHED();"
+    members = "VAR n : INT; END_VAR TEST('begins');" if number == 902540 else "VAR n : INT; END_VAR"
+    found = outcomes(tmp_path, body, members, until=0.05)
+    assert {"later", "tests with computed names"} <= set(found)
+    for one in found.values():
+        (problem,) = one.problems
+        assert f"error {number}: " in problem
+
+
+def test_a_fault_before_the_first_call_is_no_missing_call(tmp_path: Path) -> None:
+    """902546 is for suites that no task calls, not for those that a fault kept from their turn."""
+    text = """FUNCTION_BLOCK FB_Suite EXTENDS FB_TestSuite
+        TEST('t'); TEST_FINISHED();
+        END_FUNCTION_BLOCK
+        PROGRAM MAIN VAR fbSuite : FB_Suite; n : INT; END_VAR n := n / n; TcUnit.RUN(); END_PROGRAM
+        """
+    found = results(tmp_path, text, "", until=0.05)
+    assert found.problems["MAIN.fbSuite"] == []
+    (problem,) = found.outcomes["MAIN.fbSuite"]["t"].problems
+    assert "suites.st:4:63: error 902265" in problem
+
+
+def test_many_tests_of_one_suite(tmp_path: Path) -> None:
+    """Finding a test by its name takes no longer the more there are, also out of their order."""
+    names = [f"test {number:04}" for number in range(1000)]
+    first = [f"TEST('{name}'); TEST_FINISHED();" for name in names]
+    again = [f"TEST('{name}'); IF n = 0 THEN TEST_FINISHED(); END_IF" for name in names[::-1]]
+    body = "n := n + 1;\nIF n = 1 THEN TEST('last');\n{}\nELSE {}\nTEST('last'); TEST_FINISHED();"
+    text = body.format("\n".join(first), "\n".join(again)) + " END_IF"
+    found = outcomes(tmp_path, text, "VAR n : INT; END_VAR")
+    assert len(found) == 1001
+    assert [name for name, one in found.items() if one.problems] == []
+
+
 def test_a_suite_that_nothing_calls(tmp_path: Path) -> None:
     """902546: without TcUnit.RUN no test of it begins."""
     text = """FUNCTION_BLOCK FB_Suite EXTENDS FB_TestSuite
@@ -189,7 +230,10 @@ def test_tests_are_found_without_a_run(tmp_path: Path) -> None:
     path = tmp_path / "suites.st"
     path.write_text(text + PROGRAM, "utf-8")
     (suite,) = suites_of(load_structured(path).program)
-    assert [(one.name, one.line) for one in suite.tests.values()] == [("in base", 2), ("own", 6)]
+    assert [(one.name, one.span.line) for one in suite.tests.values()] == [
+        ("in base", 2),
+        ("own", 6),
+    ]
     assert suite.has_others
     found = results(tmp_path, text).outcomes["MAIN.fbSuite"]
     assert list(found) == ["in base", "own", "number 0"]

@@ -39,6 +39,8 @@ from nctakt.translation.variables import instances_of
 DEFAULT_UNTIL = 600
 _SUITE, _RUNNERS, _OPENERS = "fb_testsuite", ("run", "run_in_sequence"), ("test", "test_ordered")
 _DISABLED = "disabled_"
+#: Stands for all tests of a suite whose names its text does not say.
+OTHER_TESTS = "tests with computed names"
 #: Ticks between two looks at whether the suites have ended.
 _TICKS_AT_ONCE = 200
 #: The library keeps what a run finds under this name.
@@ -47,11 +49,10 @@ _RUN = "__TestRun"
 
 @dataclass(frozen=True, slots=True)
 class NamedTest:
-    """A test that the text of a suite names; ``line``: where it is opened."""
+    """A test that the text of a suite names; ``span``: where it is opened."""
 
     name: str
-    file: str
-    line: int
+    span: Span
 
 
 @dataclass(slots=True, eq=False)
@@ -171,7 +172,7 @@ def _tests_of(program: Program, pou: Pou) -> tuple[dict[str, NamedTest], bool]:
                 name = value.decode("latin-1").strip(" ")
                 if name.lower().startswith(_DISABLED):
                     name = name[len(_DISABLED) :]
-                tests.setdefault(name, NamedTest(name, span.file, span.line))
+                tests.setdefault(name, NamedTest(name, span))
     return tests, has_others
 
 
@@ -253,11 +254,33 @@ class SuiteRun:
             if suite is not None:
                 outcome = self._outcome(f"aTests[{number}].", suite)
                 results.outcomes[suite.path][outcome.name] = outcome
-        if not self._value("nCycle"):
+        if self._value("nCycle") or self._fault:
+            self._add_tests_without_turn(results)
+        else:
             for suite in self._suites.values():
                 message = diagnostic(SUITE_NOT_CALLED, suite=suite.path)
                 results.problems[suite.path].append(self._rendered(message))
         return results
+
+    def _add_tests_without_turn(self, results: SuiteResults) -> None:
+        """Let tests fail that a suite has not opened before the run ended without its end."""
+        ended = {
+            suite.path
+            for number, suite in self._numbers.items()
+            if self._value(f"aSuites[{number}].bIsFinished")
+        }
+        for suite in self._suites.values():
+            if suite.path in ended:
+                continue
+            outcomes = results.outcomes[suite.path]
+            missing: dict[str, Span | None] = {
+                test.name: test.span for test in suite.tests.values() if test.name not in outcomes
+            }
+            if suite.has_others and all(name in suite.tests for name in outcomes):
+                missing[OTHER_TESTS] = None
+            for name, span in missing.items():
+                reason = self._why_unfinished(span, name, suite)
+                outcomes[name] = Outcome(name, problems=[reason])
 
     def _general_problems(self) -> list[str]:
         """Return what concerns the tests of all suites."""
@@ -294,7 +317,8 @@ class SuiteRun:
         if self._value(f"{row}bIsFinished"):
             outcome.duration_us = (self._value(f"{row}tFinished") - begin) // 1000
         elif not outcome.is_disabled:
-            outcome.problems.append(self._unfinished(row, outcome.name, suite))
+            span = self._span(f"{row}nSource")
+            outcome.problems.append(self._why_unfinished(span, outcome.name, suite))
         return outcome
 
     def _failure(self, row: str) -> str:
@@ -316,7 +340,7 @@ class SuiteRun:
             )
         )
 
-    def _unfinished(self, row: str, name: str, suite: Suite) -> str:
+    def _why_unfinished(self, span: Span | None, name: str, suite: Suite) -> str:
         """Return why a test has not ended: a fault, an unknown name, the time."""
         if self._fault is not None:
             return self._rendered(self._fault)
@@ -325,7 +349,6 @@ class SuiteRun:
             text = self._text("sUnknown")
             return self._rendered(diagnostic(UNKNOWN_TEST_FINISHED, unknown, name=text))
         time = Time(self._controller.tick * self._controller.cycle_time_us)
-        span = self._span(f"{row}nSource")
         message = diagnostic(TEST_UNFINISHED, span, name=name, suite=suite.path, time=time)
         return self._rendered(message)
 

@@ -17,6 +17,7 @@ from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.structured_text import StructuredPlc
 from nctakt.plc.unit_tests import (
+    OTHER_TESTS,
     NamedTest,
     Outcome,
     Suite,
@@ -29,9 +30,6 @@ from nctakt.project.run_settings import Named, RunSettings
 from nctakt.testing.collecting import UnmetError
 from nctakt.testing.coverage import session_coverage
 from nctakt.testing.settings_under_test import settings_of_test
-
-#: The test of a suite for all tests whose names its text does not say.
-OTHER_TESTS = "tests with computed names"
 
 
 class SuiteFile(pytest.File):
@@ -134,7 +132,7 @@ class SuiteItem(pytest.Item):
         title = f"{self._suite.path}: {self.name}"
         if self._test is None:
             return self.path, None, title
-        return Path(self._test.file), self._test.line - 1, title
+        return Path(self._test.span.file), self._test.span.line - 1, title
 
 
 def _text(failure: Failure) -> str:

@@ -229,8 +229,10 @@ def _study(file: str, words: dict[str, Any]) -> int:
     if words["cover"] and study.plan.is_schedule:
         raise click.UsageError("--cover needs a program: a schedule has no realtime cycles")
     finds = bool(study.plan.goals) and words["only"] is None
-    if words["cover"] or finds:
-        _check_rows(words, "--cover" if words["cover"] else "a plan with find")
+    if words["cover"]:
+        _refuse(words, "--cover makes no rows", ("part", "out", "report", "shrink", "scheduler"))
+    elif finds:
+        _refuse(words, "a plan with find searches", ("part", "shrink"))
     if part is not None:
         _make_folder(Path(words["out"]).parent)
     _check_outputs(study, [file], {name: words[name] for name in ("out", "report", "corpus")})
@@ -377,11 +379,11 @@ def _check_words(file: str, words: dict[str, Any]) -> None:
             raise click.UsageError(f"{name} belongs to a program; a plan has it as an entry")
 
 
-def _check_rows(words: dict[str, Any], asked: str) -> None:
-    """Raise ``click.UsageError`` for options about rows, which ``asked`` does not make."""
-    for name in ("part", "out", "report", "shrink", "scheduler"):
+def _refuse(words: dict[str, Any], reason: str, names: Sequence[str]) -> None:
+    """Raise ``click.UsageError`` for options that would have no effect."""
+    for name in names:
         if words[name]:
-            raise click.UsageError(f"{asked} makes no rows: --{name} would have no effect")
+            raise click.UsageError(f"{reason}: --{name} would have no effect")
 
 
 def _check_outputs(study: Study, inputs: list[str], outputs: dict[str, str | None]) -> None:
@@ -460,9 +462,17 @@ def _cover(study: Study, words: dict[str, Any]) -> int:
 
 def _find(study: Study, file: str, words: dict[str, Any]) -> int:
     """Answer the goals of a plan; exit code 1 if one of them has no answer."""
-    from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415 - as above
+    from nctakt.cli.study_search import find_with_rows  # noqa: PLC0415 - as above
+    from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415
 
-    answers = study.find()
+    store = None if words["out"] is None else _store(study, words)
+    try:
+        answers = find_with_rows(study, store, words)
+    except (KeyboardInterrupt, Failure) as error:
+        budget = sum(max(goal.budget, 1) for goal in study.plan.goals)
+        return _interrupted(error, budget, store, words)
+    if store is not None:
+        store.remove()
     for answer in answers:
         for line in answer_lines(study, answer, file, words["record"], words["language"]):
             click.echo(line)

@@ -365,10 +365,10 @@ def columns_of(plan: Plan) -> list[str]:
     ]  # fmt: skip
 
 
-def crashed_row(plan: Plan, index: int) -> Row:
-    """Return the row of a run whose process ended by itself."""
+def crashed_row(plan: Plan, index: int, point: Sequence[Value] | None = None) -> Row:
+    """Return the row of a run whose process ended by itself; ``point``: its values if searched."""
     row: Row = dict.fromkeys(columns_of(plan))
-    point = plan.point(index)
+    point = plan.point(index) if point is None else point
     values: dict[str, Any] = {
         dimension.name: dimension.shown(value)
         for dimension, value in zip(plan.dimensions, point, strict=True)

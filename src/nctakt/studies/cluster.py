@@ -27,12 +27,14 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER_UNFIT
-from nctakt.studies.bench import crashed_row
+from nctakt.studies.bench import Row, crashed_row
 from nctakt.studies.blocks import Block, Blocks, MadeBlock, make_runs
 from nctakt.studies.bundle import Bundle, bundle
+from nctakt.studies.dimension import Value
 from nctakt.studies.plan import Plan
 from nctakt.studies.row_block import RowBlock
 from nctakt.studies.schedule_bench import bench_of
+from nctakt.studies.search_runs import Point, RowsOfPoints
 from nctakt.studies.shared_beginning import maker_of
 
 #: Blocks that are on the cluster for each of its threads: one that is made, others that wait.
@@ -69,12 +71,23 @@ def make_block(packed: Bundle, key: str, block: Block) -> MadeBlock:
     Raises ``Failure`` (901485) on a worker that cannot make runs as they would be made elsewhere.
     """
     with _lock:
-        station = _stations.get(key) or Station(packed)
-        _stations[key] = station
-        _stations.move_to_end(key)
-        if len(_stations) > STATIONS:
-            _stations.popitem(last=False)[1].close()
-        return station.make(block)
+        return _station(packed, key).make(block)
+
+
+def make_point(packed: Bundle, key: str, number: int, point: Sequence[Value]) -> Row:
+    """Make a run of a search, on a worker; raises as ``make_block``."""
+    with _lock:
+        return _station(packed, key).row_of(number, point)
+
+
+def _station(packed: Bundle, key: str) -> Station:
+    """Return what makes the runs of a study on this worker; those used last are kept."""
+    station = _stations.get(key) or Station(packed)
+    _stations[key] = station
+    _stations.move_to_end(key)
+    if len(_stations) > STATIONS:
+        _stations.popitem(last=False)[1].close()
+    return station
 
 
 class Station:
@@ -99,6 +112,7 @@ class Station:
             bench.check()
         except (Failure, ImportError) as error:
             raise _unfit(error_text(error)) from error
+        self._bench = bench
         self._maker = maker_of(bench, may_copy=False)
         gc.collect()
         gc.freeze()  # machine and program stay: nobody looks for garbage in them again
@@ -107,6 +121,11 @@ class Station:
         """Make the runs of a block."""
         self._enter()
         return make_runs(self._maker, block)
+
+    def row_of(self, number: int, point: Sequence[Value]) -> Row:
+        """Return the row of a run with these values."""
+        self._enter()
+        return self._bench.row_of(number, point)
 
     def close(self) -> None:
         """Remove its files, and let its memory be found as garbage."""
@@ -152,14 +171,50 @@ def rows_of_cluster(
     files, modules and wheels for the workers. Raises ``Failure``: no package distributed (901311),
     no such scheduler or none any more (901316), a worker that cannot make the runs (901485).
     """
-    try:
-        import distributed  # noqa: PLC0415 - an extra
-    except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
     packed = bundle(plan, uploads)
-    is_own = not isinstance(address, distributed.Client)
-    with _quiet() if is_own else contextlib.nullcontext():
-        yield from _rows(plan, numbers, address, packed)
+    with _connected(address) as client:
+        blocks = _Blocks(client, plan, packed)  # what is asked for lets some clusters start workers
+        client.wait_for_workers(1, timeout=WORKER_S)
+        yield from blocks.rows(numbers)
+
+
+@contextlib.contextmanager
+def points_of_cluster(
+    plan: Plan, address: str | Any, uploads: Sequence[Path] = ()
+) -> Iterator[RowsOfPoints]:
+    """Return what makes the runs of a search on a cluster; arguments and failures as above."""
+    packed = bundle(plan, uploads)
+    with _connected(address) as client:
+        bundle_on_workers = _sent(client, packed)
+        client.wait_for_workers(1, timeout=WORKER_S)
+
+        def make(points: Sequence[Point]) -> Iterator[Row]:
+            futures = [
+                client.submit(
+                    make_point, bundle_on_workers, packed.key, *one, pure=False, retries=0
+                )
+                for one in points
+            ]
+            for future, one in zip(futures, points, strict=True):
+                yield _row_of(future, plan, *one)
+
+        yield make
+
+
+def _row_of(future: Any, plan: Plan, number: int, point: Sequence[Value]) -> Row:
+    """Return the row of a run that was asked for; one that costs workers gets a row, too."""
+    import distributed  # noqa: PLC0415 - as below
+
+    try:
+        row: Row = future.result()
+    except distributed.scheduler.KilledWorker:
+        return crashed_row(plan, number, point)
+    return row
+
+
+def _sent(client: Any, packed: Bundle) -> Any:
+    """Return a bundle as workers get it."""
+    return client.submit(received, packed, key=f"nctakt-study-{packed.key}")
 
 
 @contextlib.contextmanager
@@ -181,36 +236,36 @@ def _quiet() -> Iterator[None]:
             logger.setLevel(level)
 
 
-def _rows(
-    plan: Plan, numbers: Iterable[int], address: str | Any, packed: Bundle
-) -> Iterator[RowBlock]:
-    """Yield the rows of runs on a cluster; raises as ``rows_of_cluster``."""
-    import distributed  # noqa: PLC0415 - as above
-
+@contextlib.contextmanager
+def _connected(address: str | Any) -> Iterator[Any]:
+    """Return a client of a cluster that has nctakt; raises as ``rows_of_cluster``."""
+    try:
+        import distributed  # noqa: PLC0415 - an extra
+    except ImportError as error:
+        raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
     is_own = not isinstance(address, distributed.Client)
-    try:
-        client: Any = distributed.Client(address, timeout=CONNECT_S) if is_own else address
-    except (OSError, ValueError) as error:
-        raise _lost(address, error) from error
-    try:
-        _check_workers(client)
-        blocks = _Blocks(client, plan, packed)  # what is asked for lets some clusters start workers
-        client.wait_for_workers(1, timeout=WORKER_S)
-        yield from blocks.rows(numbers)
-    except (
-        OSError,
-        distributed.comm.CommClosedError,
-        distributed.client.FutureCancelledError,
-    ) as error:
-        raise _lost(address, error) from error
-    except (ImportError, RuntimeError) as error:
-        if not isinstance(error, ImportError) and not str(error).startswith(_NOT_READ):
-            raise
-        raise _without_nctakt(client.scheduler.address) from error
-    finally:
-        if is_own:
-            with contextlib.suppress(OSError, TimeoutError):
-                client.close()
+    with _quiet() if is_own else contextlib.nullcontext():
+        try:
+            client: Any = distributed.Client(address, timeout=CONNECT_S) if is_own else address
+        except (OSError, ValueError) as error:
+            raise _lost(address, error) from error
+        try:
+            _check_workers(client)
+            yield client
+        except (
+            OSError,
+            distributed.comm.CommClosedError,
+            distributed.client.FutureCancelledError,
+        ) as error:
+            raise _lost(address, error) from error
+        except (ImportError, RuntimeError) as error:
+            if not isinstance(error, ImportError) and not str(error).startswith(_NOT_READ):
+                raise
+            raise _without_nctakt(client.scheduler.address) from error
+        finally:
+            if is_own:
+                with contextlib.suppress(OSError, TimeoutError):
+                    client.close()
 
 
 def _check_workers(client: Any) -> None:
@@ -236,7 +291,7 @@ class _Blocks:
         self._client = client
         self._plan = plan
         self._study = packed.key
-        self._received = client.submit(received, packed, key=f"nctakt-study-{self._study}")
+        self._received = _sent(client, packed)
         self._asked: dict[Any, Block] = {}
 
     def rows(self, numbers: Iterable[int]) -> Iterator[RowBlock]:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The points that a search for the best runs tries: a whole grid, or what optuna suggests.
 
-In: a plan and a goal, what makes the run of a point. Out: runs. Expectations are constraints: a run
-that meets them is better than one that does not, whatever their values. The same plan tries the
-same points.
+In: a plan, a goal, the runs of a search. Out: more of these runs. Expectations are constraints: a
+run that meets them is better than one that does not, whatever their values. The same plan tries
+the same points.
 """
 
 from __future__ import annotations
@@ -18,6 +18,7 @@ from nctakt.messages.studies import EXTRA_MISSING
 from nctakt.studies.bench import PASSED, Row
 from nctakt.studies.dimension import Dimension, Value
 from nctakt.studies.plan import Goal, Plan
+from nctakt.studies.search_runs import Runs
 
 #: Halvings of a dimension without a step: a millionth of a millionth of its span.
 MAX_HALVINGS = 40
@@ -40,31 +41,31 @@ def objective_values(goal: Goal, row: Row) -> tuple[float, ...] | None:
     return tuple(values)
 
 
-def optimize(
-    plan: Plan, goal: Goal, make: Callable[[Sequence[Value]], Row], count: Callable[[], int]
-) -> None:
+def optimize(plan: Plan, goal: Goal, runs: Runs) -> None:
     """Try points; raises ``Failure`` (901311) without optuna where it is needed.
 
     Where the budget is enough for the whole grid, each point is tried. Else optuna looks for the
-    region, for one objective steps of halving length from the best point for the rest. ``count``:
-    how many runs were made.
+    region, for one objective steps of halving length from the best point for the rest.
     """
     dimensions = plan.dimensions
 
+    def point_of(numbers: Sequence[float]) -> list[Value]:
+        return [dimension_value(one, n) for one, n in zip(dimensions, numbers, strict=True)]
+
     def ranked(numbers: Sequence[float]) -> Rank:
-        row = make([dimension_value(one, n) for one, n in zip(dimensions, numbers, strict=True)])
+        row = runs.row(point_of(numbers))
         values = objective_values(goal, row) or (math.inf,) * len(goal.objectives)
         return (float(row["verdict"] != PASSED), *values)
 
     if 0 < math.prod(one.count for one in dimensions) <= goal.budget:
-        for numbers in itertools.product(*(range(one.count) for one in dimensions)):
-            ranked(numbers)
+        grid = itertools.product(*(range(one.count) for one in dimensions))
+        runs.all([point_of(numbers) for numbers in grid])
         return
     is_single = len(goal.objectives) == 1
     trials = goal.budget if not is_single else max(1, round(goal.budget * WIDE_SHARE))
     best = _by_optuna(plan, goal, ranked, trials)
     if is_single:
-        _by_steps(dimensions, best, ranked, lambda: count() < goal.budget)
+        _by_steps(dimensions, best, ranked, lambda: runs.count < goal.budget)
 
 
 def dimension_value(dimension: Dimension, number: float) -> Value:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The search of a study: a switch-over, the best run that passes, the smallest violation.
 
-In: a bench and a plan. Out: the runs that answer the question, as rows. A search makes runs one
-after another, since each decides about the next; the same plan makes the same runs.
+In: the runs of a plan, and a goal. Out: the runs that answer the question, as rows. A search
+makes runs one after another, since each decides about the next; the same plan makes the same runs.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from nctakt.messages.studies import (
 )
 from nctakt.studies.bench import PASSED, Bench, Row
 from nctakt.studies.dimension import Dimension, Value
-from nctakt.studies.effects import without_effect
 from nctakt.studies.optimize import MAX_HALVINGS, objective_values, optimize
 from nctakt.studies.plan import Goal
+from nctakt.studies.search_runs import Runs, SearchRuns
 
 #: A point, its row, and the values of its objectives, smaller is better.
 _Measured = tuple[tuple[Value, ...], Row, tuple[float, ...]]
@@ -48,42 +48,13 @@ class Answer:
     without_effect: tuple[str, ...] = ()
 
 
-class Runs:
-    """Makes the runs of a search, each once."""
-
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
-        self._rows: dict[tuple[Value, ...], Row] = {}
-
-    def row(self, point: Sequence[Value]) -> Row:
-        """Return the row of a point; its number is that of the run in the search."""
-        key = tuple(point)
-        if key not in self._rows:
-            self._rows[key] = self._bench.row_of(len(self._rows), key)
-        return self._rows[key]
-
-    @property
-    def tried(self) -> list[tuple[tuple[Value, ...], Row]]:
-        """The points that were tried, each with its row, in the order of the search."""
-        return list(self._rows.items())
-
-    @property
-    def count(self) -> int:
-        """How many runs were made."""
-        return len(self._rows)
-
-    def without_effect(self) -> tuple[str, ...]:
-        """Return the dimensions that changed nothing."""
-        return tuple(without_effect(self._bench.plan, self._rows.values()))
-
-
-def search(bench: Bench, goal: Goal) -> Answer:
+def search(searched: SearchRuns, goal: Goal) -> Answer:
     """Return the answer to a goal; raises ``Failure`` (901311) without the package it needs."""
-    runs = Runs(bench)
+    runs = Runs(searched)
     if goal.word == "boundary":
-        answer = _boundary(bench, goal, runs)
+        answer = _boundary(searched.bench, goal, runs)
     else:
-        optimize(bench.plan, goal, runs.row, lambda: runs.count)
+        optimize(searched.bench.plan, goal, runs)
         answer = _best(goal, runs)
     return replace(answer, without_effect=runs.without_effect())
 
@@ -185,7 +156,7 @@ def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> An
     Each dimension goes back to its nominal value if the run stays broken then; a number that has to
     differ goes back as far as halving its change finds broken runs.
     """
-    runs = Runs(bench)
+    runs = Runs(SearchRuns(bench))
     current = list(point)
     smallest = runs.row(current)
     for index, dimension in enumerate(bench.plan.dimensions):

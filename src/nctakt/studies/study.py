@@ -34,6 +34,7 @@ from nctakt.studies.row_block import RowBlock
 from nctakt.studies.row_store import RowStore
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search import Answer, search, shrink
+from nctakt.studies.search_runs import SearchRuns
 from nctakt.studies.shared_beginning import is_copied
 from nctakt.trace.arrow import pandas_frame
 
@@ -283,9 +284,13 @@ class Study:
         """
         return without_shown_effect(self.bench, result.rows, result.without_effect)
 
-    def find(self) -> list[Answer]:
-        """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``."""
-        return [search(self.bench, goal) for goal in self.plan.goals]
+    def find(self, searched: SearchRuns | None = None) -> list[Answer]:
+        """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``.
+
+        ``searched``: makes the runs and keeps their rows, by default this process.
+        """
+        searched = searched or SearchRuns(self.bench)
+        return [search(searched, goal) for goal in self.plan.goals]
 
     def cover(self, budget: int | None = None, corpus: str | Path | None = None) -> Reached:
         """Look for runs that reach every branch of the realtime cycles; return what they reached.

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""``nctakt study`` with a plan that searches: its runs as rows, here or on a cluster."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from typing import Any
+
+from nctakt.studies.row_store import RowStore
+from nctakt.studies.search import Answer
+from nctakt.studies.search_runs import SearchRuns
+from nctakt.studies.study import Study, StudyResult
+
+
+def find_with_rows(study: Study, store: RowStore | None, words: dict[str, Any]) -> list[Answer]:
+    """Return the answers; write the rows of all runs with ``--out``, the page with ``--report``.
+
+    Raises ``Failure`` as ``Study.find``, and for files that cannot be written.
+    """
+    with contextlib.ExitStack() as at_the_end:
+        make = None
+        if words["scheduler"] is not None:
+            from nctakt.studies.cluster import points_of_cluster  # noqa: PLC0415 - an extra
+
+            uploads = [Path(name) for name in words["upload"]]
+            cluster = points_of_cluster(study.plan, words["scheduler"], uploads)
+            make = at_the_end.enter_context(cluster)
+        searched = SearchRuns(study.bench, store, make)
+        answers = study.find(searched)
+    result = StudyResult(study.plan, searched.rows, study.nominal, study.bench.units)
+    if words["out"] is not None:
+        result.save(words["out"])
+    if words["report"] is not None:
+        from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
+
+        page = result.report(words["language"], lambda number: _command(study, searched, number))
+        write_file(words["report"], page)
+    return answers
+
+
+def _command(study: Study, searched: SearchRuns, number: int) -> str:
+    """Return the command of a run of the search, else its values: it has no number in the plan."""
+    point = searched.points[number]
+    dimensions = study.plan.dimensions
+    named = (
+        f"{one.name} = {one.shown(value)}" for one, value in zip(dimensions, point, strict=True)
+    )
+    return study.command(point) or ", ".join(named)

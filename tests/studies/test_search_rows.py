@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""The runs of a search as rows: written, gone on with, shown, made elsewhere."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+
+from nctakt.base.failure import Failure
+from nctakt.cli import main
+from nctakt.studies.bench import Bench, Row
+from nctakt.studies.dimension import Value
+from nctakt.studies.search_runs import Point, SearchRuns
+from nctakt.studies.study import Study
+
+Captured = pytest.CaptureFixture[str]
+
+PLAN = """\
+program = "part.nc"
+expect = ["end < 4.5"]
+[measure]
+end = "X at end"
+[[vary]]
+variable = "V.E.VALUE"
+from = 0
+to = 7
+step = 1
+[[find]]
+boundary = "V.E.VALUE"
+[[find]]
+maximize = "end"
+budget = 8
+"""
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    """X goes to V.E.VALUE, 0 to 7; up to 4 passes."""
+    (tmp_path / "part.nc").write_text("G01 X[V.E.VALUE] F6000\nM30\n")
+    path = tmp_path / "plan.toml"
+    path.write_text(PLAN)
+    return path
+
+
+def test_a_search_writes_its_runs(plan: Path, capsys: Captured) -> None:
+    """The boundary: 0, 7, 3, 5, 4; then each point of the grid."""
+    out, page = plan.with_name("out.jsonl"), plan.with_name("page.html")
+    words = ["study", str(plan), "--quiet", "--out", str(out), "--report", str(page)]
+    assert main(words) == 0
+    rows = list(map(json.loads, out.read_text().splitlines()))
+    assert [row["V.E.VALUE"] for row in rows] == [0, 7, 3, 5, 4, *range(8)]
+    assert [row["run"] for row in rows] == list(range(13))
+    assert not plan.with_name("out.jsonl.rows").exists()
+    assert "--set V.E.VALUE=5" in page.read_text()
+
+
+def test_a_search_goes_on(plan: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch) -> None:
+    """After Ctrl-C only the runs that are missing are made, with the same bytes at the end."""
+    out, runs = plan.with_name("out.jsonl"), list[int]()
+    words = ["study", str(plan), "--quiet", "--out", str(out)]
+    main(words)
+    whole = out.read_bytes()
+    row_of = Bench.row_of
+
+    def noted(bench: Bench, index: int, point: Sequence[Value]) -> Row:
+        if index == 6 and 6 not in runs:
+            runs.append(index)
+            raise KeyboardInterrupt
+        runs.append(index)
+        return row_of(bench, index, point)
+
+    monkeypatch.setattr(Bench, "row_of", noted)
+    assert main(words) == 1
+    runs[:] = [6]
+    assert main([*words, "--resume"]) == 0
+    assert runs == [6, *range(6, 13)]
+    assert out.read_bytes() == whole
+
+
+def test_another_maker_gives_the_same_answers(plan: Path) -> None:
+    """The grid in one go, the points of the boundary one by one."""
+    study, asked = Study(plan), list[int]()
+
+    def make(points: Sequence[Point]) -> list[Row]:
+        asked.append(len(points))
+        return [study.bench.row_of(*point) for point in points]
+
+    assert study.find(SearchRuns(study.bench, make=make)) == study.find()
+    assert asked == [1, 1, 1, 1, 1, 8]
+
+
+@pytest.mark.nightly
+def test_a_cluster_makes_the_runs_of_a_search(plan: Path) -> None:
+    """The same answers as here; and no scheduler is told (901316)."""
+    distributed = pytest.importorskip("distributed")
+    from nctakt.studies.cluster import points_of_cluster  # noqa: PLC0415 - an extra
+
+    study = Study(plan)
+    with (
+        distributed.LocalCluster(
+            n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+        ) as cluster,
+        points_of_cluster(study.plan, cluster) as make,
+    ):
+        assert study.find(SearchRuns(study.bench, make=make)) == study.find()
+    with pytest.raises(Failure, match="901316"), points_of_cluster(study.plan, "tcp://127.0.0.1:1"):
+        pass

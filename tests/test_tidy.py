@@ -37,7 +37,7 @@ NUMBERS = (
 #: What copies the realtime part's state between ticks: made from the types of all others.
 WITHOUT_TYPES = ("kernel/state", "kernel/state_fields")
 #: What compiled modules have as C functions in line, instead of the Python functions beside them.
-IN_LINE = ("kernel/st/words",)
+IN_LINE = ("kernel/st/leaves", "kernel/st/real_leaves", "kernel/st/words")
 #: The modules of the realtime part, relative to its folder and without an ending: ``path/path``.
 MODULES = sorted(
     path.relative_to(KERNEL).with_suffix("").as_posix()
@@ -116,7 +116,10 @@ def functions(module: str) -> Iterator[tuple[str, ast.FunctionDef]]:
                     yield node.name, member
 
 
-ALL_DECLARED = {module: declarations(module) for module in (*MODULES, "st/words")}
+ALL_DECLARED = {
+    module: declarations(module)
+    for module in (*MODULES, *(one.removeprefix("kernel/") for one in IN_LINE))
+}
 BY_CLASS = {name: found for part in ALL_DECLARED.values() for name, found in part.items() if name}
 
 

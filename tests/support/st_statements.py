@@ -104,16 +104,21 @@ class Statements(Expressions):
     def element_assignment(self) -> tuple[str, Action]:
         """The index is evaluated before the value (ST-502)."""
         index, part = self.index(), self.fitted(self.whole(DEPTH), "DINT")
+        sign = self.draw.choice((0, 0, 1, -1))
 
         def run(env: Env) -> str:
             number = index.value(env)
             if not 0 <= number < ELEMENTS:
                 part.value(env)
                 raise Fault(902266)
-            env["a"][number] = part.value(env)
+            before = env["a"][number]
+            value = part.value(env)
+            env["a"][number] = cut(before + sign * value, "DINT") if sign else value
             return ON
 
-        return f"a[{index.text}] := {part.text};", run
+        element = f"a[{index.text}]"
+        changed = f"{element} {'+' if sign > 0 else '-'} ({part.text})" if sign else part.text
+        return f"{element} := {changed};", run
 
     def bit_assignment(self) -> tuple[str, Action]:
         """A bit of a whole number (ST-317)."""

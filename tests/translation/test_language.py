@@ -334,3 +334,40 @@ def test_a_fault_in_fb_exit_is_reported(tmp_path: Path) -> None:
     assert error.span is not None
     assert (error.id, error.span.line) == (902265, 10)
     assert plc.read("nTrail") == 930
+
+
+UPDATED = """FUNCTION F_Next : DINT
+VAR_IN_OUT nCalls : DINT; END_VAR
+nCalls := nCalls + 1;
+F_Next := nCalls;
+END_FUNCTION
+FUNCTION_BLOCK FB_Sums
+VAR a : ARRAY[1..3] OF INT := [32767, 0, 5]; b : ARRAY[0..1] OF BOOL; END_VAR
+VAR i, j : INT := 1; n : DINT; END_VAR
+a[i] := a[i] + 1;
+a[3] := a[3] - a[i + 2];
+b[i] := b[i] OR a[1] < 0;
+b[0] := b[i] AND b[0];
+a[F_Next(n)] := a[F_Next(n)] + 7;
+END_FUNCTION_BLOCK
+PROGRAM MAIN VAR fb : FB_Sums; END_VAR fb(); END_PROGRAM
+"""
+
+
+def test_an_element_is_changed_in_its_place(tmp_path: Path) -> None:
+    """ST-302, ST-502: a stored sum wraps at its width; an index that calls is evaluated twice."""
+    plc = loaded(tmp_path, UPDATED)
+    run(plc, 1)
+    # The last statement writes a[1] and reads a[2], which is 0.
+    assert [plc.read(f"MAIN.fb.a[{i}]") for i in (1, 2, 3)] == [7, 0, 0]
+    assert [plc.read(f"MAIN.fb.{name}") for name in ("b[0]", "b[1]", "n")] == [False, True, 2]
+
+
+def test_a_changed_element_outside_of_its_array_stops_the_plc(tmp_path: Path) -> None:
+    """ST-311, ST-560: the index is reported, nothing is written."""
+    body = "i := 4; a[i] := a[i] + 1;"
+    declared = "a : ARRAY[0..3] OF DINT; i : DINT;"
+    plc = loaded(tmp_path, f"PROGRAM MAIN VAR {declared} END_VAR {body} END_PROGRAM")
+    run(plc, 1)
+    assert plc.context.fault == 902266
+    assert [plc.read(f"MAIN.a[{i}]") for i in range(4)] == [0, 0, 0, 0]

@@ -199,8 +199,8 @@ class Designators(CheckFunctions):
         if isinstance(index.value, int) and 0 <= index.value - lowest < count:
             return location.member((index.value - lowest) * stride, location.type)
         checked = self.checked_value("checkbounds", index, lowest, lowest + count - 1)
-        node = ElementPlace(location.address(), self.whole(checked), lowest, count, stride)
-        return Location(Origin.COMPUTED, 0, location.type, node)
+        parts = (location.address(), self.whole(checked), lowest, count, stride)
+        return Location(Origin.COMPUTED, 0, location.type, ElementPlace(*parts), element=parts)
 
     def open_slot(self, base: Expression) -> Location:
         """Return the slot of an ARRAY[*]: address, then the bounds of each dimension."""

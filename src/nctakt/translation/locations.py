@@ -31,6 +31,7 @@ from nctakt.kernel.st.wholes import (
     FramePlace,
     InstancePlace,
     LoadAt,
+    LoadElement,
     LoadFixed,
     LoadFrame,
     LoadInstance,
@@ -56,7 +57,8 @@ class Origin(enum.Enum):
 class Location:
     """Where a value of a type lies; ``node`` computes the begin if it is not fixed.
 
-    ``bit`` is the number of a bit in a whole number, or -1.
+    ``bit`` is the number of a bit in a whole number, or -1; ``element`` is what ``node`` is made of
+    if it computes the begin of an element of an array.
     """
 
     origin: Origin
@@ -64,6 +66,7 @@ class Location:
     type: Type
     node: Whole | None = None
     bit: int = -1
+    element: tuple[Whole, Whole, int, int, int] | None = None
 
     def member(self, offset: int, member_type: Type, bit: int = -1) -> Location:
         """Return the location of a part of it."""
@@ -106,6 +109,8 @@ class Location:
             return LoadFrame(self.offset, self.kind)
         if self.origin is Origin.INSTANCE and self.is_near:
             return LoadInstance(self.offset, self.kind)
+        if self.element is not None:
+            return LoadElement(*self.element, self.offset, self.kind)
         if self.origin is Origin.COMPUTED and self.node is not None:
             return LoadAt(self.node, self.offset, self.kind)
         return LoadAt(self.address(), 0, self.kind)

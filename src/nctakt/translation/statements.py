@@ -17,10 +17,19 @@ from nctakt.kernel.st.steps import (
     Leave,
     Step,
     StoreBit,
+    UpdateAt,
     steps_in_order,
 )
 from nctakt.kernel.st.texts import AssignString, StringPart
-from nctakt.kernel.st.wholes import Whole, WholeConstant
+from nctakt.kernel.st.wholes import (
+    AddWhole,
+    AndBits,
+    BinaryWhole,
+    OrBits,
+    SubtractWhole,
+    Whole,
+    WholeConstant,
+)
 from nctakt.st import tree
 from nctakt.st.types import (
     Expression,
@@ -28,12 +37,20 @@ from nctakt.st.types import (
     Property,
     Statement,
     StringType,
+    Variable,
 )
 from nctakt.translation.body import CannotRunError, is_standard
 from nctakt.translation.calls import Calls
 from nctakt.translation.checks import written_pointer
 from nctakt.translation.layout import is_real, kind_of
 from nctakt.translation.locations import Location
+
+_UPDATES: dict[type[Whole], int] = {
+    AddWhole: kinds.ADD,
+    SubtractWhole: kinds.SUBTRACT,
+    AndBits: kinds.AND,
+    OrBits: kinds.OR,
+}
 
 
 class Statements(Calls):
@@ -101,7 +118,32 @@ class Statements(Calls):
         self.written = written_pointer(target)
         location = self.location(target)
         self.written = None
-        return self.assign(location, self.checked_range(value, location.type), source)
+        value = self.checked_range(value, location.type)
+        if location.element is not None and self._is_changed_alone(target, value):
+            return self._update(location, value, source)
+        return self.assign(location, value, source)
+
+    def _is_changed_alone(self, target: Expression, value: Expression) -> bool:
+        """Return whether a value is computed from the target, whose index calls nothing."""
+        return (
+            isinstance(value, tree.Binary)
+            and value.value is None
+            and is_same_variable(target, value.left)
+            and self.check_function("checkbounds") is None
+            and self.check_function("checkpointer") is None
+        )
+
+    def _update(self, target: Location, value: Expression, source: int) -> Step:
+        """Return ``x := x + y``, which evaluates the address of x once where a node can."""
+        if is_real(target.type) or kind_of(target.type) is None or target.bit >= 0:
+            return self.assign(target, value, source)
+        node = self.whole(value)
+        operator = _UPDATES.get(type(node))
+        if operator is None or not isinstance(node, BinaryWhole):
+            return self.store(target, node, source, self.take_cost())
+        return UpdateAt(
+            target.address(), target.kind, operator, node.right, source, self.take_cost()
+        )
 
     def store(self, location: Location, value: Whole, source: int, cost: int) -> Step:
         """Return the assignment of a whole number, or of a bit."""
@@ -193,6 +235,25 @@ class Statements(Calls):
         return branching.For(
             counter.address(), counter.kind, first, last, step, body, written.start, cost
         )
+
+
+def is_same_variable(one: Expression, other: Expression) -> bool:
+    """Return whether two expressions surely name the same variable and call nothing.
+
+    Indices are variables and constants; what dereferences pointers may differ.
+    """
+    if isinstance(one.value, int):
+        return one.value == other.value
+    match one, other:
+        case tree.Name(target=Variable() as left), tree.Name(target=right):
+            return left is right
+        case tree.Member(target=Variable() as left), tree.Member(target=right):
+            return left is right and is_same_variable(one.base, other.base)
+        case tree.Index(), tree.Index():
+            if len(one.indices) != len(other.indices) or not is_same_variable(one.base, other.base):
+                return False
+            return all(map(is_same_variable, one.indices, other.indices))
+    return False
 
 
 def _apart(ranges: list[tuple[int, int, Step]]) -> list[tuple[int, int, Step]]:

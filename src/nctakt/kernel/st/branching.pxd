@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of branching.py.
 cimport cython
-from nctakt.kernel.st cimport kinds, words
+from nctakt.kernel.st cimport kinds, leaves, words
 from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.steps cimport Sourced, Step
 from nctakt.kernel.st.wholes cimport Whole

@@ -6,7 +6,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds, words
+from nctakt.kernel.st import kinds, leaves, words
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.steps import Sourced, Step
 from nctakt.kernel.st.wholes import Whole
@@ -25,7 +25,7 @@ class Alternative(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        truth = self.condition.value(context)
+        truth = leaves.value_of(self.condition, context)
         if context.fault:
             return context.stop_at(self.source)
         return self.body.run(context) if truth else kinds.NOT_TAKEN
@@ -34,7 +34,7 @@ class Alternative(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        truth = self.condition.value(context)
+        truth = leaves.value_of(self.condition, context)
         if context.fault:
             return context.stop_at(self.source)
         return self.body.run(context) if truth else kinds.GOES_ON
@@ -53,7 +53,7 @@ class EitherOr(Alternative):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        truth = self.condition.value(context)
+        truth = leaves.value_of(self.condition, context)
         if context.fault:
             return context.stop_at(self.source)
         return self.body.run(context) if truth else self.otherwise.run(context)
@@ -157,7 +157,7 @@ class Case(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        selector = self.selector.value(context)
+        selector = leaves.value_of(self.selector, context)
         if context.fault:
             return context.stop_at(self.source)
         end = self.labels.choose(context, selector)
@@ -192,10 +192,10 @@ class For(Sourced):
         self.bias = -(1 << 63) if kind == kinds.U64 else 0
 
     def run(self, context: PlcContext) -> int:
-        at = context.checked_target(self.address.value(context), 1)
-        value = self.start.value(context)
-        limit = self.end.value(context) ^ self.bias
-        step = self.step.value(context)
+        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        value = leaves.value_of(self.start, context)
+        limit = leaves.value_of(self.end, context) ^ self.bias
+        step = leaves.value_of(self.step, context)
         if step == 0:
             context.fail(kinds.STEP, 0, 0)
         if context.fault:
@@ -228,7 +228,7 @@ class While(Sourced):
             context.steps += self.cost
             if context.steps > context.max_steps:
                 return context.over_budget(self.source)
-            truth = self.condition.value(context)
+            truth = leaves.value_of(self.condition, context)
             if context.fault:
                 return context.stop_at(self.source)
             if truth == 0:
@@ -254,7 +254,7 @@ class Repeat(Sourced):
             end = self.body.run(context)
             if end and end != kinds.CONTINUES:
                 return kinds.GOES_ON if end == kinds.EXITS else end
-            truth = self.condition.value(context)
+            truth = leaves.value_of(self.condition, context)
             if context.fault:
                 return context.stop_at(self.source)
             if truth:

@@ -45,7 +45,6 @@ cdef class Call(Whole):
 
 cdef class ResultPlace(Whole):
     cdef Call call
-    cdef long long offset
     cdef long long size
     cdef long long kept
     @cython.locals(frame=cython.longlong, address=cython.longlong, origin=cython.longlong)

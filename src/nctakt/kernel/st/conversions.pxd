@@ -27,7 +27,6 @@ cdef class StringOfReal(Whole):
 
 cdef class WholeOfString(Whole):
     cdef StringPart text
-    cdef int kind
     cdef bint is_length
     cdef long long scale
     @cython.locals(begin=cython.longlong, end=cython.longlong, first=cython.longlong)

@@ -9,7 +9,6 @@ from nctakt.kernel.st.wholes cimport Whole
 
 cdef class KeptWhole(Whole):
     cdef Whole operand
-    cdef long long offset
     @cython.locals(value=cython.longlong, at=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
 

@@ -18,6 +18,17 @@ cdef enum:
     CONTINUES = 3
     RETURNS = 4
     NOT_TAKEN = -1
+    COMPUTED = 0
+    CONSTANT = 1
+    IN_DATA = 2
+    IN_FRAME = 3
+    IN_INSTANCE = 4
+    FRAME_PLACE = 5
+    INSTANCE_PLACE = 6
+    ADD = 0
+    SUBTRACT = 1
+    AND = 2
+    OR = 3
     EQUAL = 0
     NOT_EQUAL = 1
     LESS = 2

@@ -10,6 +10,13 @@ GOES_ON, STOPS, EXITS, CONTINUES, RETURNS = range(5)
 #: What a branch answers that is not taken.
 NOT_TAKEN = -1
 
+#: What parents evaluate in place instead of calling it: constants, and variables and places by
+#: where their offsets count from; all else is computed.
+COMPUTED, CONSTANT, IN_DATA, IN_FRAME, IN_INSTANCE, FRAME_PLACE, INSTANCE_PLACE = range(7)
+
+#: Operators of assignments that change a variable: ``a[i] := a[i] + x``.
+ADD, SUBTRACT, AND, OR = range(4)
+
 #: Relations of two values.
 EQUAL, NOT_EQUAL, LESS, LESS_EQUAL, GREATER, GREATER_EQUAL = range(6)
 

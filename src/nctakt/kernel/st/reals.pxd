@@ -2,36 +2,31 @@
 # C types of reals.py.
 cimport cython
 from nctakt.kernel.base cimport arithmetic
-from nctakt.kernel.st cimport functions, kinds, words
+from nctakt.kernel.st cimport functions, kinds, leaves, words
 from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.wholes cimport Whole
 
 cdef class Real:
-    cdef double number(self, PlcContext context) noexcept nogil
-
-cdef class RealConstant(Real):
+    cdef int leaf
+    cdef int kind
+    cdef long long offset
     cdef double constant
     cdef double number(self, PlcContext context) noexcept nogil
 
+cdef class RealConstant(Real):
+    cdef double number(self, PlcContext context) noexcept nogil
+
 cdef class LoadRealFixed(Real):
-    cdef long long at
-    cdef int kind
     cdef double number(self, PlcContext context) noexcept nogil
 
 cdef class LoadRealFrame(Real):
-    cdef long long offset
-    cdef int kind
     cdef double number(self, PlcContext context) noexcept nogil
 
 cdef class LoadRealInstance(Real):
-    cdef long long offset
-    cdef int kind
     cdef double number(self, PlcContext context) noexcept nogil
 
 cdef class LoadRealAt(Real):
     cdef Whole address
-    cdef long long offset
-    cdef int kind
     @cython.locals(at=cython.longlong)
     cdef double number(self, PlcContext context) noexcept nogil
 
@@ -117,3 +112,6 @@ cdef class WholeOfReal(Whole):
 cdef class TruthOfReal(Whole):
     cdef Real operand
     cdef long long value(self, PlcContext context) noexcept nogil
+
+# Last, since real_leaves.pxd needs the classes above.
+from nctakt.kernel.st cimport real_leaves

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import functions, kinds, words
+from nctakt.kernel.st import functions, kinds, leaves, real_leaves, words
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.wholes import Whole
 
@@ -30,6 +30,7 @@ class RealConstant(Real):
     """A number that is known before the run."""
 
     def __init__(self, constant: float) -> None:
+        self.leaf = kinds.CONSTANT
         self.constant = constant
 
     def number(self, context: PlcContext) -> float:
@@ -41,11 +42,12 @@ class LoadRealFixed(Real):
 
     def __init__(self, at: int, kind: int, end: int) -> None:
         check_range(at, kinds.NULL_BYTES, end, "address")
-        self.at = at
+        self.leaf = kinds.IN_DATA
+        self.offset = at
         self.kind = kind
 
     def number(self, context: PlcContext) -> float:
-        return words.load_real(context.memory, self.at, self.kind)
+        return words.load_real(context.memory, self.offset, self.kind)
 
 
 class LoadRealFrame(Real):
@@ -53,6 +55,7 @@ class LoadRealFrame(Real):
 
     def __init__(self, offset: int, kind: int) -> None:
         check_range(offset, 0, kinds.SLACK - 8, "offset")
+        self.leaf = kinds.IN_FRAME
         self.offset = offset
         self.kind = kind
 
@@ -65,6 +68,7 @@ class LoadRealInstance(Real):
 
     def __init__(self, offset: int, kind: int) -> None:
         check_range(offset, 0, kinds.SLACK - 8, "offset")
+        self.leaf = kinds.IN_INSTANCE
         self.offset = offset
         self.kind = kind
 
@@ -82,7 +86,7 @@ class LoadRealAt(Real):
         self.kind = kind
 
     def number(self, context: PlcContext) -> float:
-        at = self.address.value(context) + self.offset
+        at = leaves.value_of(self.address, context) + self.offset
         if at < kinds.NULL_BYTES or at > context.end:
             context.fail(kinds.PLACE, at, 0)
             return 0.0
@@ -115,32 +119,32 @@ class AddReal(BinaryReal):
     """``+``."""
 
     def number(self, context: PlcContext) -> float:
-        left = self.left.number(context)
-        return valid(context, left + self.right.number(context))
+        left = real_leaves.number_of(self.left, context)
+        return valid(context, left + real_leaves.number_of(self.right, context))
 
 
 class SubtractReal(BinaryReal):
     """``-``."""
 
     def number(self, context: PlcContext) -> float:
-        left = self.left.number(context)
-        return valid(context, left - self.right.number(context))
+        left = real_leaves.number_of(self.left, context)
+        return valid(context, left - real_leaves.number_of(self.right, context))
 
 
 class MultiplyReal(BinaryReal):
     """``*``."""
 
     def number(self, context: PlcContext) -> float:
-        left = self.left.number(context)
-        return valid(context, left * self.right.number(context))
+        left = real_leaves.number_of(self.left, context)
+        return valid(context, left * real_leaves.number_of(self.right, context))
 
 
 class DivideReal(BinaryReal):
     """``/``; 902265 for a zero divisor."""
 
     def number(self, context: PlcContext) -> float:
-        left = self.left.number(context)
-        right = self.right.number(context)
+        left = real_leaves.number_of(self.left, context)
+        right = real_leaves.number_of(self.right, context)
         if right == 0.0:
             if context.stops_at_invalid:
                 context.fail(kinds.DIVISION, 0, 0)
@@ -153,14 +157,14 @@ class NegateReal(UnaryReal):
     """``-`` of one operand."""
 
     def number(self, context: PlcContext) -> float:
-        return -self.operand.number(context)
+        return -real_leaves.number_of(self.operand, context)
 
 
 class RoundToSingle(UnaryReal):
     """A value rounded to REAL."""
 
     def number(self, context: PlcContext) -> float:
-        return words.single(self.operand.number(context))
+        return words.single(real_leaves.number_of(self.operand, context))
 
 
 class FunctionOfReal(Real):
@@ -171,7 +175,7 @@ class FunctionOfReal(Real):
         self.operand = operand
 
     def number(self, context: PlcContext) -> float:
-        operand = self.operand.number(context)
+        operand = real_leaves.number_of(self.operand, context)
         return valid(context, functions.of_real(self.function, operand))
 
 
@@ -184,8 +188,8 @@ class FunctionOfTwo(Real):
         self.right = right
 
     def number(self, context: PlcContext) -> float:
-        left = self.left.number(context)
-        right = self.right.number(context)
+        left = real_leaves.number_of(self.left, context)
+        right = real_leaves.number_of(self.right, context)
         return valid(context, functions.of_two(self.function, left, right))
 
 
@@ -198,8 +202,8 @@ class ExtremeReal(Real):
         self.is_maximum = is_maximum
 
     def number(self, context: PlcContext) -> float:
-        left = self.left.number(context)
-        right = self.right.number(context)
+        left = real_leaves.number_of(self.left, context)
+        right = real_leaves.number_of(self.right, context)
         if self.is_maximum:
             return right if left < right else left
         return right if right < left else left
@@ -214,9 +218,9 @@ class SelectReal(Real):
         self.chosen = chosen
 
     def number(self, context: PlcContext) -> float:
-        if self.condition.value(context):
-            return self.chosen.number(context)
-        return self.otherwise.number(context)
+        if leaves.value_of(self.condition, context):
+            return real_leaves.number_of(self.chosen, context)
+        return real_leaves.number_of(self.otherwise, context)
 
 
 class RealOfWhole(Real):
@@ -227,7 +231,7 @@ class RealOfWhole(Real):
         self.is_unsigned = is_unsigned
 
     def number(self, context: PlcContext) -> float:
-        value = self.operand.value(context)
+        value = leaves.value_of(self.operand, context)
         if self.is_unsigned and value < 0:
             return words.real_of_unsigned(value)
         return value + 0.0
@@ -242,8 +246,8 @@ class CompareReal(Whole):
         self.relation = relation
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.number(context)
-        right = self.right.number(context)
+        left = real_leaves.number_of(self.left, context)
+        right = real_leaves.number_of(self.right, context)
         if self.relation == kinds.EQUAL:
             return 1 if left == right else 0
         if self.relation == kinds.NOT_EQUAL:
@@ -274,7 +278,7 @@ class WholeOfReal(Whole):
         self.limit = 2.0 ** (bits - 1) if is_signed else 2.0**bits
 
     def value(self, context: PlcContext) -> int:
-        number = self.operand.number(context)
+        number = real_leaves.number_of(self.operand, context)
         if self.rounding == kinds.NEAREST:
             number = functions.round_half_away(number)
         else:
@@ -294,4 +298,4 @@ class TruthOfReal(Whole):
         self.operand = operand
 
     def value(self, context: PlcContext) -> int:
-        return 1 if self.operand.number(context) != 0.0 else 0
+        return 1 if real_leaves.number_of(self.operand, context) != 0.0 else 0

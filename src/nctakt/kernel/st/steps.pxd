@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of steps.py.
 cimport cython
-from nctakt.kernel.st cimport kinds, words
+from nctakt.kernel.st cimport kinds, leaves, real_leaves, words
 from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.reals cimport Real
 from nctakt.kernel.st.wholes cimport Whole
@@ -49,6 +49,14 @@ cdef class StoreAt(Sourced):
     cdef int kind
     cdef Whole operand
     @cython.locals(at=cython.longlong, value=cython.longlong)
+    cdef int run(self, PlcContext context) noexcept nogil
+
+cdef class UpdateAt(Sourced):
+    cdef Whole address
+    cdef int kind
+    cdef int operator
+    cdef Whole operand
+    @cython.locals(at=cython.longlong, left=cython.longlong, right=cython.longlong)
     cdef int run(self, PlcContext context) noexcept nogil
 
 cdef class StoreReal(Sourced):

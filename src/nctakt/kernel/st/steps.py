@@ -12,7 +12,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds, words
+from nctakt.kernel.st import kinds, leaves, real_leaves, words
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.wholes import Whole
@@ -110,7 +110,7 @@ class StoreFixed(Store):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        value = self.operand.value(context)
+        value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, self.target, self.kind, value)
@@ -128,7 +128,7 @@ class StoreFrame(Store):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        value = self.operand.value(context)
+        value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, context.frame + self.target, self.kind, value)
@@ -146,7 +146,7 @@ class StoreInstance(Store):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        value = self.operand.value(context)
+        value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, context.instance + self.target, self.kind, value)
@@ -166,11 +166,47 @@ class StoreAt(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        at = context.checked_target(self.address.value(context), 1)
-        value = self.operand.value(context)
+        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, at, self.kind, value)
+        if at >= context.interface:
+            context.note_writer(at, self.source)
+        return kinds.GOES_ON
+
+
+class UpdateAt(Sourced):
+    """``x := x + y`` of a variable at a computed address, which is evaluated once."""
+
+    def __init__(
+        self, address: Whole, kind: int, operator: int, operand: Whole, source: int, cost: int
+    ) -> None:
+        check_range(operator, kinds.ADD, kinds.OR, "operator")
+        super().__init__(source, cost)
+        self.address = address
+        self.kind = kind
+        self.operator = operator
+        self.operand = operand
+
+    def run(self, context: PlcContext) -> int:
+        context.steps += self.cost
+        if context.steps > context.max_steps:
+            return context.over_budget(self.source)
+        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        left = words.load(context.memory, at, self.kind)
+        right = leaves.value_of(self.operand, context)
+        if context.fault:
+            return context.stop_at(self.source)
+        if self.operator == kinds.ADD:
+            left = words.add(left, right)
+        elif self.operator == kinds.SUBTRACT:
+            left = words.subtract(left, right)
+        elif self.operator == kinds.AND:
+            left = left & right
+        else:
+            left = left | right
+        words.store(context.memory, at, self.kind, left)
         if at >= context.interface:
             context.note_writer(at, self.source)
         return kinds.GOES_ON
@@ -199,7 +235,7 @@ class StoreRealFixed(StoreReal):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        number = self.operand.number(context)
+        number = real_leaves.number_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, self.target, self.kind, number)
@@ -217,7 +253,7 @@ class StoreRealFrame(StoreReal):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        number = self.operand.number(context)
+        number = real_leaves.number_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, context.frame + self.target, self.kind, number)
@@ -235,7 +271,7 @@ class StoreRealInstance(StoreReal):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        number = self.operand.number(context)
+        number = real_leaves.number_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, context.instance + self.target, self.kind, number)
@@ -255,8 +291,8 @@ class StoreRealAt(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        at = context.checked_target(self.address.value(context), 1)
-        number = self.operand.number(context)
+        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        number = real_leaves.number_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, at, self.kind, number)
@@ -282,8 +318,8 @@ class StoreBit(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        at = context.checked_target(self.address.value(context), 1)
-        value = self.operand.value(context)
+        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         mask = words.shift_left(1, self.bit)
@@ -307,8 +343,8 @@ class CopyBytes(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        to = context.checked_target(self.address.value(context), self.size)
-        origin = context.checked(self.origin.value(context), self.size)
+        to = context.checked_target(leaves.value_of(self.address, context), self.size)
+        origin = context.checked(leaves.value_of(self.origin, context), self.size)
         if context.fault:
             return context.stop_at(self.source)
         words.copy(context.memory, to, origin, self.size)
@@ -326,7 +362,7 @@ class Evaluate(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        self.operand.value(context)
+        leaves.value_of(self.operand, context)
         return context.stop_at(self.source) if context.fault else kinds.GOES_ON
 
 
@@ -341,7 +377,7 @@ class EvaluateReal(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        self.operand.number(context)
+        real_leaves.number_of(self.operand, context)
         return context.stop_at(self.source) if context.fault else kinds.GOES_ON
 
 
@@ -370,5 +406,5 @@ class Fail(Sourced):
         self.operand = operand
 
     def run(self, context: PlcContext) -> int:
-        context.fail(self.message, self.operand.value(context), 0)
+        context.fail(self.message, leaves.value_of(self.operand, context), 0)
         return context.stop_at(self.source)

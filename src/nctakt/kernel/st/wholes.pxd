@@ -5,49 +5,39 @@ from nctakt.kernel.st cimport kinds, words
 from nctakt.kernel.st.context cimport PlcContext
 
 cdef class Whole:
+    cdef int leaf
+    cdef int kind
+    cdef long long offset
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class WholeConstant(Whole):
-    cdef long long number
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class LoadFixed(Whole):
-    cdef long long at
-    cdef int kind
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class LoadFrame(Whole):
-    cdef long long offset
-    cdef int kind
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class LoadInstance(Whole):
-    cdef long long offset
-    cdef int kind
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class LoadAt(Whole):
     cdef Whole address
-    cdef long long offset
-    cdef int kind
     @cython.locals(at=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class FramePlace(Whole):
-    cdef long long offset
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class InstancePlace(Whole):
-    cdef long long offset
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class PassingPlace(Whole):
-    cdef long long offset
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class MemberPlace(Whole):
     cdef Whole address
-    cdef long long offset
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class PointedPlace(Whole):
@@ -62,6 +52,10 @@ cdef class ElementPlace(Whole):
     cdef long long count
     cdef long long stride
     @cython.locals(address=cython.longlong, index=cython.longlong, number=cython.longlong)
+    cdef long long value(self, PlcContext context) noexcept nogil
+
+cdef class LoadElement(ElementPlace):
+    @cython.locals(at=cython.longlong, index=cython.longlong, number=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class OpenElementPlace(Whole):
@@ -80,7 +74,7 @@ cdef class UnaryWhole(Whole):
 
 cdef class BinaryWhole(Whole):
     cdef Whole left
-    cdef Whole right
+    cdef readonly Whole right
 
 cdef class AddWhole(BinaryWhole):
     @cython.locals(left=cython.longlong)
@@ -123,7 +117,6 @@ cdef class XorBits(BinaryWhole):
 
 cdef class NotBits(Whole):
     cdef Whole operand
-    cdef int kind
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class NotTruth(UnaryWhole):
@@ -158,7 +151,6 @@ cdef class CompareUnsigned(Whole):
 
 cdef class WrapWhole(Whole):
     cdef Whole operand
-    cdef int kind
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class SelectWhole(Whole):
@@ -187,3 +179,6 @@ cdef class MoveBits(Whole):
 cdef class CycleTime(Whole):
     cdef long long unit
     cdef long long value(self, PlcContext context) noexcept nogil
+
+# Last, since leaves.pxd needs the classes above.
+from nctakt.kernel.st cimport leaves

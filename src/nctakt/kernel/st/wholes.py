@@ -9,7 +9,7 @@ above sees it and stores nothing. Operands are evaluated from left to right (ST-
 from __future__ import annotations
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds, words
+from nctakt.kernel.st import kinds, leaves, words
 from nctakt.kernel.st.context import PlcContext
 
 
@@ -30,10 +30,11 @@ class WholeConstant(Whole):
 
     def __init__(self, number: int) -> None:
         check_range(number, -(1 << 63), (1 << 63) - 1, "constant")
-        self.number = number
+        self.leaf = kinds.CONSTANT
+        self.offset = number
 
     def value(self, context: PlcContext) -> int:
-        return self.number
+        return self.offset
 
 
 class LoadFixed(Whole):
@@ -41,11 +42,12 @@ class LoadFixed(Whole):
 
     def __init__(self, at: int, kind: int, end: int) -> None:
         check_range(at, kinds.NULL_BYTES, end, "address")
-        self.at = at
+        self.leaf = kinds.IN_DATA
+        self.offset = at
         self.kind = kind
 
     def value(self, context: PlcContext) -> int:
-        return words.load(context.memory, self.at, self.kind)
+        return words.load(context.memory, self.offset, self.kind)
 
 
 class LoadFrame(Whole):
@@ -53,6 +55,7 @@ class LoadFrame(Whole):
 
     def __init__(self, offset: int, kind: int) -> None:
         check_range(offset, 0, kinds.SLACK - 8, "offset")
+        self.leaf = kinds.IN_FRAME
         self.offset = offset
         self.kind = kind
 
@@ -65,6 +68,7 @@ class LoadInstance(Whole):
 
     def __init__(self, offset: int, kind: int) -> None:
         check_range(offset, 0, kinds.SLACK - 8, "offset")
+        self.leaf = kinds.IN_INSTANCE
         self.offset = offset
         self.kind = kind
 
@@ -82,7 +86,7 @@ class LoadAt(Whole):
         self.kind = kind
 
     def value(self, context: PlcContext) -> int:
-        at = self.address.value(context) + self.offset
+        at = leaves.value_of(self.address, context) + self.offset
         if at < kinds.NULL_BYTES or at > context.end:
             context.fail(kinds.PLACE, at, 0)
             return 0
@@ -93,6 +97,7 @@ class FramePlace(Whole):
     """The address of a variable of the running routine."""
 
     def __init__(self, offset: int) -> None:
+        self.leaf = kinds.FRAME_PLACE
         self.offset = offset
 
     def value(self, context: PlcContext) -> int:
@@ -103,6 +108,7 @@ class InstancePlace(Whole):
     """The address of a variable of the block that is called; THIS with offset 0 (ST-602)."""
 
     def __init__(self, offset: int) -> None:
+        self.leaf = kinds.INSTANCE_PLACE
         self.offset = offset
 
     def value(self, context: PlcContext) -> int:
@@ -127,7 +133,7 @@ class MemberPlace(Whole):
         self.offset = offset
 
     def value(self, context: PlcContext) -> int:
-        return self.address.value(context) + self.offset
+        return leaves.value_of(self.address, context) + self.offset
 
 
 class PointedPlace(Whole):
@@ -139,7 +145,7 @@ class PointedPlace(Whole):
         self.size = size
 
     def value(self, context: PlcContext) -> int:
-        return context.checked(self.pointer.value(context), self.size)
+        return context.checked(leaves.value_of(self.pointer, context), self.size)
 
 
 class ElementPlace(Whole):
@@ -155,13 +161,45 @@ class ElementPlace(Whole):
         self.stride = stride
 
     def value(self, context: PlcContext) -> int:
-        address = self.address.value(context)
-        index = self.index.value(context)
+        address = leaves.value_of(self.address, context)
+        index = leaves.value_of(self.index, context)
         number = words.subtract(index, self.lowest)
         if number < 0 or number >= self.count:
             context.fail(kinds.INDEX, index, self.lowest)
             return address
         return address + number * self.stride
+
+
+class LoadElement(ElementPlace):
+    """An element of an array, or a part of it ``offset`` bytes behind its begin."""
+
+    def __init__(
+        self,
+        address: Whole,
+        index: Whole,
+        lowest: int,
+        count: int,
+        stride: int,
+        offset: int,
+        kind: int,
+    ) -> None:
+        check_range(offset, 0, kinds.MAX_MEMORY, "offset")
+        super().__init__(address, index, lowest, count, stride)
+        self.offset = offset
+        self.kind = kind
+
+    def value(self, context: PlcContext) -> int:
+        at = leaves.value_of(self.address, context) + self.offset
+        index = leaves.value_of(self.index, context)
+        number = words.subtract(index, self.lowest)
+        if number < 0 or number >= self.count:
+            context.fail(kinds.INDEX, index, self.lowest)
+            return 0
+        at += number * self.stride
+        if at < kinds.NULL_BYTES or at > context.end:
+            context.fail(kinds.PLACE, at, 0)
+            return 0
+        return words.load(context.memory, at, self.kind)
 
 
 class OpenElementPlace(Whole):
@@ -174,15 +212,16 @@ class OpenElementPlace(Whole):
         self.stride = stride
 
     def value(self, context: PlcContext) -> int:
-        address = self.address.value(context)
-        bounds = context.checked(self.bounds.value(context), 8)
-        index = self.index.value(context)
+        address = leaves.value_of(self.address, context)
+        bounds = context.checked(leaves.value_of(self.bounds, context), 8)
+        index = leaves.value_of(self.index, context)
         lowest = words.load(context.memory, bounds, kinds.I32)
         if index < lowest or index > words.load(context.memory, bounds + 4, kinds.I32):
             context.fail(kinds.INDEX, index, lowest)
             return address
         return words.add(
-            address, words.multiply(words.subtract(index, lowest), self.stride.value(context))
+            address,
+            words.multiply(words.subtract(index, lowest), leaves.value_of(self.stride, context)),
         )
 
 
@@ -205,24 +244,24 @@ class AddWhole(BinaryWhole):
     """``+``."""
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return words.add(left, self.right.value(context))
+        left = leaves.value_of(self.left, context)
+        return words.add(left, leaves.value_of(self.right, context))
 
 
 class SubtractWhole(BinaryWhole):
     """``-``."""
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return words.subtract(left, self.right.value(context))
+        left = leaves.value_of(self.left, context)
+        return words.subtract(left, leaves.value_of(self.right, context))
 
 
 class MultiplyWhole(BinaryWhole):
     """``*``."""
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return words.multiply(left, self.right.value(context))
+        left = leaves.value_of(self.left, context)
+        return words.multiply(left, leaves.value_of(self.right, context))
 
 
 class DivideWhole(Whole):
@@ -235,8 +274,8 @@ class DivideWhole(Whole):
         self.is_modulo = is_modulo
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        right = self.right.value(context)
+        left = leaves.value_of(self.left, context)
+        right = leaves.value_of(self.right, context)
         if right == 0:
             context.fail(kinds.DIVISION, left, 0)
             return 0
@@ -251,14 +290,14 @@ class NegateWhole(UnaryWhole):
     """``-`` of one operand."""
 
     def value(self, context: PlcContext) -> int:
-        return words.subtract(0, self.operand.value(context))
+        return words.subtract(0, leaves.value_of(self.operand, context))
 
 
 class AbsoluteWhole(UnaryWhole):
     """``ABS``; the least number stays (ST-712)."""
 
     def value(self, context: PlcContext) -> int:
-        value = self.operand.value(context)
+        value = leaves.value_of(self.operand, context)
         return words.subtract(0, value) if value < 0 else value
 
 
@@ -266,24 +305,24 @@ class AndBits(BinaryWhole):
     """``AND`` of bits or truths; both sides are evaluated (ST-502)."""
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return left & self.right.value(context)
+        left = leaves.value_of(self.left, context)
+        return left & leaves.value_of(self.right, context)
 
 
 class OrBits(BinaryWhole):
     """``OR`` of bits or truths."""
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return left | self.right.value(context)
+        left = leaves.value_of(self.left, context)
+        return left | leaves.value_of(self.right, context)
 
 
 class XorBits(BinaryWhole):
     """``XOR`` of bits or truths."""
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return left ^ self.right.value(context)
+        left = leaves.value_of(self.left, context)
+        return left ^ leaves.value_of(self.right, context)
 
 
 class NotBits(Whole):
@@ -294,32 +333,32 @@ class NotBits(Whole):
         self.kind = kind
 
     def value(self, context: PlcContext) -> int:
-        return words.wrap(-1 - self.operand.value(context), self.kind)
+        return words.wrap(-1 - leaves.value_of(self.operand, context), self.kind)
 
 
 class NotTruth(UnaryWhole):
     """``NOT`` of a truth."""
 
     def value(self, context: PlcContext) -> int:
-        return 1 if self.operand.value(context) == 0 else 0
+        return 1 if leaves.value_of(self.operand, context) == 0 else 0
 
 
 class AndThen(BinaryWhole):
     """``AND_THEN``: the right side only if the left one holds."""
 
     def value(self, context: PlcContext) -> int:
-        if self.left.value(context) == 0 or context.fault:
+        if leaves.value_of(self.left, context) == 0 or context.fault:
             return 0
-        return self.right.value(context)
+        return leaves.value_of(self.right, context)
 
 
 class OrElse(BinaryWhole):
     """``OR_ELSE``: the right side only if the left one does not hold."""
 
     def value(self, context: PlcContext) -> int:
-        if self.left.value(context) or context.fault:
+        if leaves.value_of(self.left, context) or context.fault:
             return 1
-        return self.right.value(context)
+        return leaves.value_of(self.right, context)
 
 
 def holds(relation: int, left: int, right: int) -> int:
@@ -346,8 +385,8 @@ class CompareWhole(Whole):
         self.relation = relation
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        return holds(self.relation, left, self.right.value(context))
+        left = leaves.value_of(self.left, context)
+        return holds(self.relation, left, leaves.value_of(self.right, context))
 
 
 class CompareUnsigned(Whole):
@@ -363,8 +402,8 @@ class CompareUnsigned(Whole):
         self.is_right = is_right
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        right = self.right.value(context)
+        left = leaves.value_of(self.left, context)
+        right = leaves.value_of(self.right, context)
         left_part = (1 if left < 0 else 0) if self.is_left else (-1 if left < 0 else 0)
         right_part = (1 if right < 0 else 0) if self.is_right else (-1 if right < 0 else 0)
         if left_part != right_part:
@@ -380,7 +419,7 @@ class WrapWhole(Whole):
         self.kind = kind
 
     def value(self, context: PlcContext) -> int:
-        return words.wrap(self.operand.value(context), self.kind)
+        return words.wrap(leaves.value_of(self.operand, context), self.kind)
 
 
 class SelectWhole(Whole):
@@ -392,9 +431,9 @@ class SelectWhole(Whole):
         self.chosen = chosen
 
     def value(self, context: PlcContext) -> int:
-        if self.condition.value(context):
-            return self.chosen.value(context)
-        return self.otherwise.value(context)
+        if leaves.value_of(self.condition, context):
+            return leaves.value_of(self.chosen, context)
+        return leaves.value_of(self.otherwise, context)
 
 
 class ExtremeWhole(Whole):
@@ -407,8 +446,8 @@ class ExtremeWhole(Whole):
         self.is_maximum = is_maximum
 
     def value(self, context: PlcContext) -> int:
-        left = self.left.value(context)
-        right = self.right.value(context)
+        left = leaves.value_of(self.left, context)
+        right = leaves.value_of(self.right, context)
         is_less = left < right
         if self.is_unsigned and (left < 0) != (right < 0):
             is_less = right < 0
@@ -429,8 +468,8 @@ class MoveBits(Whole):
         self.mask = (1 << bits) - 1 if bits < 64 else -1
 
     def value(self, context: PlcContext) -> int:
-        value = self.operand.value(context) & self.mask
-        count = self.count.value(context)
+        value = leaves.value_of(self.operand, context) & self.mask
+        count = leaves.value_of(self.count, context)
         if self.operation >= kinds.ROTATE_LEFT:
             count = words.modulo(count, self.bits)
             if count < 0:

@@ -6,11 +6,11 @@ cdef extern from *:
     #include <math.h>
     typedef unsigned long long nctakt_u;
     static inline long long nctakt_load(const unsigned char *p, int kind) {
+        if (kind == 3) { int v; memcpy(&v, p, 4); return v; }
+        if (kind == 0) return *p != 0;
+        if (kind == 2) { short v; memcpy(&v, p, 2); return v; }
         switch (kind) {
-            case 0: return *p != 0;
             case 1: return (signed char)*p;
-            case 2: { short v; memcpy(&v, p, 2); return v; }
-            case 3: { int v; memcpy(&v, p, 4); return v; }
             case 5: return *p;
             case 6: { unsigned short v; memcpy(&v, p, 2); return v; }
             case 7: { unsigned int v; memcpy(&v, p, 4); return v; }
@@ -18,13 +18,13 @@ cdef extern from *:
         }
     }
     static inline void nctakt_store(unsigned char *p, int kind, long long value) {
-        switch (kind) {
-            case 0: *p = value != 0; break;
-            case 1: case 5: *p = (unsigned char)value; break;
-            case 2: case 6: { unsigned short v = (unsigned short)value; memcpy(p, &v, 2); break; }
-            case 3: case 7: { unsigned int v = (unsigned int)value; memcpy(p, &v, 4); break; }
-            default: memcpy(p, &value, 8);
+        if (kind == 3 || kind == 7) { unsigned int v = (unsigned int)value; memcpy(p, &v, 4); }
+        else if (kind == 0) *p = value != 0;
+        else if (kind == 2 || kind == 6) {
+            unsigned short v = (unsigned short)value; memcpy(p, &v, 2);
         }
+        else if (kind == 4 || kind == 8) memcpy(p, &value, 8);
+        else *p = (unsigned char)value;
     }
     static inline double nctakt_load_real(const unsigned char *p, int kind) {
         if (kind == 9) { float v; memcpy(&v, p, 4); return v; }

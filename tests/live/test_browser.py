@@ -256,6 +256,66 @@ def test_what_somebody_types_stays(browser: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.nightly
+def test_the_path_to_come(browser: Any, tmp_path: Path) -> None:
+    """Before the first tick the path is drawn, with its reactions; anew when an input changes.
+
+    Where a PLC in Python decides what comes, the page says so.
+    """
+    program = PROGRAM.replace("V.E.VALUE > 0.5", "V.RTA.ACS.ACT_POS.X > 5 && V.E.VALUE < 1")
+    path = written(tmp_path, program)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        page.wait_for_function("nctaktRun.run.future?.reason === 'over'")
+        future = page.evaluate("nctaktRun.run.future")
+        assert page.evaluate("nctaktRun.run.latest") == -1
+        places = future["columns"][future["names"].index("X.ACS.ACT_POS")]
+        assert (max(places), places[-1]) == (20, 0)
+        assert [line for *_, line in future["marks"]] == [2]
+        page.get_by_test_id("variable-V.E.VALUE").fill("1")
+        page.get_by_test_id("variable-V.E.VALUE").press("Enter")
+        page.wait_for_function("nctaktRun.run.future?.marks.length === 0")
+        page.close()
+    plc = written(tmp_path, "class Cell:\n    def cycle(self, hli):\n        pass\n", "cell.py")
+    with served(str(path), "--plc", str(plc)) as address:
+        page = opened(browser, address)
+        expect(page.get_by_test_id("future")).to_contain_text("What comes is not known")
+        page.close()
+
+
+@pytest.mark.nightly
+def test_branches_of_the_tape(browser: Any, tmp_path: Path) -> None:
+    """An input in the past begins another branch; it is named, compared, the first taken up."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        clock = page.get_by_test_id("clock")
+        for tick in (0, 1, 2):
+            page.keyboard.press(".")
+            expect(clock).to_contain_text(f"Tick {tick} ")
+        page.keyboard.press(",")
+        expect(clock).to_contain_text("Tick 1 ")
+        page.get_by_test_id("variable-V.E.VALUE").fill("1")
+        page.get_by_test_id("variable-V.E.VALUE").press("Enter")
+        page.keyboard.press("Escape")
+        expect(clock).to_contain_text("Branch 2")
+        page.keyboard.press(".")
+        expect(clock).to_contain_text("Tick 2 ")
+        page.keyboard.press("6")
+        second = page.get_by_test_id("branch-2")
+        expect(second).to_contain_text("leaves 1 at tick 2")
+        second.get_by_role("textbox").fill("with a value")
+        second.get_by_role("textbox").press("Enter")
+        page.get_by_test_id("compare-1").click()
+        difference = page.get_by_test_id("difference")
+        expect(difference).to_contain_text("differ first in tick 2")
+        expect(difference).to_contain_text("V.E.VALUE: 1 / 0")
+        page.get_by_test_id("take_up-1").click()
+        expect(clock).to_contain_text("Branch 1")
+        expect(second.get_by_role("textbox")).to_have_value("with a value")
+        page.close()
+
+
+@pytest.mark.nightly
 def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
     """Ticks, blocks, the panel, the lists and the help by keys alone."""
     path = written(tmp_path)

@@ -7,6 +7,7 @@ that has changed on disk meanwhile is never written over.
 
 from __future__ import annotations
 
+import math
 import os
 import tempfile
 from collections.abc import Sequence
@@ -28,7 +29,7 @@ from nctakt.run.program_loader import NcText
 class Checker:
     """The machine that programs are checked with; raises ``Failure`` where it cannot be read.
 
-    ``types``: name -> type of the machine's variables.
+    ``types``: name -> type of the machine's variables. ``limits``: axis -> software limits.
     """
 
     def __init__(self, machine: str | None, folders: Sequence[str | Path]) -> None:
@@ -38,6 +39,14 @@ class Checker:
         )
         names = self._machine.assembled[0].names
         self.types = [(name, kind) for name, _, kind in names.values()]
+        axes = self._machine.configuration.axes
+        self.limits = {
+            axis.name: [
+                one if math.isfinite(one) else None
+                for one in (axis.software_limit_low, axis.software_limit_high)
+            ]
+            for axis in axes
+        }
 
     def check(self, file: str, text: str) -> list[Diagnostic]:
         """Return what the check finds in a text; notes are left out."""

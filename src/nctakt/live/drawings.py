@@ -8,6 +8,8 @@ stretches in detail.
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +29,10 @@ _MODULES = {
 }
 
 
+#: Sides from which the path can be seen.
+_VIEWS = ("space", "top", "front", "side")
+
+
 class Scope(Element, component="scope.js", esm=_MODULES):
     """The scope; it takes the increments for all drawings of the page."""
 
@@ -38,8 +44,9 @@ class PathView(Element, component="path.js", esm=_MODULES):
 class Drawings:
     """Scope and path of one browser."""
 
-    def __init__(self, commander: Commander) -> None:
+    def __init__(self, commander: Commander, limits: Mapping[str, Sequence[float | None]]) -> None:
         self._commander = commander
+        self._limits = limits
         self._shared = commander.shared
         self._texts = commander.texts
         self._seen: dict[str, Seen] = {}
@@ -91,15 +98,24 @@ class Drawings:
         with card(texts["path"], "nc-path"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["path"]).classes("nc-title")
-                for name in ("feed_line", "rapid_line", "fired_mark"):
+                for name in ("feed_line", "rapid_line", "fired_mark", "future_line"):
                     ui.label(texts[name]).classes(f"nc-key {name}")
+                self._future = ui.label().classes("nc-soft ellipsis")
+                self._future.props("data-testid=future role=status")
                 ui.space()
-                turn = ui.button(icon="view_in_ar").props("flat dense size=sm data-testid=turn")
-                explained(turn.on("click", self.turn_view), texts["turn_view"])
+                self._views = ui.button(icon="view_in_ar")
+                explained(
+                    self._views.props("flat dense size=sm data-testid=turn"), texts["turn_view"]
+                )
+                with self._views, ui.menu():
+                    for name in _VIEWS:
+                        item = ui.menu_item(texts[f"view_{name}"], partial(self._choose_view, name))
+                        item.props(f"data-testid=view-{name}")
             self._path = PathView().props("data-testid=path")
             self._path.props["axes"] = signals
             self._path.props["name"] = texts["path_name"]
             self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
+            self._path.props["limits"] = [self._limits.get(axis) for axis in self._shared.axes[:3]]
             self._path.on("travel", self._travel)
 
     # --- following ------------------------------------------------------------------------------
@@ -122,6 +138,8 @@ class Drawings:
             "isPlaying": snapshot.is_playing,
             "bars": shared.explainer.bars(shared.moment, shared.file),
         }
+        now["future"] = shared.ahead.shown(shared.future_subject)
+        self._show_future(now["future"])
         for name, part in track.parts.items():
             found, self._seen[name] = part.news(self._seen.get(name, (0, 0)))
             if found is not None:
@@ -136,6 +154,12 @@ class Drawings:
         if news:
             self._scope.run_method("take", news)
 
+    def _show_future(self, future: dict[str, Any] | None) -> None:
+        """Say why the path to come ends where it does, or that there is none to show."""
+        text = "" if future is None else self._texts[f"future_{future['reason']}"]
+        if self._future.text != text:
+            self._future.set_text(text)
+
     def show_session(self) -> None:
         """Show the signals and axes of a session that is new."""
         self._signals.set_options(view.choosable(self._shared.units))
@@ -144,6 +168,7 @@ class Drawings:
         if self._path.props["axes"] != axes:
             self._path.props["axes"] = axes
             self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
+            self._path.props["limits"] = [self._limits.get(axis) for axis in self._shared.axes[:3]]
             self._path.update()
 
     # --- wishes ---------------------------------------------------------------------------------
@@ -189,8 +214,11 @@ class Drawings:
         self._scope.run_method("fit")
 
     def turn_view(self) -> None:
-        """Show the path in space or in the plane."""
+        """Show the path from the next side."""
         self._path.run_method("turnView")
+
+    def _choose_view(self, name: str) -> None:
+        self._path.run_method("showFrom", name)
 
 
 _STEP = "() => { const { run, zoom } = globalThis.nctaktRun; zoom((run.from + run.to) / 2, %s); }"

@@ -80,6 +80,7 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
             _same("3", "tab_events", "3"),
             _same("4", "tab_why", "4"),
             _same("5", "tab_stops", "5"),
+            _same("6", "tab_branches", "6"),
             _same("p", "take_pen", "P"),
             _same("d", "dark", "D"),
             _same("?", "help", "?"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The lists below the program: findings, messages, events, why, stops.
+"""The lists below the program: findings, messages, events, why, stops, branches.
 
 In: rows. Out: tabs of NiceGUI; a click on a row shows its line.
 """
@@ -16,13 +16,14 @@ from nicegui.element import Element
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
+from nctakt.live.branch_list import BranchList
 from nctakt.live.commander import Commander, Newest
 from nctakt.live.explaining import Moment
 from nctakt.live.naming import card, explained, named
 from nctakt.live.program_card import ProgramCard
 from nctakt.live.view import LogRow
 
-NAMES = ("findings", "messages", "events", "why", "stops")
+NAMES = ("findings", "messages", "events", "why", "stops", "branches")
 
 #: Rows of a list that are shown: the newest.
 _MAX_SHOWN = 80
@@ -80,6 +81,9 @@ class Lists:
             self._list_of[name] = view_of_rows.props(f"data-testid={name}")
             return
         self._list_of[name] = ui.element("div").props(f"data-testid={name}")
+        if name == "branches":
+            with self._list_of[name]:
+                self._branches = BranchList(self._commander)
         if name == "why":
             with self._list_of[name]:
                 self._earlier = ui.label(self._texts["earlier_answer"]).classes("nc-soft")
@@ -117,6 +121,8 @@ class Lists:
         self.show_findings(program)
         self._show_stops()
         self._renew_why()
+        if self._tabs.value == "branches":
+            self._branches.show()
 
     def show_findings(self, program: ProgramCard) -> None:
         """Show findings of the text, and while it is the one that runs, those of the run."""

@@ -114,7 +114,7 @@ class Page:
                 )
                 self._lists = Lists(self._commander, self._program.reveal)
             with ui.element("div").classes("nc-column nc-middle"):
-                self._drawings = Drawings(self._commander)
+                self._drawings = Drawings(self._commander, self._program.document.checker.limits)
             with ui.element("div").classes("nc-column nc-right"):
                 self._panel = Panel(self._commander, programs, self._program.choose_program)
                 self._functions = Functions(self._commander, has_plc=has_plc)

@@ -3,14 +3,17 @@
 import { clamp, colour, sized, ticks } from "nctakt-drawing";
 import { changed, indexAt, listen, run } from "nctakt-store";
 
-const FEED = "#3b82f6", RAPID = "#9aa1ab", FIRED = "#e8833a", TOOL = "#d64545";
+const FEED = "#3b82f6", RAPID = "#9aa1ab", FIRED = "#e8833a", TOOL = "#d64545", LIMIT = "#b3261e";
+
+// The axes to the right and upwards in a view, none in space.
+const VIEWS = { space: null, top: [0, 1], front: [0, 2], side: [1, 2] };
 
 export default {
   template: '<div class="nc-drawing"><canvas role="img" :aria-label="name"></canvas></div>',
-  props: { axes: Array, rapid: String, name: String },
+  props: { axes: Array, rapid: String, name: String, limits: Array },
   mounted() {
     this.canvas = this.$el.firstChild;
-    this.camera = { zoom: 1, x: 0, y: 0, turn: -0.55, tilt: 0.9, isSpace: this.axes.length > 2 };
+    this.camera = { zoom: 1, x: 0, y: 0, turn: -0.55, tilt: 0.9, view: this.axes.length > 2 ? "space" : "top" };
     this.stop = listen(() => this.draw());
     this.observer = new ResizeObserver(changed);
     this.observer.observe(this.$el);
@@ -33,13 +36,21 @@ export default {
   },
   beforeUnmount() { this.stop(); this.observer.disconnect(); },
   methods: {
-    turnView() { this.camera.isSpace = !this.camera.isSpace; changed(); },
+    turnView() {
+      const views = this.axes.length > 2 ? Object.keys(VIEWS) : ["top"];
+      this.showFrom(views[(views.indexOf(this.camera.view) + 1) % views.length]);
+    },
+    showFrom(view) {
+      if (view !== "top" && this.axes.length < 3) return;
+      Object.assign(this.camera, { view, turn: -0.55, tilt: 0.9, zoom: 1, x: 0, y: 0 });
+      changed();
+    },
 
     // --- pointer -----------------------------------------------------------------------------
     drag(event) {
       const dx = event.offsetX - this.grip.x, dy = event.offsetY - this.grip.y, { start } = this.grip;
       if (Math.hypot(dx, dy) > 4) this.grip.isMoved = true;
-      if (this.camera.isSpace && !event.shiftKey) {
+      if (!VIEWS[this.camera.view] && !event.shiftKey) {
         this.camera.turn = start.turn + dx * 0.008;
         this.camera.tilt = clamp(start.tilt + dy * 0.008, 0, Math.PI / 2);
       } else { this.camera.x = start.x + dx; this.camera.y = start.y + dy; }
@@ -89,14 +100,14 @@ export default {
       this.bounds = [0, 1, 2].map((axis) => {
         const values = this.places[axis];
         let low = Infinity, high = -Infinity;
-        for (const value of values || []) { if (value < low) low = value; if (value > high) high = value; }
+        for (const value of [...(values || []), ...this.coming(this.axes[axis])]) { if (value < low) low = value; if (value > high) high = value; }
         return low <= high ? [low, high] : [0, 0];
       });
     },
     projected(point) {
-      const [dx, dy, dz] = [0, 1, 2].map((axis) => (point[axis] || 0) - (this.bounds[axis][0] + this.bounds[axis][1]) / 2);
-      const { camera } = this;
-      if (!camera.isSpace) return [dx, -dy];
+      const away = [0, 1, 2].map((axis) => (point[axis] || 0) - (this.bounds[axis][0] + this.bounds[axis][1]) / 2);
+      const [dx, dy, dz] = away, { camera } = this, plane = VIEWS[camera.view];
+      if (plane) return [away[plane[0]], -away[plane[1]]];
       const a = Math.cos(camera.turn), b = Math.sin(camera.turn);
       const across = a * dx - b * dy, deep = b * dx + a * dy;
       return [across, -(deep * Math.cos(camera.tilt) + dz * Math.sin(camera.tilt))];
@@ -123,8 +134,10 @@ export default {
       const { pen, width, height } = sized(this.canvas, this.$el.clientHeight);
       this.measure();
       const place = this.placer();
-      if (this.camera.isSpace) this.drawBox(pen, place);
-      else this.drawGrid(pen, place, width, height);
+      if (VIEWS[this.camera.view]) this.drawGrid(pen, place, width, height, VIEWS[this.camera.view]);
+      else this.drawBox(pen, place);
+      this.drawLimits(pen, place);
+      this.drawFuture(pen, place);
       this.drawKind(pen, place, true);
       this.drawKind(pen, place, false);
       this.drawFired(pen, place);
@@ -138,8 +151,62 @@ export default {
       }
     },
     nameOf(axis) { return this.axes[axis].replace(/\.ACS\.ACT_POS$/, ""); },
-    drawGrid(pen, place, width, height) {
-      const [x0, y0] = place([0, 0, 0]), [x1] = place([1, 0, 0]), scale = x1 - x0;
+    // The columns of the future, from the first tick on that has not run.
+    coming(name) {
+      const { future } = run, column = future ? future.names.indexOf(name) : -1;
+      if (column < 0 || !future.ticks.length) return [];
+      return future.columns[column].slice(indexAt(future.ticks, run.latest) + 1);
+    },
+    // What comes if nobody writes: dimmed, on from where the branch ends, with its reactions.
+    drawFuture(pen, place) {
+      if (!run.future || !run.future.ticks.length) return;
+      const columns = this.axes.map((name) => this.coming(name)), rapid = this.coming(this.rapid);
+      const pointAt = (index) => columns.map((column) => column[index]);
+      const skipped = run.future.ticks.length - rapid.length;
+      const last = run.ticks.length - 1;
+      pen.globalAlpha = 0.38; pen.lineWidth = 1.7;
+      for (const isRapid of [true, false]) {
+        pen.strokeStyle = isRapid ? RAPID : FEED;
+        pen.setLineDash(isRapid ? [5, 4] : []);
+        pen.beginPath();
+        let before = last >= 0 && run.ticks[last] === run.latest ? this.pointAt(last) : null, isOpen = false;
+        for (let i = 0; i < rapid.length; i += 1) {
+          const point = pointAt(i);
+          if (before && rapid[i] > 0 === isRapid) {
+            if (!isOpen) pen.moveTo(...place(before));
+            pen.lineTo(...place(point));
+            isOpen = true;
+          } else isOpen = false;
+          before = point;
+        }
+        pen.stroke();
+      }
+      pen.setLineDash([]);
+      for (const [tick, , , line] of run.future.marks) {
+        const index = indexAt(run.future.ticks, tick) - skipped;
+        if (tick > run.latest && index >= 0) this.drawDiamond(pen, place(pointAt(index)), line);
+      }
+      pen.globalAlpha = 1;
+    },
+    // The software limits of the axes, as far as they have some.
+    drawLimits(pen, place) {
+      const limits = [0, 1, 2].map((axis) => (this.limits || [])[axis] || [null, null]);
+      const plane = VIEWS[this.camera.view], axes = plane || [0, 1, 2].slice(0, this.axes.length);
+      if (axes.some((axis) => limits[axis].includes(null))) return;
+      const corner = (bits) => [0, 1, 2].map((axis) => (axes.includes(axis) ? limits[axis][(bits >> axis) & 1] : 0));
+      pen.strokeStyle = LIMIT; pen.lineWidth = 1; pen.globalAlpha = 0.6; pen.setLineDash([8, 4]);
+      for (let from = 0; from < 8; from += 1) {
+        for (const axis of axes) {
+          if (from & (1 << axis)) continue;
+          pen.beginPath(); pen.moveTo(...place(corner(from))); pen.lineTo(...place(corner(from | (1 << axis)))); pen.stroke();
+        }
+      }
+      pen.setLineDash([]); pen.globalAlpha = 1;
+    },
+    drawGrid(pen, place, width, height, [right, upward]) {
+      const unit = [0, 0, 0];
+      unit[right] = 1;
+      const [x0, y0] = place([0, 0, 0]), [x1] = place(unit), scale = x1 - x0;
       pen.lineWidth = 1; pen.fillStyle = colour("--nc-soft"); pen.strokeStyle = colour("--nc-grid");
       const across = ticks(-x0 / scale, (width - x0) / scale, width / 80);
       for (const value of across.result) {
@@ -156,8 +223,8 @@ export default {
         if (y > 24 && y < height - 16) pen.fillText(value.toFixed(up.digits), 3, y);
       }
       pen.fillStyle = colour("--nc-ink");
-      pen.textAlign = "right"; pen.textBaseline = "bottom"; pen.fillText(`${this.nameOf(0)} mm`, width - 4, height - 2);
-      pen.textAlign = "left"; pen.textBaseline = "top"; pen.fillText(`${this.nameOf(1)} mm`, 3, 3);
+      pen.textAlign = "right"; pen.textBaseline = "bottom"; pen.fillText(`${this.nameOf(right)} mm`, width - 4, height - 2);
+      pen.textAlign = "left"; pen.textBaseline = "top"; pen.fillText(`${this.nameOf(upward)} mm`, 3, 3);
     },
     // The box around the path, with the lengths of its edges at their names.
     drawBox(pen, place) {
@@ -204,16 +271,19 @@ export default {
       for (const [tick, kind, , line] of run.marks) {
         const point = kind === "fired" ? this.pointOf(tick) : null;
         if (!point) continue;
-        const [x, y] = place(point), size = line && line === run.line ? 7 : 4.5;
-        pen.fillStyle = FIRED;
-        pen.beginPath();
-        pen.moveTo(x, y - size); pen.lineTo(x + size, y); pen.lineTo(x, y + size); pen.lineTo(x - size, y);
-        pen.fill();
+        this.drawDiamond(pen, place(point), line);
       }
+    },
+    drawDiamond(pen, [x, y], line) {
+      const size = line && line === run.line ? 7 : 4.5;
+      pen.fillStyle = FIRED;
+      pen.beginPath();
+      pen.moveTo(x, y - size); pen.lineTo(x + size, y); pen.lineTo(x, y + size); pen.lineTo(x - size, y);
+      pen.fill();
     },
     drawTool(pen, [x, y]) {
       pen.fillStyle = TOOL;
-      if (!this.camera.isSpace) { pen.beginPath(); pen.arc(x, y, 5.5, 0, 7); pen.fill(); return; }
+      if (VIEWS[this.camera.view]) { pen.beginPath(); pen.arc(x, y, 5.5, 0, 7); pen.fill(); return; }
       pen.beginPath(); pen.moveTo(x, y); pen.lineTo(x - 5, y - 11); pen.lineTo(x + 5, y - 11); pen.fill();
       pen.globalAlpha = 0.75; pen.fillRect(x - 5, y - 24, 10, 13); pen.globalAlpha = 1;
     },

@@ -17,6 +17,7 @@ from typing import Any
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
+from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.explaining import Explainer, Moment, why_text
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
@@ -45,7 +46,8 @@ class SharedSession:
 
     ``file`` and ``channel``: those that are shown. ``delay``: ticks to an automatic
     acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
-    command. ``stops``: those of persons, as text. ``busy``: commands under way.
+    command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
+    those that persons have given to branches.
     """
 
     def __init__(self, opener: Opener, file: str, *, acknowledges: bool, channel: int = 1) -> None:
@@ -64,6 +66,7 @@ class SharedSession:
         self._serial = self._number = 0
         self.track = Track()
         self.explainer = Explainer(self._wake.set)
+        self.ahead = Ahead()
         self._start(self._opened())
         self._thread = threading.Thread(target=self._watch, name="nctakt live", daemon=True)
         self._thread.start()
@@ -78,6 +81,7 @@ class SharedSession:
     def _start(self, session: Session) -> None:
         self.session = session
         self._serial += 1
+        self.branch_names: dict[int, str] = {}
         description = session.description
         self.texts = description.texts
         self.units = description.signals
@@ -112,6 +116,12 @@ class SharedSession:
     def moment(self) -> Moment:
         """Where the session stands, as it was seen last."""
         return self._serial, self.snapshot.branch, self.snapshot.tick
+
+    @property
+    def future_subject(self) -> FutureOf:
+        """What the future that browsers draw depends on."""
+        rapid = f"{self.prefix}PATH.RAPID"
+        return FutureOf.of(self.session, self._serial, (*self.path_signals, rapid), self.file)
 
     # --- commands -------------------------------------------------------------------------------
 
@@ -198,6 +208,11 @@ class SharedSession:
             "columns": columns,
         }
 
+    def name_branch(self, number: int, name: str) -> None:
+        """Give a branch of the tape a name, for all browsers."""
+        self.branch_names[number] = name
+        self._wake.set()
+
     def close(self) -> None:
         """End the session."""
         self.leave()
@@ -209,6 +224,7 @@ class SharedSession:
         self._wake.set()
         self._thread.join()
         self.explainer.close()
+        self.ahead.close()
 
     # --- the thread -----------------------------------------------------------------------------
 
@@ -300,6 +316,8 @@ class SharedSession:
             session.lateness[0],
             glance.channels[self.channel - 1].awaited,
         )
+        if self.path_signals:
+            self.ahead.wish(self.future_subject, session)
         if is_playing:
             self.explainer.forget_wish()
         else:

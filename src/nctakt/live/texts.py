@@ -51,14 +51,32 @@ _WORDS: dict[str, tuple[str, str]] = {
     "toggle_stop": ("Stop in this line, or not", "Haltepunkt in dieser Zeile setzen, löschen"),
     # Lists.
     "lists": (
-        "Findings, messages, events, why, stops",
-        "Befunde, Meldungen, Ereignisse, Warum, Stopps",
+        "Findings, messages, events, why, stops, branches",
+        "Befunde, Meldungen, Ereignisse, Warum, Haltepunkte, Zweige",
     ),
     "findings": ("Findings", "Befunde"),
     "messages": ("Messages", "Meldungen"),
     "events": ("Events", "Ereignisse"),
     "why": ("Why", "Warum"),
     "stops": ("Stops", "Haltepunkte"),
+    "branches": ("Branches", "Zweige"),
+    "branch_name": ("Name", "Name"),
+    "branch_origin": ("leaves {branch} at tick {tick}", "verlässt {branch} in Takt {tick}"),
+    "branch_end": ("up to tick {tick}", "bis Takt {tick}"),
+    "take_up": ("Go on with it", "Hier weitermachen"),
+    "compare": ("Compare with the branch shown", "Mit dem gezeigten Zweig vergleichen"),
+    "difference": (
+        "Branches {one} and {other} are the same before tick {fork}. Signals differ first in tick "
+        "{tick}:",
+        "Die Zweige {one} und {other} sind vor Takt {fork} gleich. Signale unterscheiden sich "
+        "zuerst in Takt {tick}:",
+    ),
+    "no_difference": (
+        "Branches {one} and {other}: no signal differs up to tick {end}, which both have reached.",
+        "Zweige {one} und {other}: kein Signal ist verschieden bis Takt {end}, den beide erreicht "
+        "haben.",
+    ),
+    "more_signals": ("and {count} more", "und {count} weitere"),
     "no_findings": ("The check finds nothing.", "Die Prüfung findet nichts."),
     "no_messages": ("No messages.", "Keine Meldungen."),
     "no_events": ("No events.", "Keine Ereignisse."),
@@ -104,7 +122,19 @@ _WORDS: dict[str, tuple[str, str]] = {
     "scope_right": ("Scroll the scope forward", "Oszilloskop weiterschieben"),
     "scope_in": ("Zoom the scope in", "Oszilloskop vergrößern"),
     "scope_out": ("Zoom the scope out", "Oszilloskop verkleinern"),
-    "turn_view": ("Path in space or in the plane", "Bahn im Raum oder in der Ebene"),
+    "turn_view": ("Another view of the path", "Andere Ansicht der Bahn"),
+    "view_space": ("In space", "Räumlich"),
+    "view_top": ("From above", "Von oben"),
+    "view_front": ("From the front", "Von vorn"),
+    "view_side": ("From the side", "Von der Seite"),
+    "future_line": ("to come", "kommt noch"),
+    "future_over": ("", ""),
+    "future_wait": ("then the program waits", "dann wartet das Programm"),
+    "future_later": ("goes on after that", "geht danach weiter"),
+    "future_unknown": (
+        "What comes is not known: it depends on a PLC or a model outside.",
+        "Was kommt, ist nicht bekannt: Es hängt von einer SPS oder einem Modell außerhalb ab.",
+    ),
     "feed_line": ("feed", "Vorschub"),
     "rapid_line": ("rapid", "Eilgang"),
     "fired_mark": ("reaction", "Reaktion"),
@@ -171,6 +201,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "tab_events": ("Events", "Ereignisse"),
     "tab_why": ("Why", "Warum"),
     "tab_stops": ("Stops", "Haltepunkte"),
+    "tab_branches": ("Branches", "Zweige"),
     "too_many": (
         "503: too many browsers look at this page already ({count}). Close one of them.",
         "503: zu viele Browser zeigen diese Seite schon ({count}). Einen davon schließen.",

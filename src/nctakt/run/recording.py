@@ -120,6 +120,10 @@ class Recording:
         """Let a further listener have what is recorded from now on; it is not opened."""
         self._listen((*self._sinks, sink))
 
+    def remove(self, sink: Sink) -> None:
+        """Let a sink get nothing more."""
+        self._listen([known for known in self._sinks if known is not sink])
+
     def reduce_to(self, sink: Sink) -> None:
         """Let no other listener have what is recorded from now on."""
         self._listen([sink])

@@ -641,6 +641,7 @@ class Engine:
             raise Failure(*(self._machine.unknown_signal(name) for name in unknown))
         cells = tuple(known[name][0] for name in signals)
         self._watch(())
+        self._trail.keeps = False
         found = bytearray()
         if every > 1:
             memory = self._machine.cells
@@ -653,6 +654,7 @@ class Engine:
         self._select(cells)
         self._loop.recording.add(collector)
         self._run.advance(end)
+        self._loop.recording.remove(collector)
         return bytes(found)
 
     # --- the end --------------------------------------------------------------------------------

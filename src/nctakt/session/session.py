@@ -24,8 +24,10 @@ from nctakt.run.input_words import API
 from nctakt.run.inputs import Input
 from nctakt.run.options import ProgramOptions, check_keywords, merged, with_keywords
 from nctakt.run.program_loader import NcText
+from nctakt.session.ahead import UNKNOWN, Future, run_ahead
 from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
+from nctakt.session.comparing import BranchDifference
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.listening import Listener
@@ -173,6 +175,22 @@ class Session:
     def branches(self) -> dict[int, int]:
         """The branches of the tape, each with the tick that it has reached."""
         return {branch.number: branch.latest for branch in self._story.branches}
+
+    @property
+    def origins(self) -> dict[int, tuple[int, int]]:
+        """The branches of the tape, each with the branch that it left and its own first tick.
+
+        The first one has left none: 0.
+        """
+        return {
+            branch.number: (0 if branch.parent is None else branch.parent.number, branch.first_tick)
+            for branch in self._story.branches
+        }
+
+    @property
+    def input_count(self) -> int:
+        """The number of inputs that the branch has of its own."""
+        return len(self._story.branch.inputs)
 
     @property
     def stops(self) -> tuple[StopAt, ...]:
@@ -414,6 +432,18 @@ class Session:
         Of the events there are at most the latest 1,000. The session stays where it is.
         """
         return self._ask(self._story.happened, first, end)
+
+    def future(self, *signals: str) -> Iterator[Future]:
+        """Run a copy ahead from where the branch ends; each item knows more of the future.
+
+        The session goes on meanwhile. What it shows is what happens unless somebody writes.
+        """
+        engine = self._ask(self._story.ahead)
+        return iter((UNKNOWN,)) if engine is None else run_ahead(engine, signals)
+
+    def compare_branches(self, one: int, other: int) -> BranchDifference:
+        """Return where the signals of two branches differ first; raises ``Failure`` (901157)."""
+        return self._ask(self._story.compare, one, other, self._poll)
 
     def why(self) -> WhyReport:
         """Return why reactions have fired up to here, or have not; the session goes on meanwhile.

@@ -20,12 +20,14 @@ from nctakt.results.run import Run
 from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
 from nctakt.session.branch import Branch
+from nctakt.session.comparing import BranchDifference
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt
 from nctakt.session.timeline import Poll, Timeline
+from nctakt.session.workshop import RemoteEngine
 
 #: Rows that a look at a stretch of the session returns at most.
 MAX_ROWS = 20_000
@@ -271,6 +273,16 @@ class Story:
         finally:
             engine.close()
         return every, memoryview(data).cast("d")
+
+    def ahead(self) -> RemoteEngine | None:
+        """Return a copy to run ahead, ``None`` where there is no future to know."""
+        return self._timeline.ahead()
+
+    def compare(self, one: int, other: int, poll: Poll) -> BranchDifference:
+        """Return where all signals of two branches differ first."""
+        signals = self.description.signals
+        shorter = (name.removeprefix("CH1.") for name in signals)
+        return self._timeline.compare(one, other, tuple(dict.fromkeys(shorter)), poll)
 
     def happened(self, first: int, end: int) -> Slice:
         """Return what the ticks from ``first`` up to ``end`` have done.

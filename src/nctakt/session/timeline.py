@@ -13,6 +13,7 @@ import contextlib
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from pathlib import Path
 from typing import cast
 
 from nctakt.base.diagnostics import Language
@@ -23,6 +24,8 @@ from nctakt.messages.session import NO_SUCH_BRANCH, PLC_HOLDS_OPEN, TICK_NOT_REA
 from nctakt.run.inputs import PLC, SCHEDULE, Input, in_order
 from nctakt.session.branch import Branch, index_of
 from nctakt.session.columns import WRITE_KINDS, Necessary
+from nctakt.session.comparing import BranchDifference, fork_of
+from nctakt.session.comparing import first_difference as differing
 from nctakt.session.confirmed import Confirmed
 from nctakt.session.engine import Evidence, Slice, joined
 from nctakt.session.parked import Parked, ParkedControllers
@@ -39,6 +42,7 @@ from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import BLOCKS, StopAt
 from nctakt.session.workshop import ProcessPool, RemoteEngine
+from nctakt.st.files.project import PLC_SUFFIXES
 
 #: Ticks, and marks, between two calls of ``poll`` while the past is run again.
 PART_TICKS = 100_000
@@ -472,15 +476,15 @@ class Timeline:
 
     # --- looking --------------------------------------------------------------------------------
 
-    def trial(self, tick: int) -> RemoteEngine:
-        """Return a controller before a tick of this branch that never joins the session.
+    def trial(self, tick: int, branch: Branch | None = None) -> RemoteEngine:
+        """Return a controller before a tick of a branch that never joins the session.
 
         Close it after use; ``confirm`` what it shows. Raises ``Failure`` (901154, 901901).
         """
-        target = self.branch
+        target = self.branch if branch is None else branch
         if not 0 <= tick <= target.latest:
             raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
-        if self._can_copy and self.tick == tick:
+        if self._can_copy and target is self.branch and self.tick == tick:
             return self.live.copy()
         self._refuse_without_past()
         engine = self._woken(target, self._parked.nearest(target, tick))
@@ -492,6 +496,35 @@ class Timeline:
         finally:
             self.progress = None
         return engine
+
+    def ahead(self) -> RemoteEngine | None:
+        """Return a controller at the end of this branch to run ahead, in whichever thread.
+
+        ``None`` where what comes depends on somebody outside who cannot be copied: a PLC in Python
+        or a model that may reach beyond this process, a schedule on the real clock.
+        """
+        plc, options = self._setup.plc, self._setup.options
+        is_outside = plc is not None and Path(plc).suffix.lower() not in PLC_SUFFIXES
+        if not self._can_copy or is_outside or options.get("fmu") is not None:
+            return None
+        engine = self.trial(self.branch.latest)
+        engine.is_apart = True
+        return engine
+
+    def compare(self, one: int, other: int, signals: Sequence[str], poll: Poll) -> BranchDifference:
+        """Return where two branches differ first; raises ``Failure`` (901157)."""
+        branches = self._branch(one), self._branch(other)
+        fork = fork_of(*branches)
+        engines: list[RemoteEngine] = []
+        try:
+            for branch in branches:
+                engines.append(self.trial(fork, branch))
+            end = min(branch.latest for branch in branches)
+            return differing((engines[0], engines[1]), end, signals, poll)
+        finally:
+            for engine in engines:
+                engine.close()
+            self.progress = None
 
     def happened(self, first: int, end: int) -> Slice:
         """Return what the ticks of this branch from ``first`` up to ``end`` have done."""

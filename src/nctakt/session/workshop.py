@@ -45,6 +45,7 @@ class RemoteEngine:
 
     Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it stands;
     ``process``: the number of its process; ``took_s``: how long the latest request has taken there.
+    ``is_apart``: a thread of its own asks it, and nobody is to abandon it.
     """
 
     def __init__(
@@ -57,6 +58,7 @@ class RemoteEngine:
         self._listed: Sequence[str] = ()
         self._unread = 0
         self.took_s = 0.0
+        self.is_apart = False
 
     def ask(self, request: str, *words: Any) -> Any:
         """Return the answer to a request; raises as well what an order before it has led to."""
@@ -90,13 +92,15 @@ class RemoteEngine:
     @contextlib.contextmanager
     def _watched(self) -> Iterator[None]:
         """Let the process be killed while it is spoken to; raises ``Failure`` where it is gone."""
-        self._workshop.asked = self
+        if not self.is_apart:
+            self._workshop.asked = self
         try:
             yield
         except (EOFError, OSError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
         finally:
-            self._workshop.asked = None
+            if not self.is_apart:
+                self._workshop.asked = None
 
     def copy(self) -> RemoteEngine:
         """Return a copy at the same tick, in a process of its own."""

@@ -7,7 +7,8 @@ const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 500
 export const run = {
   names: [], units: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],
   conditions: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
-  block: 0, tick: -1, latest: -1, // the last tick that has run: all values are those after it isPlaying: false, cycleUs: 1000, detail: null, words: {},
+  block: 0, tick: -1, latest: -1, // the last tick that has run: all values are those after it
+  isPlaying: false, future: null, cycleUs: 1000, detail: null, words: {},
   cursor: null, line: 0, from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
@@ -24,7 +25,7 @@ const trim = (list, size) => { if (list.length > size) list.splice(0, list.lengt
 
 // Adds what the server sends: each part is new as a whole or goes on behind what is here.
 export const take = (news) => {
-  for (const name of ["names", "units", "hidden", "now", "block", "conditions", "words", "cycleUs", "tick", "latest", "isPlaying", "bars"]) {
+  for (const name of ["names", "units", "hidden", "now", "block", "conditions", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future"]) {
     if (news[name] !== undefined) run[name] = news[name];
   }
   if (news.rows) {

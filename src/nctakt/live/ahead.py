@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: MIT
+"""The path that is to come: what a copy of the session's controller runs into if nobody writes.
+
+In: a session, and up to which input it is known. Out: for browsers the ticks, positions and
+reactions to come, made in a thread of its own, and why they end where they do.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.live.track import marks_of
+from nctakt.live.view import rounded
+from nctakt.session.ahead import Future
+from nctakt.session.session import Session
+
+#: How long the inputs stay as they are before the future is drawn anew, in seconds.
+_REST_S = 0.3
+
+#: Ticks of a branch after which its future is looked for again: it reaches farther than that.
+_AGAIN_TICKS = 250_000
+
+
+@dataclass(frozen=True, slots=True)
+class FutureOf:
+    """What a future depends on.
+
+    The session's serial number, branch and number of inputs, what is shown, and how far it is.
+    """
+
+    serial: int
+    branch: int
+    inputs: int
+    signals: tuple[str, ...]
+    file: str
+    stretch: int
+
+    @classmethod
+    def of(cls, session: Session, serial: int, signals: Sequence[str], file: str) -> FutureOf:
+        """Return what the future of a session depends on now."""
+        branch = session.branch
+        stretch = session.branches[branch] // _AGAIN_TICKS
+        return cls(serial, branch, session.input_count, tuple(signals), file, stretch)
+
+
+class Ahead:
+    """The future of a session, for all browsers."""
+
+    def __init__(self) -> None:
+        self._known: tuple[FutureOf, dict[str, Any]] | None = None
+        self._wish: tuple[FutureOf, Session] | None = None
+        self._done: tuple[FutureOf, Session] | None = None
+        self._changed = threading.Condition()
+        self._is_closed = False
+        self._thread = threading.Thread(target=self._work, name="nctakt ahead", daemon=True)
+        self._thread.start()
+
+    def wish(self, subject: FutureOf, session: Session) -> None:
+        """Let the future of a session be known."""
+        with self._changed:
+            if self._wish is None or self._wish[0] != subject:
+                self._wish = subject, session
+                self._changed.notify_all()
+
+    def shown(self, subject: FutureOf) -> dict[str, Any] | None:
+        """Return the future for browsers; ``None`` while it is not known."""
+        known = self._known
+        return known[1] if known is not None and known[0] == subject else None
+
+    def _work(self) -> None:
+        while True:
+            with self._changed:
+                self._changed.wait_for(lambda: self._is_closed or self._wish != self._done)
+                wish, done = self._wish, self._done
+                if wish is None or self._is_closed:
+                    return
+                is_new = done is None or wish[0].serial != done[0].serial
+                is_replaced = partial(self._is_replaced, wish)
+                if not is_new and self._changed.wait_for(is_replaced, _REST_S):
+                    continue
+                self._done = wish
+            try:
+                self._look(*wish)
+            except (Failure, RuntimeError):
+                continue  # the session is closed, or its past has changed: nothing is shown
+
+    def _is_replaced(self, wish: tuple[FutureOf, Session]) -> bool:
+        return self._wish is not wish or self._is_closed
+
+    def _look(self, subject: FutureOf, session: Session) -> None:
+        futures = session.future(*subject.signals)
+        for future in futures:
+            if self._is_closed or self._wish is None or self._wish[0] != subject:
+                close = getattr(futures, "close", None)  # the copy ends with it
+                if close is not None:
+                    close()
+                return
+            self._known = subject, drawn(future, subject.signals, subject.file)
+
+    def close(self) -> None:
+        """End the thread."""
+        with self._changed:
+            self._is_closed = True
+            self._changed.notify_all()
+
+
+def drawn(future: Future, signals: Sequence[str], file: str) -> dict[str, Any]:
+    """Return a future as browsers draw it."""
+    return {
+        "names": list(signals),
+        "ticks": list(future.ticks),
+        "columns": [[rounded(value) for value in column] for column in future.columns],
+        "marks": [mark for mark in marks_of(future.events, file) if mark[1] == "fired"],
+        "reason": future.reason,
+    }

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""What a session will do if nobody writes anything more: a copy of its controller runs ahead.
+
+In: a copy that stands where its branch ends. Out: sampled signals and events of the ticks to come.
+The copy is thrown away; what it does reaches nobody else.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Literal
+
+from nctakt.base.dataclass import dataclass
+from nctakt.session.stops import StopAt
+from nctakt.session.workshop import RemoteEngine
+from nctakt.trace.events import Event
+
+#: Ticks that a copy runs ahead at most.
+MAX_AHEAD = 500_000
+
+#: Rows and events that are kept; beyond as many rows every second one is left out.
+MAX_POINTS, MAX_EVENTS = 4000, 2000
+
+#: Rows between two looks whether the run is over or waits.
+_PART = 250
+
+_BLOCK = StopAt("block")
+
+
+@dataclass(frozen=True, slots=True)
+class Future:
+    """The signals after some ticks to come, column by column, and the events of all of them.
+
+    ``reason``: why it ends where it does: the run is ``over``, all programs ``wait`` for somebody
+    outside, or it goes on ``later``; ``unknown``: there is none to show, since it depends on
+    somebody outside.
+    """
+
+    ticks: tuple[int, ...]
+    columns: tuple[tuple[float, ...], ...]
+    events: tuple[Event, ...]
+    reason: Literal["over", "wait", "later", "unknown"]
+
+
+UNKNOWN = Future((), (), (), "unknown")
+
+
+def run_ahead(engine: RemoteEngine, signals: Sequence[str]) -> Iterator[Future]:
+    """Run a copy ahead; what is known of the future grows with each item. Closes the copy."""
+    ticks: list[int] = []
+    rows: list[tuple[float, ...]] = []
+    events: list[Event] = []
+    first, every, width = engine.tick, 1, len(signals)
+    try:
+        while True:
+            begin = engine.tick
+            end = min(begin + every * _PART, first + MAX_AHEAD)
+            cells = memoryview(engine.ask("look", end, list(signals), every)).cast("d").tolist()
+            done = engine.run(end, (_BLOCK,), rests=True)
+            last = done.tick - 1
+            for row in range(len(cells) // width):
+                ticks.append(min(begin + (row + 1) * every - 1, last))
+                rows.append(tuple(cells[row * width : (row + 1) * width]))
+            events = [*events, *done.events][:MAX_EVENTS]
+            while len(rows) > MAX_POINTS:
+                ticks, rows, every = ticks[1::2], rows[1::2], 2 * every
+            reason: Literal["over", "wait", "later"] = "later"
+            if done.run_state is not None:
+                reason = "over"
+            elif done.is_resting:
+                reason = "wait"
+            columns = tuple(zip(*rows, strict=True)) if rows else ((),) * width
+            yield Future(tuple(ticks), columns, tuple(events), reason)
+            if reason != "later" or done.tick >= first + MAX_AHEAD:
+                return
+    finally:
+        engine.close()

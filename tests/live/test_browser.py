@@ -316,6 +316,55 @@ def test_branches_of_the_tape(browser: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.nightly
+def test_what_is_saved_from_the_page(browser: Any, tmp_path: Path) -> None:
+    """The tape of the branch, and a trace with a row for each of its ticks."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        for tick in (0, 1, 2):
+            page.keyboard.press(".")
+            expect(page.get_by_test_id("clock")).to_contain_text(f"Tick {tick} ")
+        for kind in ("tape", "csv"):
+            page.get_by_test_id("save-run").click()
+            with page.expect_download() as fetched:
+                page.get_by_test_id(f"save-{kind}").click()
+            fetched.value.save_as(tmp_path / fetched.value.suggested_filename)
+        rows = (tmp_path / "part.csv").read_text("utf-8").splitlines()
+        assert [row.partition(",")[0] for row in rows] == ["tick", "0", "1", "2"]
+        assert '"tape"' in (tmp_path / "part.tape").read_text("utf-8")
+        page.close()
+
+
+@pytest.mark.nightly
+def test_two_ticks_are_compared(browser: Any, tmp_path: Path) -> None:
+    """A tick is marked by key; a stretch is selected by Shift and dragging, and shown alone."""
+    path = written(tmp_path)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        page.get_by_test_id("speed").click()
+        page.get_by_role("option", name="max").click()
+        page.keyboard.press("Escape")
+        page.get_by_test_id("toggle").click()
+        expect(page.get_by_test_id("state")).to_have_text(re.compile("^ended"))
+        page.wait_for_function("nctaktRun.run.ticks.at(-1) === nctaktRun.run.latest")
+        page.keyboard.press("m")
+        page.wait_for_function("nctaktRun.run.anchor === nctaktRun.run.latest")
+        scope = page.get_by_test_id("scope").bounding_box()
+        middle = scope["y"] + scope["height"] / 2
+        page.keyboard.down("Shift")
+        page.mouse.move(scope["x"] + scope["width"] * 0.4, middle)
+        page.mouse.down()
+        page.mouse.move(scope["x"] + scope["width"] * 0.6, middle, steps=4)
+        page.mouse.up()
+        page.keyboard.up("Shift")
+        anchor, head = page.evaluate("[nctaktRun.run.anchor, nctaktRun.run.head]")
+        assert 0 < anchor < head < page.evaluate("nctaktRun.run.latest")
+        page.get_by_test_id("zoom_in").click()
+        assert page.evaluate("[nctaktRun.run.from, nctaktRun.run.to]") == [anchor, head]
+        page.close()
+
+
+@pytest.mark.nightly
 def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
     """Ticks, blocks, the panel, the lists and the help by keys alone."""
     path = written(tmp_path)

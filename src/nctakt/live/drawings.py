@@ -20,6 +20,7 @@ from nctakt.base.failure import Failure
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
 from nctakt.live.naming import card, explained, named
+from nctakt.live.saving import Saving
 from nctakt.live.track import Seen
 
 _HERE = Path(__file__).parent
@@ -71,6 +72,7 @@ class Drawings:
                 ):
                     button = ui.button(icon=icon).props(f"flat dense size=sm data-testid={name}")
                     explained(button.on("click", js_handler=_ZOOMS[name]), texts[name])
+                Saving(self._commander)
                 self._signals = (
                     ui.select(
                         view.choosable(self._shared.units),
@@ -87,7 +89,7 @@ class Drawings:
                 )
                 named(self._signals, texts["signals"])
             self._scope = Scope().props("data-testid=scope")
-            self._scope.props["words"] = {"line": texts["line"]}
+            self._scope.props["words"] = {"line": texts["line"], "ticks": texts["delay"]}
             self._scope.props["name"] = texts["scope_name"]
             self._scope.on("travel", self._travel)
             self._scope.on("stretch", self._wish_stretch)
@@ -209,6 +211,10 @@ class Drawings:
         """Scroll the scope by a share of what it shows."""
         self._scope.run_method("panBy", share)
 
+    def mark(self) -> None:
+        """Compare values with those of this tick from now on, or no more."""
+        self._scope.run_method("mark")
+
     def fit(self) -> None:
         """Show all in the scope."""
         self._scope.run_method("fit")
@@ -223,7 +229,7 @@ class Drawings:
 
 _STEP = "() => { const { run, zoom } = globalThis.nctaktRun; zoom((run.from + run.to) / 2, %s); }"
 _ZOOMS = {
-    "zoom_in": _STEP % "0.6",
+    "zoom_in": "() => globalThis.nctaktRun.zoomIn()",
     "zoom_out": _STEP % "1.6",
     "scope_fit": "() => globalThis.nctaktRun.fit()",
 }

@@ -74,6 +74,7 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
             _same("ArrowUp", "scope_in", "↑"),
             _same("ArrowDown", "scope_out", "↓"),
             _same("0", "scope_fit", "0"),
+            _same("m", "scope_mark", "M"),
             _same("v", "turn_view", "V"),
             _same("1", "tab_findings", "1"),
             _same("2", "tab_messages", "2"),

@@ -335,6 +335,7 @@ class Page:
             "scope_in": lambda: drawings.zoom(0.6),
             "scope_out": lambda: drawings.zoom(1.6),
             "scope_fit": drawings.fit,
+            "scope_mark": drawings.mark,
             "turn_view": drawings.turn_view,
             "take_pen": self._take_pen,
             "dark": self._switch_dark,

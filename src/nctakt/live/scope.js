@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scope: conditions as lanes, curves by unit, marks of reactions and functions, one cursor.
 import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
-import { blockAt, changed, curves, fit, indexAt, laneBars, listen, pan, run, seconds, show, take, zoom } from "nctakt-store";
+import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, take, zoom } from "nctakt-store";
 
 const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
@@ -32,6 +32,7 @@ export default {
     take(news) { take(news); },
     fit() { fit(); },
     zoomBy(factor) { zoom((run.from + run.to) / 2, factor); this.ask(); },
+    mark() { mark(); },
     panBy(share) { pan(share); this.ask(); },
 
     // --- places ------------------------------------------------------------------------------
@@ -55,7 +56,10 @@ export default {
         const way = event.offsetX - this.grip.x;
         if (Math.abs(way) > 4) this.grip.isMoved = true;
         const shift = (way / this.inner()) * (this.grip.to - this.grip.from);
-        if (this.grip.isMoved) show(this.grip.from - shift, this.grip.to - shift);
+        if (this.grip.isMoved && this.grip.anchor !== null) {
+          run.anchor = this.grip.anchor;
+          run.head = this.tickAt(event.offsetX);
+        } else if (this.grip.isMoved) show(this.grip.from - shift, this.grip.to - shift);
       }
       run.cursor = this.tickAt(event.offsetX);
       changed();
@@ -70,7 +74,8 @@ export default {
       this.canvas.setPointerCapture(event.pointerId);
       this.pointers.set(event.pointerId, event.offsetX);
       this.width = 0;
-      this.grip = { x: event.offsetX, from: run.from, to: run.to, isMoved: this.pointers.size > 1 };
+      this.grip = { x: event.offsetX, from: run.from, to: run.to, isMoved: this.pointers.size > 1,
+        anchor: event.shiftKey ? this.tickAt(event.offsetX) : null };
     },
     release(event) {
       const { grip } = this;
@@ -78,6 +83,11 @@ export default {
       this.grip = null;
       if (!grip) return;
       if (grip.isMoved) this.ask();
+      else if (grip.anchor !== null) {
+        run.anchor = grip.anchor === run.anchor ? null : grip.anchor;
+        run.head = null;
+        changed();
+      }
       else if (event.offsetX >= LEFT) {
         this.$emit("travel", clamp(this.tickAt(event.offsetX), 0, run.latest));
       }
@@ -230,14 +240,18 @@ export default {
       pen.stroke();
     },
     drawLegend(pen, shown, unit, indices, tints, top, width) {
-      const at = run.cursor === null ? -1 : indexAt(shown.ticks, run.cursor);
+      const both = compared(), tick = both ? both[1] : run.cursor, isNow = tick === null || tick === run.tick;
+      const at = tick === null ? -1 : indexAt(shown.ticks, tick);
+      const from = both ? indexAt(shown.ticks, both[0]) : -1;
       pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
       pen.fillText(unit, LEFT - 5, top + 6);
       let x = LEFT + 4;
       pen.textAlign = "left";
       indices.forEach((index, place) => {
-        const value = run.cursor === null ? run.now[index] : at < 0 ? null : shown.columns[index][at];
-        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}`;
+        const value = isNow ? run.now[index] : at < 0 ? null : shown.columns[index][at];
+        const before = from < 0 ? null : shown.columns[index][from];
+        const away = Number.isFinite(value) && Number.isFinite(before) ? ` Δ ${short(value - before)}` : "";
+        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}${away}`;
         const room = width - RIGHT - x - 14;
         if (room < 24) return;
         pen.fillStyle = tints[place]; pen.fillRect(x, top + 4, 9, 4);
@@ -247,6 +261,27 @@ export default {
         x += 12 + pen.measureText(`${drawn}  `).width + 6;
       });
     },
+    // What is compared: the stretch between two ticks, with its length.
+    drawCompared(pen, width, top, bottom) {
+      const both = compared();
+      if (!both) return;
+      const [left, right] = [Math.min(...both), Math.max(...both)].map((tick) => clamp(this.xOf(tick), LEFT, width - RIGHT));
+      pen.fillStyle = colour("--nc-chosen");
+      if (run.head !== null) pen.fillRect(left, top, right - left, bottom - top);
+      pen.strokeStyle = "#7c6ff0"; pen.lineWidth = 1.4;
+      for (const tick of both) {
+        if (tick < run.from || tick > run.to) continue;
+        const x = this.xOf(tick);
+        pen.beginPath(); pen.moveTo(x, top); pen.lineTo(x, bottom); pen.stroke();
+      }
+      const ticksAway = both[1] - both[0];
+      const text = `Δ ${Number(seconds(ticksAway).toFixed(6))} s · ${ticksAway} ${run.words.ticks}`;
+      const wide = pen.measureText(text).width + 10;
+      const at = clamp((left + right - wide) / 2, LEFT, width - RIGHT - wide);
+      pen.fillStyle = colour("--nc-card"); pen.fillRect(at, bottom - 16, wide, 15);
+      pen.fillStyle = colour("--nc-ink"); pen.textAlign = "left"; pen.textBaseline = "middle";
+      pen.fillText(text, at + 5, bottom - 8);
+    },
     // Where the session stands, and the cursor with its time and line.
     drawPlaces(pen, width, top, bottom) {
       if (run.tick >= run.from && run.tick <= run.to) {
@@ -254,6 +289,7 @@ export default {
         pen.strokeStyle = "#d64545"; pen.lineWidth = 1.6;
         pen.beginPath(); pen.moveTo(x, top); pen.lineTo(x, bottom); pen.stroke();
       }
+      this.drawCompared(pen, width, top, bottom);
       if (run.cursor === null || run.cursor < run.from || run.cursor > run.to) return;
       const x = this.xOf(run.cursor), block = blockAt(run.cursor);
       pen.strokeStyle = colour("--nc-ink"); pen.lineWidth = 1; pen.setLineDash([3, 3]);

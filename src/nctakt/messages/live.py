@@ -46,6 +46,15 @@ MESSAGE_NOT_READABLE = warning(
     remedy_de="Der Lauf geht weiter. Kommt es nach dem Neuladen wieder, bitte mit NCTAKT_DEBUG=1 "
     "melden.",
 )
+RUN_NOT_SAVED = error(
+    902700,
+    en="the page cannot save the run as {kind}: {reason}",
+    de="die Seite kann den Lauf nicht als {kind} speichern: {reason}",
+    remedy_en="Save the tape, and write the file with nctakt replay, which says more.",
+    remedy_de="Das Band speichern und die Datei mit nctakt replay schreiben, das mehr sagt.",
+    kind=("the kind of file", "die Art der Datei"),
+    reason=("why not", "warum nicht"),
+)
 SESSION_IS_SHARED = error(
     901475,
     en="the page shares this run with other clients, so it cannot begin it anew",

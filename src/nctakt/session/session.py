@@ -188,6 +188,11 @@ class Session:
         }
 
     @property
+    def folders(self) -> tuple[str | Path, ...]:
+        """The only folders whose files may be read, where there are any."""
+        return tuple(self._setup.folders)
+
+    @property
     def input_count(self) -> int:
         """The number of inputs that the branch has of its own."""
         return len(self._story.branch.inputs)

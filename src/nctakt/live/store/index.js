@@ -9,7 +9,8 @@ export const run = {
   conditions: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
   block: 0, tick: -1, latest: -1, // the last tick that has run: all values are those after it
   isPlaying: false, future: null, cycleUs: 1000, detail: null, words: {},
-  cursor: null, line: 0, from: 0, to: 1, follows: true, span: 0,
+  cursor: null, anchor: null, head: null, line: 0, // between anchor and head: what a person compares
+  from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
 let isDue = false;
@@ -91,6 +92,21 @@ export const zoom = (tick, factor) => {
     changed();
   } else show(tick - (tick - run.from) * factor, tick + (run.to - tick) * factor);
 };
+// The two ticks that a person compares, null without; the later one follows the pointer, else the session.
+export const compared = () => {
+  if (run.anchor === null) return null;
+  return [run.anchor, run.head ?? run.cursor ?? run.tick];
+};
+export const mark = () => {
+  run.anchor = run.anchor === null ? Math.max(0, run.tick) : null;
+  run.head = null;
+  changed();
+};
+// Shows what is selected, else half of what is shown.
+export const zoomIn = () => {
+  if (run.anchor === null || run.head === null) { zoom((run.from + run.to) / 2, 0.6); return; }
+  show(Math.min(run.anchor, run.head), Math.max(run.anchor, run.head));
+};
 export const pan = (share) => show(run.from + share * (run.to - run.from), run.to + share * (run.to - run.from));
 export const fit = () => { run.span = 0; follow(); changed(); };
 
@@ -135,4 +151,4 @@ export const laneBars = (line, row) => {
 };
 export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
 
-globalThis.nctaktRun = { run, show, zoom, pan, fit, changed, listen, blockAt, laneBars };
+globalThis.nctaktRun = { run, show, zoom, zoomIn, mark, pan, fit, changed, listen, blockAt, laneBars };

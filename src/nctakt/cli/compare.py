@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -25,6 +26,7 @@ from nctakt.cli.running import (
     exit_code,
     run_options,
     run_programs,
+    schedule_of,
     shown_from,
     start_controller,
 )
@@ -38,6 +40,10 @@ from nctakt.messages.comparison import TOLERANCE_UNREADABLE
 if TYPE_CHECKING:
     from nctakt.comparison.comparison import Comparison
     from nctakt.comparison.mapping import MappingFile
+    from nctakt.lists.machine.machine import Machine
+    from nctakt.proposals.changes import Change
+    from nctakt.proposals.nearer import Proposals
+    from nctakt.results.run import Run
 
 _CODES = (
     Text("the run is within the tolerances", "der Lauf liegt innerhalb der Toleranzen"),
@@ -67,6 +73,7 @@ _CODES = (
         "nctakt compare scope.csv part.nc --machine mill",
         "nctakt compare scope.csv part.nc --tolerance 0.05 --tolerance S.SPEED=20",
         "nctakt compare scope.csv part.nc --map scope.toml --offset 1.25s",
+        "nctakt compare scope.csv part.nc --propose",
     ),
 )
 @click.argument("log")
@@ -103,9 +110,19 @@ _CODES = (
     group="files",
     text=Text("Draw both curves: .svg or .png.", "Beide Kurven zeichnen: .svg oder .png."),
 )
+@option(
+    "--propose",
+    "proposes",
+    is_flag=True,
+    text=Text(
+        "Run again with single changes of lists and override, and name those that come nearer.",
+        "Mit einzelnen Änderungen von Listen und Override wieder ausführen und nennen, was näher "
+        "kommt.",
+    ),
+)
 def command(log: str, picture: str | None, **words: Any) -> int:
     """Compare."""
-    said = {name: words.pop(name) for name in ("mapping", "tolerances", "offset")}
+    said = {name: words.pop(name) for name in ("mapping", "tolerances", "offset", "proposes")}
     return carry_out(words, lambda options, access: _compare(options, access, log, picture, **said))
 
 
@@ -117,6 +134,7 @@ def _compare(
     mapping: str | None,
     tolerances: tuple[str, ...],
     offset: str | None,
+    proposes: bool,
 ) -> int:
     """Run, compare and report; raises ``Failure`` for invalid options and logs."""
     choose_mode(options)
@@ -125,6 +143,8 @@ def _compare(
     from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
     from nctakt.lists.format.times import read_time  # noqa: PLC0415
     from nctakt.plots.picture import check_drawing  # noqa: PLC0415
+    from nctakt.proposals.changes import OVERRIDE  # noqa: PLC0415
+    from nctakt.proposals.nearer import Search  # noqa: PLC0415
 
     if picture is not None:
         check_drawing(picture)
@@ -153,8 +173,30 @@ def _compare(
         if file is not None:
             _draw(file, comparison, options)
     print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
-    _show(options, comparison)
+    proposals = None
+    if proposes:
+        again = partial(_run_again, options, access, controller.machine, recorded)
+        override = float((request.options["set"] or {}).get(OVERRIDE, 100.0))
+        search = Search(comparison, pairs, offset_us, again)
+        proposals = search.proposals(controller.machine, override)
+    _show(options, comparison, proposals)
     return max(exit_code(options, run), EXIT_RAN if comparison.is_within else EXIT_NC_ERROR)
+
+
+def _run_again(
+    options: Options,
+    access: FileAccess,
+    machine: Machine,
+    signals: tuple[str, ...],
+    change: Change,
+    value: float,
+) -> Run | None:
+    """Return the run with a change; ``None`` if it is not possible."""
+    from nctakt.proposals.changed_run import changed_run  # noqa: PLC0415 - as above
+
+    request = replace(read_request(options, access), signals=signals)  # a PLC of its own
+    schedule = schedule_of(options, access)
+    return changed_run(machine, schedule, access, request, change, value)
 
 
 def _draw(file: OutputFile, comparison: Comparison, options: Options) -> None:
@@ -177,16 +219,18 @@ def _tolerance(text: str) -> tuple[str, float]:
     return name.strip(), number
 
 
-def _show(options: Options, comparison: Comparison) -> None:
+def _show(options: Options, comparison: Comparison, proposals: Proposals | None) -> None:
     from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as above
     from nctakt.comparison.report import comparison_document, comparison_text  # noqa: PLC0415
+    from nctakt.proposals.report import proposals_document, proposals_text  # noqa: PLC0415
 
     if options.form == "json":
-        text = as_json(
-            run_document(
-                comparison.run, options.language, comparison=comparison_document(comparison)
-            )
-        )
+        document = comparison_document(comparison)
+        if proposals is not None:
+            document["proposals"] = proposals_document(proposals)
+        text = as_json(run_document(comparison.run, options.language, comparison=document))
     else:
         text = comparison_text(comparison, ", ".join(options.programs), options.language)
+        if proposals is not None:
+            text += "\n" + proposals_text(proposals, options.language)
     show_at_the_end(lambda file: print(text, end="", file=file))

@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: MIT
+"""The single changes that are tried: override, dynamics of axes, limits of the path, functions.
+
+In: a machine, the axes that move in the log, the functions of a run. Out: ``Change`` records, each
+with the value that counts now.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Literal
+
+from nctakt.base.dataclass import dataclass
+from nctakt.lists.machine.axis_configuration import AxisConfiguration, AxisType
+from nctakt.lists.machine.machine import Machine
+
+#: The operator's override of the path.
+OVERRIDE = "HLI.OVERRIDE"
+
+#: A limit of the path from here on limits nothing.
+_NO_LIMIT = 1e8
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """What is changed: a variable, a parameter of axes or a channel, how late a function is done.
+
+    ``target``: the variable, the parameter's ID, the function. ``present``: the value that counts
+    now; ``guess``: where a search begins; ``step``: values are its multiples.
+    """
+
+    kind: Literal["variable", "parameter", "function"]
+    target: str
+    of: tuple[str, ...]
+    present: float
+    guess: float
+    unit: str
+    step: float = 0.0
+
+
+def changes_of(
+    machine: Machine, axes: Sequence[str], functions: Sequence[str], override: float, tick_us: int
+) -> Iterator[Change]:
+    """Yield the changes that may be tried, those of axes for all of them together."""
+    yield Change("variable", OVERRIDE, (), override, override, "%", 0.1)
+    chosen = [axis for axis in machine.axes if axis.name in axes]
+    if chosen:
+        yield from _of_axes(chosen)
+        yield from _of_path(machine, max(axis.dynamics.max_acceleration for axis in chosen))
+    for name in functions:
+        yield Change("function", name, (), 0.0, 0.0, "ms", tick_us)
+
+
+def changes_by_axis(machine: Machine, change: Change) -> Iterator[Change]:
+    """Yield the same change for each of several axes alone."""
+    if change.kind == "parameter" and len(change.of) > 1:
+        for axis in machine.axes:
+            if axis.name in change.of:
+                yield from (one for one in _of_axes([axis]) if one.target == change.target)
+
+
+def _of_axes(axes: Sequence[AxisConfiguration]) -> Iterator[Change]:
+    names = tuple(axis.name for axis in axes)
+    first, *others = [_dynamics(axis) for axis in axes]
+    for id_, (value, unit) in first.items():
+        if all(other[id_] == (value, unit) for other in others):
+            yield Change("parameter", id_, names, value, value, unit, 1.0)
+
+
+def _dynamics(axis: AxisConfiguration) -> dict[str, tuple[float, str]]:
+    """Return the dynamics of the axis's gear step: ID -> value and unit as in its list."""
+    if len(axis.gears) > 1:
+        return {}  # which step is active is for the program to say
+    found, degree = axis.dynamics, axis.type is AxisType.ROTARY
+    acceleration, speed = ("°/s²", "1e-3°/s") if degree else ("mm/s²", "µm/s")
+    slope = found.jerk_slope
+    up, fade, brake, release = slope.ramp_times_us
+    return {
+        "P-AXIS-00008": (found.max_acceleration, acceleration),
+        "P-AXIS-00011": (found.feed_slope.low, acceleration),
+        "P-AXIS-00012": (found.feed_slope.high, acceleration),
+        "P-AXIS-00005": (found.rapid_slope.low, acceleration),
+        "P-AXIS-00006": (found.rapid_slope.high, acceleration),
+        "P-AXIS-00001": (slope.acceleration, acceleration),
+        "P-AXIS-00002": (slope.deceleration, acceleration),
+        "P-AXIS-00004": (slope.rapid_acceleration, acceleration),
+        "P-AXIS-00196": (up, "µs"),
+        "P-AXIS-00195": (fade, "µs"),
+        "P-AXIS-00198": (brake, "µs"),
+        "P-AXIS-00197": (release, "µs"),
+        "P-AXIS-00200": (slope.rapid_ramp_time_us, "µs"),
+        "P-AXIS-00212": (found.max_speed * 1000.0, speed),
+        "P-AXIS-00209": (found.rapid_speed * 1000.0, speed),
+    }
+
+
+def _of_path(machine: Machine, fastest: float) -> Iterator[Change]:
+    for channel in machine.channels:
+        parameters = channel.parameters
+        unit, per = ("mm/s²", 1.0) if parameters.path_limits_per_s else ("mm/min²", 3600.0)
+        for word, id_ in (("ACC", "P-CHAN-00002"), ("RADIAL_ACC", "P-CHAN-00361")):
+            value = parameters.path_limits[word]
+            guess = value if value < _NO_LIMIT else fastest * per
+            yield Change("parameter", id_, (str(channel.number),), value, guess, unit)

@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: MIT
+"""The search for the single change that brings a run nearer to a log.
+
+In: a comparison, and a function that runs the program again with a change. Out: proposals, the
+best first. How far apart curves are is one number: the root of the mean square of their deviations,
+each as a share of its curve's span, after both have been aligned anew. A run that has ended stays
+where it is, so that none is near by being short.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy
+
+from nctakt.base.dataclass import dataclass
+from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.comparison import Comparison
+from nctakt.comparison.log import Samples
+from nctakt.comparison.mapping import Pair
+from nctakt.lists.machine.machine import Machine
+from nctakt.proposals.changes import Change, changes_by_axis, changes_of
+from nctakt.results.run import Run
+
+#: The factors at which a change is tried first, and those among which its best value lies.
+_FIRST = (0.7, 1.4)
+_FACTORS = (0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.4, 2.0, 3.0, 5.0, 10.0)
+#: Delays of a function that are tried, in µs.
+_DELAYS_US = (3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 3e6)
+#: Changes for which these values are tried; for how many runs close in on the best, and rounds.
+_COARSE, _REFINED, _ROUNDS = 12, 3, 14
+#: The largest share of the distance that a proposal leaves, and how many are made.
+_LEFT, _MAX_PROPOSALS = 0.8, 5
+#: A better value by less than this share is as good as the rounder one.
+_AS_GOOD = 1.02
+#: A distance that is rounding, as a share of the curves' spans.
+_EQUAL = 1e-9
+_GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
+
+#: Runs the program with a change and its value; ``None`` if that is not possible.
+Again = Callable[[Change, float], Run | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """A change with its value, and the distance that it leaves."""
+
+    change: Change
+    value: float
+    distance: float
+
+
+@dataclass(frozen=True, slots=True)
+class Proposals:
+    """The distance without a change, how many runs were made, and what brings it down."""
+
+    distance: float
+    runs: int
+    found: Sequence[Proposal]
+
+
+class Search:
+    """The search for one log; ``offset_us``: where the run begins in it, ``None`` to find it."""
+
+    def __init__(
+        self, comparison: Comparison, pairs: Sequence[Pair], offset_us: float | None, again: Again
+    ) -> None:
+        self._offset_us, self._again = offset_us, again
+        self._jumps = [one.jump_us for one in comparison.delays if one.jump_us > 0.0]
+        self._pairs = [pair for pair in pairs if not pair.signal.integral]
+        raw = comparison.log.read([pair.column for pair in self._pairs])
+        self._samples = [
+            Samples(one.times, one.values * pair.factor + pair.offset)
+            for pair, one in zip(self._pairs, raw, strict=True)
+        ]
+        self._spans = [float(numpy.ptp(one.values)) for one in self._samples]
+        self._run = run = comparison.run
+        assert run.trace is not None
+        self._end_us = float(run.trace.cycle_time_us * (run.trace.ticks - 1))
+        self._before = self._distance(run)
+        self._known: dict[tuple[Change, float], float] = {}
+
+    def proposals(self, machine: Machine, override: float) -> Proposals:
+        """Return what brings the run nearer; ``override``: that of the run, in percent."""
+        if self._before <= _EQUAL:
+            return Proposals(self._before, 0, [])
+        moving = [
+            pair.signal.name.split(".")[0]
+            for pair, span in zip(self._pairs, self._spans, strict=True)
+            if span > 0.0
+        ]
+        run = self._run
+        functions = [one.name for one in run.outputs] if self._jumps else []
+        promising: list[tuple[float, int, Change]] = []
+        for change in changes_of(machine, moving, functions, override, run.cycle_time_us):
+            for one in (change, *self._parts(machine, change)):
+                nearest = min(self._tried(one, value) for value in self._first(one))
+                if nearest < self._before:
+                    promising.append((nearest, len(promising), one))
+        coarse = [self._nearest(change) for _, _, change in sorted(promising)[:_COARSE]]
+        best = sorted(coarse, key=lambda one: one.distance)[:_REFINED]
+        found = [self._refined(one.change) for one in best]
+        near = [one for one in found if one.distance <= _LEFT * self._before]
+        near.sort(key=lambda one: one.distance)
+        return Proposals(self._before, len(self._known), near[:_MAX_PROPOSALS])
+
+    def _parts(self, machine: Machine, change: Change) -> list[Change]:
+        """Return the change of each axis alone, if that of all has an effect."""
+        has_effect = any(self._tried(change, one) != self._before for one in self._first(change))
+        return list(changes_by_axis(machine, change)) if has_effect else []
+
+    def _first(self, change: Change) -> list[float]:
+        if change.kind == "function":
+            return [max(self._jumps)]
+        return [_possible(change, factor * change.guess) for factor in _FIRST]
+
+    def _values(self, change: Change) -> list[float]:
+        """Return the values among which the best one is looked for, ascending."""
+        if change.kind == "function":
+            return sorted({0.0, *_DELAYS_US, *self._jumps})
+        return [_possible(change, factor * change.guess) for factor in _FACTORS]
+
+    def _nearest(self, change: Change) -> Proposal:
+        """Return the best of these values."""
+        values = self._values(change)
+        value = min(values, key=lambda one: self._tried(change, one))
+        return Proposal(change, value, self._tried(change, value))
+
+    def _refined(self, change: Change) -> Proposal:
+        """Return the best value of a change, as round as it may be."""
+        values = self._values(change)
+        at = values.index(self._nearest(change).value)
+        low, high = values[max(at - 1, 0)], values[min(at + 1, len(values) - 1)]
+        inner = [high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)]
+        for _ in range(_ROUNDS):
+            first, second = (self._tried(change, one) for one in inner)
+            if first <= second:
+                high, inner = inner[1], [inner[1] - _GOLDEN * (inner[1] - low), inner[0]]
+            else:
+                low, inner = inner[0], [inner[1], inner[0] + _GOLDEN * (high - inner[0])]
+        best = _possible(
+            change, min((values[at], *inner), key=lambda one: self._tried(change, one))
+        )
+        return self._rounded(change, best, self._tried(change, best))
+
+    def _rounded(self, change: Change, best: float, distance: float) -> Proposal:
+        for digits in (1, 2, 3):
+            value = _possible(change, float(f"{best:.{digits - 1}e}"))
+            reached = self._tried(change, value)
+            if reached <= _AS_GOOD * distance:
+                return Proposal(change, value, reached)
+        return Proposal(change, best, distance)
+
+    def _tried(self, change: Change, value: float) -> float:
+        """Return the distance with a value of a change; infinite if it is not possible."""
+        value = _possible(change, value)
+        if (change, value) not in self._known:
+            run = self._again(change, value)
+            is_whole = run is not None and not run.errors
+            self._known[change, value] = self._distance(run) if is_whole else math.inf
+        return self._known[change, value]
+
+    def _distance(self, run: Run | None) -> float:
+        """Return how far a run and the log are apart, as a share of the curves' spans."""
+        assert run is not None and run.trace is not None
+        trace = run.trace
+        curves = [Curve(float(trace.cycle_time_us), trace[one.signal.name]) for one in self._pairs]
+        if self._offset_us is None:
+            alignment = align(list(zip(self._samples, curves, strict=True)))
+        else:
+            alignment = Alignment(self._offset_us)
+        shares = []
+        for samples, curve, span in zip(self._samples, curves, self._spans, strict=True):
+            times = alignment.run_times(samples.times)
+            is_inside = (times >= 0.0) & (times <= max(curve.end_us, self._end_us))
+            if span > 0.0 and is_inside.any():
+                beside = samples.values[is_inside] - curve.at(times[is_inside])
+                shares.append(float((beside**2).mean()) / span**2)
+        return math.sqrt(sum(shares) / len(shares)) if shares else math.inf
+
+
+def _possible(change: Change, value: float) -> float:
+    """Return the nearest value that a list, the operator or a tick can give."""
+    if change.kind == "variable":
+        value = min(max(value, 1.0), 200.0)
+    return round(round(value / change.step) * change.step, 9) if change.step else value

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""Logs of runs with one known change: the search names it and its value.
+
+A curve of another run is the log itself, so that the distance of the right change is nought.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from nctakt.cli import main
+from nctakt.lists.machine.machine import load_machine
+from nctakt.plc.script import Plc
+from nctakt.proposals.changes import Change, changes_by_axis, changes_of
+from nctakt.run.controller import Controller
+from nctakt.studies.changed_lists import changed_machine
+from nctakt.studies.faults import FaultyPlc, PlcFaults
+from nctakt.trace.sinks import CsvSink
+
+PART = "G01 X100 F20000\nM10\nG01 Y50 F10000\nG02 X150 Y100 I50 J0\nG00 X0 Y0\nM30\n"
+SIGNALS = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "PATH.SPEED"]
+
+
+@pytest.fixture(autouse=True)
+def _part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text(PART, "utf-8")
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(
+    ("target", "owners", "value"),
+    [
+        ("HLI.OVERRIDE", [], 80.0),
+        ("P-AXIS-00008", ["X", "Y"], 2500.0),
+        ("P-AXIS-00008", ["Y"], 1500.0),
+        ("M10", [], 42_000.0),
+    ],
+)
+def test_the_change_is_found(
+    target: str, owners: list[str], value: float, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The first proposal is the change that was made, and leaves (almost) nothing."""
+    machine = load_machine(None)
+    if owners:
+        machine = changed_machine(machine, {(target, owner): value for owner in owners})
+    plc = FaultyPlc(Plc(), PlcFaults({target: value})) if target == "M10" else None
+    start = {target: value} if target == "HLI.OVERRIDE" else {}
+    with Path("log.csv").open("w", encoding="utf-8", newline="") as file:
+        sinks = [CsvSink(file)]
+        Controller(machine).run("part.nc", signals=SIGNALS, sinks=sinks, plc=plc, set=start)
+    words = ["compare", "log.csv", "part.nc", "--propose", "--format", "json", "--quiet"]
+    assert main(words) == 0
+    found = json.loads(capsys.readouterr().out)["comparison"]["proposals"]["found"]
+    assert (found[0]["target"], found[0]["of"]) == (target, owners)
+    assert found[0]["value"] == pytest.approx(value, rel=0.01)
+    assert found[0]["distance"] < 1e-3
+
+
+def test_what_is_tried() -> None:
+    """Override, the axes' dynamics together and each alone, the path's limits, functions."""
+    machine = load_machine(None)
+    changes = list(changes_of(machine, ["X", "Y"], ["M10"], 90.0, 1000))
+    assert changes[0] == Change("variable", "HLI.OVERRIDE", (), 90.0, 90.0, "%", 0.1)
+    assert changes[-1] == Change("function", "M10", (), 0.0, 0.0, "ms", 1000)
+    by_target = {change.target: change for change in changes}
+    together = by_target["P-AXIS-00008"]
+    assert (together.of, together.present) == (("X", "Y"), 4000.0)
+    assert [one.of for one in changes_by_axis(machine, together)] == [("X",), ("Y",)]
+    assert by_target["P-AXIS-00196"].present == 50_000.0
+    assert {"P-CHAN-00002", "P-CHAN-00361"} <= by_target.keys()
+
+
+def test_a_run_that_is_the_log_gets_no_proposal(capsys: pytest.CaptureFixture[str]) -> None:
+    """Nothing comes nearer than a distance of nought."""
+    Path("part.nc").write_text("G01 X1 F6000\nM30\n", "utf-8")
+    with Path("log.csv").open("w", encoding="utf-8", newline="") as file:
+        Controller().run("part.nc", signals=SIGNALS[:1], sinks=[CsvSink(file)])
+    assert main(["compare", "log.csv", "part.nc", "--propose", "--lang", "de", "--quiet"]) == 0
+    assert "Keine einzelne Änderung" in capsys.readouterr().out

@@ -20,7 +20,7 @@ from nctakt.hli.variables_memory import describe
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import Plc, on
 from nctakt.plc.error import PlcError
-from nctakt.plc.structured_text import load_structured
+from nctakt.plc.structured_text import StructuredPlc, load_structured
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.inputs import unpack
@@ -223,6 +223,32 @@ def test_an_axis_without_power_takes_no_command(tmp_path: Path) -> None:
     run_nc(plc, "N10 G04 1\nM30", 10, [])
     assert values_in_main(plc, "fbOut.Error", "fbOut.ErrorID", "fbPower.Status") == [
         True, 65535, False,
+    ]  # fmt: skip
+
+
+RISING = """PROGRAM MAIN
+VAR
+    A : AXIS_REF;
+    fbPower : MC_Power;
+    fbMove : ARRAY[1..2] OF MC_MoveAbsolute;
+    n : UDINT;
+END_VAR
+fbPower(Axis := A, Enable := TRUE, Enable_Positive := TRUE, Enable_Negative := TRUE);
+fbMove[1](Axis := A, Execute := n MOD 4 < 2, Position := 100_000, Velocity := 1000);
+n := n + 1;
+END_PROGRAM
+"""
+
+
+def test_a_rising_execute_of_a_busy_block_is_reported(tmp_path: Path) -> None:
+    """ST-743: Execute rises in the cycles 0, 4 and 8; the first command is Busy at the others."""
+    plc = loaded(tmp_path, RISING)
+    found = run_nc(plc, "N10 G04 1\nM30", 10, []).diagnostics
+    (warning,) = [one.render("en") for one in found if one.message.id == 902710]
+    assert "MAIN.fbMove[1]: " in warning
+    assert "(2 ×)" in warning
+    assert values_in_main(plc, "fbMove[1].fbMotion.nIgnored", "fbMove[2].fbMotion.nIgnored") == [
+        2, 0,
     ]  # fmt: skip
 
 
@@ -535,3 +561,56 @@ def test_a_spindle_that_the_plc_turns_asks_at_its_axis(tmp_path: Path) -> None:
     assert rev == [0, -6_000_000]
     assert plc.read("MAIN.nRev") == 0
     assert plc.read("MAIN.n") == 2
+
+
+JOG_AXIS = """PROGRAM MAIN
+VAR
+    axLoader : AXIS_REF;
+    fbPower : MC_Power;
+    fbJog : MC_Jog;
+    n, nDone, nErrors : UDINT;
+END_VAR"""
+JOG_BODY = """fbPower(Axis := axLoader, Enable := TRUE);
+fbJog(Axis := axLoader, JogForward := {forward}, JogBackwards := {backwards},
+    Mode := E_JogMode.MC_JOGMODE_{mode}, Position := 20.0, Velocity := 100.0);
+IF fbJog.Done THEN nDone := nDone + 1; END_IF
+IF fbJog.Error THEN nErrors := nErrors + 1; END_IF
+n := n + 1;"""
+
+
+def jogged(
+    folder: Path, mode: str, forward: str, backwards: str = "FALSE"
+) -> tuple[list[float], StructuredPlc]:
+    """The positions of an axis that a block jogs, and the PLC after it."""
+    body = JOG_BODY.format(mode=mode, forward=forward, backwards=backwards)
+    plc = load_structured(nc_axis(folder, JOG_AXIS, body), {"MAIN.axLoader": "A"})
+    run = run_nc(plc, "N10 G04 1\nM30", 480, ["A.ACS.ACT_POS"])
+    assert [one for one in run.diagnostics if one.message.id == 902710] == []
+    return [round(float(value), 6) for value in run.trace["A.ACS.ACT_POS"]], plc
+
+
+def test_a_button_jogs_while_it_is_pressed(tmp_path: Path) -> None:
+    """ST-744: 100 mm/s after 25 increments of 4000 mm/s², then 0.1 mm in each; braking 1.25 mm.
+
+    Pressed from cycle 5 to 104: 100 increments are 1.25 + 75 · 0.1 = 8.75, the stop is at 10. The
+    other button, pressed meanwhile, counts after the stop.
+    """
+    a, plc = jogged(tmp_path, "CONTINOUS", "n >= 5 AND n < 105", "n >= 90 AND n < 300")
+    assert [a[tick] for tick in (5, 105, 130)] == [0.0, 8.75, 10.0]
+    assert a[140] < 10.0
+    assert a[325] == a[479]
+    assert values_in_main(plc, "nDone", "fbJog.Busy", "nErrors") == [2, False, 0]
+
+
+def test_a_button_inches_by_a_distance(tmp_path: Path) -> None:
+    """ST-744: 20 mm in 225 increments at each press, however long it lasts."""
+    a, plc = jogged(tmp_path, "INCHING", "n >= 5 AND n < 10 OR n >= 15 AND n < 20")
+    assert [a[tick] for tick in (5, 230, 479)] == [0.0, 20.0, 20.0]
+    assert values_in_main(plc, "fbJog.Busy", "nErrors", "nDone") == [False, 0, 1]
+
+
+def test_a_jog_without_a_speed_of_its_own_is_an_error(tmp_path: Path) -> None:
+    """ST-744: the standard modes take speeds that no list here has."""
+    a, plc = jogged(tmp_path, "STANDARD_SLOW", "n >= 5")
+    assert a[479] == 0.0
+    assert values_in_main(plc, "fbJog.Error", "fbJog.ErrorID") == [True, 900657]

@@ -186,3 +186,12 @@ CYCLE_TOO_LONG = warning(
     length=("how long the cycle took", "die Dauer des Zyklus"),
     cycle=("the cycle of the task", "der Zyklus der Task"),
 )
+IGNORED_EXECUTE = warning(
+    902710,
+    en="{block}: Execute rose while the block was Busy, which is not followed ({count} ×)",
+    de="{block}: Execute stieg, während der Baustein Busy war; das bleibt ohne Folge ({count} ×)",
+    remedy_en="Set Execute again after Done, or use another instance for the next command.",
+    remedy_de="Execute erst nach Done wieder setzen oder eine weitere Instanz verwenden.",
+    block=("the path of the block", "der Pfad des Bausteins"),
+    count=("how often", "wie oft"),
+)

@@ -30,6 +30,7 @@ from nctakt.messages.plc_code import (
     CYCLE_TOO_LONG,
     DIVISION_BY_ZERO,
     EXCEPTION_RAISED,
+    IGNORED_EXECUTE,
     INVALID_OPERATION,
     NO_TASK,
     NOT_TRANSLATED,
@@ -56,12 +57,19 @@ from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType, Type
 from nctakt.translation.branches import BranchNumbers
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.project import Translation, translate
-from nctakt.translation.variables import PlacedVariable, find_variable, retained_paths
+from nctakt.translation.variables import (
+    PlacedVariable,
+    find_variable,
+    instances_of,
+    retained_paths,
+)
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
     from nctakt.run.assembly import AssembledMachine
 
+#: The block that follows a command of an axis for those of the libraries.
+_AXIS_MOTION = "__axis_motion"
 #: What a task counts in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
 #: Elementary instructions per µs of a task's cycle (ST-830).
@@ -331,7 +339,8 @@ class StructuredPlc(RealtimePlc):
     def end(self) -> Sequence[Diagnostic]:
         """Call FB_exit of its instances, once (ST-405); return the fault in that.
 
-        A PLC that a fault has stopped does nothing more (ST-560).
+        Commands of axes that were not followed are warnings. A PLC that a fault has stopped does
+        nothing more (ST-560).
         """
         context = self.context
         if self._has_ended or self._tasks is None or context.fault:
@@ -339,7 +348,18 @@ class StructuredPlc(RealtimePlc):
         self._has_ended = True
         context.begin(context.now)
         self.translated.end.execute(context)
-        return [self._fault()] if context.fault else ()
+        return [*self._ignored_commands(), *([self._fault()] if context.fault else ())]
+
+    def _ignored_commands(self) -> Iterator[Diagnostic]:
+        """Yield a warning for each block whose Execute rose while it was Busy (ST-743)."""
+        motion = self.program.pous.get(_AXIS_MOTION)
+        if motion is None:
+            return
+        for path, _, _ in instances_of(self.program, motion):
+            count = self.read(f"{path}.nIgnored")
+            if count:
+                block = path.rpartition(".")[0]
+                yield diagnostic(IGNORED_EXECUTE, block=block, count=str(count))
 
     def _fault(self) -> Diagnostic:
         context = self.context

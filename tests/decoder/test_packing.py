@@ -47,13 +47,15 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
     (
         commands.TechnologyOutput,
-        {"function": 11, "ticks": 12, "value": 13},
+        {"function": 11, "ticks": 12, "value": 13, "lead": 0.5, "lead_kind": 2},
         rows.TECHNOLOGY,
         {
             rows.TECHNOLOGY_FUNCTION: 11,
             rows.TECHNOLOGY_TICKS: 12,
             rows.TECHNOLOGY_HAS_VALUE: 1,
             rows.TECHNOLOGY_VALUE: 13,
+            rows.TECHNOLOGY_LEAD: 0.5,
+            rows.TECHNOLOGY_LEAD_KIND: 2,
         },
     ),
     (

@@ -156,6 +156,10 @@ cdef enum:
     LIFE_REMOVED = 3
     LIFE_DEFINED = 4
     LIFE_FACTORS = 5
+    LEAD_DISTANCE = 1
+    LEAD_TIME = 2
+    LEAD_TIME_TO_REST = 3
+    LEAD_IS_OVER = -1
     FAR_CHECK = 7
     BEFORE_STAGES = -1
     ENTRY_ZONE = 0

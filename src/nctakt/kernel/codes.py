@@ -243,6 +243,15 @@ PLC_SILENT = 902320
     LIFE_FACTORS,  # other factors count from here on
 ) = range(6)
 
+#: How much a function goes out before the path comes to it, in ``TECHNOLOGY_LEAD_KIND``.
+(
+    LEAD_DISTANCE,  # mm
+    LEAD_TIME,  # s with the speed at which the path passes
+    LEAD_TIME_TO_REST,  # s with a ramp to standstill
+) = range(1, 4)
+#: ``TECHNOLOGY_LEAD`` of a function that has gone out.
+LEAD_IS_OVER = -1
+
 # --- path -----------------------------------------------------------------------------------------
 
 #: After every eighth segment the look-ahead with a limit of the jerk checks whether it may end: the

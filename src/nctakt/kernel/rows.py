@@ -116,7 +116,9 @@ CYCLE_SLOT, CYCLE_STARTS = _arguments(2)  # slot of the cycle manager; 1: starte
     TECHNOLOGY_TICKS,  # how long the function takes
     TECHNOLOGY_HAS_VALUE,
     TECHNOLOGY_VALUE,
-) = _arguments(4)
+    TECHNOLOGY_LEAD,  # mm or s that it goes out before the path comes to it, 0: not before
+    TECHNOLOGY_LEAD_KIND,  # ``codes.LEAD_DISTANCE`` …
+) = _arguments(6)
 (AWAITED_FUNCTION,) = _arguments(1)  # as ``TECHNOLOGY_FUNCTION``
 (
     VARIABLE_CELL,

@@ -373,6 +373,19 @@ LEAD_TIME_TOO_SHORT = warning(
     lead=("the entry of the lead time", "der Eintrag der Vorhaltezeit"),
     minimum=("the shortest lead time, in µs", "die kürzeste Vorhaltezeit, in µs"),
 )
+LEAD_WITHOUT_EARLY_TYPE = warning(
+    902650,
+    en="{key}: a function of the type {synchronisation} goes out at its block, not before",
+    de="{key}: eine Funktion der Art {synchronisation} wird bei ihrem Satz ausgegeben, nicht davor",
+    remedy_en="Use MEP_SVS, MEP_MOS (distance), MET_SVS or MET_MOS (time), or set it to 0.",
+    remedy_de="MEP_SVS, MEP_MOS (Weg), MET_SVS oder MET_MOS (Zeit) verwenden, oder auf 0 setzen.",
+    cause_en="The controller outputs functions of other types early only with a licensed option "
+    "(micro joints), which is not simulated.",
+    cause_de="Die Steuerung gibt Funktionen anderer Arten nur mit einer lizenzpflichtigen Option "
+    "(Mikrostege) früher aus, die nicht simuliert wird.",
+    key=("the entry of the lead", "der Eintrag der Vorhaltung"),
+    synchronisation=("the synchronisation type", "die Synchronisationsart"),
+)
 PATH_GIVEN_TWICE = warning(
     20771,
     cases=by_end("key", {".priority": 20707}),

@@ -26,6 +26,7 @@ from nctakt.decoder.state.probe_commands import MeasurementRequest
 from nctakt.decoder.state.program_variables import Scopes
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.kernel import rows
+from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.messages import diagnostic
 from nctakt.messages.files import TEXT_CHANGED
 from nctakt.messages.realtime import TOO_MANY_CYCLES
@@ -99,7 +100,8 @@ class QueueFeeder:
         self._budget = budget
         if budget is not None:
             budget.forgive()
-        self._high_water = self._channel.queue.look_ahead.blocks + HIGH_WATER
+        blocks = self._channel.queue.look_ahead.blocks
+        self._high_water = max(blocks + HIGH_WATER, self._channel.low_water + LOW_WATER)
         self._channel.executor.taken_source = 0
         self._channel.decoder_open = True
         self._channel.wants_slot = False

@@ -120,7 +120,7 @@ class RealtimePart:
             ),
             self.single_axes,
         )
-        _set_areas(channel.hli, own)
+        _set_functions(channel, own)
         limits = parameters.realtime_cycles
         spindles = channel_spindles(configuration, index, layout, self.memory, self.record)
         channel.executor.set_spindles(spindles, limits.buffers)
@@ -145,10 +145,11 @@ class RealtimePart:
         return channel
 
 
-def _set_areas(hli: Hli, channel: ChannelConfiguration) -> None:
-    """Tell the sections of a channel which axis each of its functions is for."""
-    parameters = channel.parameters
-    for section in (hli.program, hli.realtime):
+def _set_functions(channel: Channel, own: ChannelConfiguration) -> None:
+    """Tell a channel which axis each of its functions is for, and how far they look ahead."""
+    parameters = own.parameters
+    for section in (channel.hli.program, channel.hli.realtime):
         section.set_areas(
-            axes_of(parameters.m_functions, channel), axes_of(parameters.h_functions, channel)
+            axes_of(parameters.m_functions, own), axes_of(parameters.h_functions, own)
         )
+    channel.low_water = max(channel.low_water, parameters.blocks_ahead)

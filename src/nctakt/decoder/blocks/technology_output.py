@@ -3,7 +3,8 @@
 
 The synchronisation type of the channel list decides (P-CHAN-00041, P-CHAN-00027, P-CHAN-00086). All
 functions of a block for the same moment are output before any is awaited. Two types are awaited
-after their block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL SYN``.
+after their block: MVS_SLM before the next motion with feed, MVS_SLP at ``#EXPL SYN``. Four types
+go out before the path comes to their block (``kernel/tick/early_outputs.py``).
 """
 
 from __future__ import annotations
@@ -15,18 +16,26 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.commands import AwaitAcknowledge, Command, TechnologyOutput
 from nctakt.decoder.values.variables import Values
 from nctakt.hli.function_codes import code_of
+from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
 from nctakt.nc.check.blocks import MAX_VALUE, MIN_VALUE
 from nctakt.nc.tree import Word
 
+#: What the lead of a type is that goes out before the path comes to its block.
+LEAD_KINDS = {
+    "MEP_SVS": codes.LEAD_DISTANCE,
+    "MEP_MOS": codes.LEAD_DISTANCE,
+    "MET_SVS": codes.LEAD_TIME_TO_REST,
+    "MET_MOS": codes.LEAD_TIME,
+}
 #: Types that are output before the motion of their block, and after it. A measuring
 #: event is over with the motion at the latest.
-_BEFORE = ("MOS", "MOS_TS", "MVS_SVS", "MVS_SNS", "MVS_SLM", "MVS_SLP")
+_BEFORE = ("MOS", "MOS_TS", "MVS_SVS", "MVS_SNS", "MVS_SLM", "MVS_SLP", *LEAD_KINDS)
 _AFTER = ("MNS_SNS", "MNE_SNS")
 #: Types that are awaited before the motion of their block, and after it.
-_AWAITED_BEFORE = ("MVS_SVS",)
+_AWAITED_BEFORE = ("MVS_SVS", "MEP_SVS", "MET_SVS")
 _AWAITED_AFTER = ("MVS_SNS", "MNS_SNS", "MNE_SNS")
 
 
@@ -56,7 +65,8 @@ def block_function(
     source = environment.source_id(word.span)
     code = code_of(word.name, function.number)
     ticks = process_ticks(function, environment.cycle_time_us)
-    output = TechnologyOutput(source, block, code, ticks, plc_value)
+    lead_kind = LEAD_KINDS.get(function.synchronisation, 0)
+    output = TechnologyOutput(source, block, code, ticks, plc_value, function.lead, lead_kind)
     return BlockFunction(function.synchronisation, output, AwaitAcknowledge(source, block, code))
 
 

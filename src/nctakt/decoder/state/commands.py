@@ -111,12 +111,15 @@ class CycleControl(Command):
 class TechnologyOutput(Command):
     """A function for the PLC, by its code; ``ticks``: how long it takes.
 
-    ``value``: what the program gives it (M110 = 130), ``None`` for nothing.
+    ``value``: what the program gives it (M110 = 130), ``None`` for nothing. ``lead``: how much
+    before its place it goes out, mm or s as ``lead_kind`` says (``codes.LEAD_DISTANCE`` …).
     """
 
     function: int
     ticks: int
     value: int | None = None
+    lead: float = 0.0
+    lead_kind: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -136,7 +136,8 @@ def _packed_specially(command: Command, head: tuple[int, int], reference: int) -
             return [rows.DEFINE_CYCLE, *head, reference, not command.definition_only]
         case TechnologyOutput():
             row = [rows.TECHNOLOGY, *head, command.function, command.ticks]
-            return [*row, command.value is not None, command.value or 0]
+            row += [command.value is not None, command.value or 0]
+            return [*row, command.lead, command.lead_kind]
         case WriteText():
             row = [rows.WRITE_TEXT, *head, command.cell, command.first, len(command.data)]
             return [*row, command.zeros, *command.data]

@@ -14,6 +14,7 @@ from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.tick.block_scope cimport BlockScope
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_queue cimport CommandQueue
+from nctakt.kernel.tick.early_outputs cimport EarlyOutputs
 from nctakt.kernel.tick.single_block cimport SingleBlock
 from nctakt.kernel.tick.tool_lives cimport ToolLives
 from nctakt.kernel.axes.single_axes cimport SingleAxes
@@ -30,6 +31,7 @@ cdef class CommandExecutor:
     cdef readonly Hli hli
     cdef readonly Panel panel
     cdef readonly SingleBlock single_block
+    cdef EarlyOutputs early_outputs
     cdef readonly ToolLives tool_lives
     cdef readonly CycleManager manager
     cdef BlockScope block_scope
@@ -91,11 +93,6 @@ cdef class CommandExecutor:
     cdef int execute_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
     cdef int execute_control(self, long long tick, Py_ssize_t row) noexcept nogil
-    @cython.locals(
-        function=cython.longlong, ticks=cython.longlong, value=cython.longlong,
-        has_value=cython.bint, source=cython.longlong
-    )
-    cdef int execute_technology(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int execute_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)

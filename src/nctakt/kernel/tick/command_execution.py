@@ -18,6 +18,7 @@ from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.block_scope import BlockScope
 from nctakt.kernel.tick.channel_signals import ChannelSignals
 from nctakt.kernel.tick.command_queue import CommandQueue
+from nctakt.kernel.tick.early_outputs import EarlyOutputs
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.single_block import SingleBlock
 from nctakt.kernel.tick.tool_lives import ToolLives
@@ -47,6 +48,7 @@ class CommandExecutor:
         self.hli = hli
         self.panel = hli.panel
         self.single_block = SingleBlock(queue, self.panel)
+        self.early_outputs = EarlyOutputs(queue, hli, record)
         self.tool_lives = ToolLives(queue, self.panel, record)
         self.manager = manager
         self.block_scope = BlockScope(manager, record)
@@ -94,6 +96,9 @@ class CommandExecutor:
         self.run_due_commands(tick)
         if self.block_scope.lingers:
             self.block_scope.leave(self.queue)
+        if self.queue.has_early and not (self.is_stopped or self.is_resetting):
+            if not (self.panel.is_paused or self.is_reversing()):
+                self.early_outputs.put_out(tick)
 
     def run_due_commands(self, tick: int) -> None:
         """Execute commands in order until one takes time or has to wait (RC-003, RC-004)."""
@@ -156,7 +161,7 @@ class CommandExecutor:
         if kind == rows.CONTROL_CYCLE:
             return self.execute_control(tick, row)
         if kind == rows.TECHNOLOGY:
-            return self.execute_technology(tick, row)
+            return self.early_outputs.issue_at_its_place(tick, row)
         if kind == rows.AWAIT_ACKNOWLEDGE:
             if self.hli.program.is_waiting(int(self.queue.rows[row + rows.AWAITED_FUNCTION])):
                 return 0
@@ -306,19 +311,6 @@ class CommandExecutor:
         message = self.manager.control(action, identity, tick, source)
         if message != 0:
             self.report(source, message, identity)
-        return 1
-
-    def execute_technology(self, tick: int, row: int) -> int:
-        """Issue an M or H function of the main program; wait while no slot is free."""
-        function = int(self.queue.rows[row + rows.TECHNOLOGY_FUNCTION])
-        ticks = int(self.queue.rows[row + rows.TECHNOLOGY_TICKS])
-        if self.hli.program.issue(function, tick, ticks) <= 0:
-            return 0
-        value = int(self.queue.rows[row + rows.TECHNOLOGY_VALUE])
-        self.hli.program.give_value(value)
-        has_value = self.queue.rows[row + rows.TECHNOLOGY_HAS_VALUE] != 0.0
-        source = int(self.queue.rows[row + rows.SOURCE])
-        self.record.event(rows.EVENT_TECHNOLOGY, source, has_value, function, value)
         return 1
 
     def execute_spindle(self, tick: int, row: int) -> int:

@@ -23,6 +23,7 @@ cdef class CommandQueue:
     cdef Py_ssize_t last_segment
     cdef long long transformation
     cdef readonly LoopBody loop_body
+    cdef bint has_early
     cdef double[::1] end_row
 
     @cython.locals(row=Py_ssize_t, i=Py_ssize_t, kind=int)
@@ -32,6 +33,7 @@ cdef class CommandQueue:
         self, double source, double number, start, target, int motion, double feed_v,
         int exact_stop, double deviation, int limits_jerk, arc, pace=*, curve=*
     )
+    cdef void note_early(self, Py_ssize_t row) noexcept nogil
     @cython.locals(length=double, oldest=Py_ssize_t)
     cdef void prepare(self, Py_ssize_t row) noexcept nogil
     @cython.locals(before=Py_ssize_t, back=Py_ssize_t)

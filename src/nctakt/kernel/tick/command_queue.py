@@ -22,6 +22,7 @@ class CommandQueue:
     """Commands from ``head`` to ``tail``, running numbers; ``started``: the newest begun.
 
     ``last_segment``: the segment that the next one may go on from, -1 where the path stops first;
+    ``has_early``: functions may be queued that go out before the path comes to them;
     ``transformation``: the map of the segments to come, 0 for none.
     """
 
@@ -41,6 +42,7 @@ class CommandQueue:
         self.last_segment = -1
         self.transformation = 0
         self.loop_body = LoopBody(self.width)
+        self.has_early = False
         self.end_row = memoryview(bytearray(8 * self.width)).cast("d")
 
     def put(self, command: list[float]) -> None:
@@ -63,8 +65,14 @@ class CommandQueue:
             self.timed_count += 1
         if not self.is_transparent(kind):
             self.last_segment = -1
+        self.note_early(row)
         if self.loop_body.is_open:
             self.loop_body.append(self.rows, row)
+
+    def note_early(self, row: int) -> None:
+        """Note whether a command is a function that goes out before the path comes to it."""
+        if self.rows[row + rows.KIND] == rows.TECHNOLOGY:
+            self.has_early = self.has_early or self.rows[row + rows.TECHNOLOGY_LEAD] > 0.0
 
     def last_source(self) -> int:
         """Return where in the program's text the newest command with a place comes from, else 0."""
@@ -466,6 +474,7 @@ class CommandQueue:
             else:
                 self.tail += 1
                 self.timed_count += self.time_units(row)
+                self.note_early(row)
         row = self.tail % self.capacity * self.width
         for i in range(self.width):
             self.rows[row + i] = self.end_row[i]

@@ -16,6 +16,7 @@ from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
 from nctakt.messages.lists import (
     LEAD_TIME_TOO_SHORT,
+    LEAD_WITHOUT_EARLY_TYPE,
     PROCESS_TIME_WITHOUT_WAITING,
     SYNCHRONISATION_NOT_OF_FUNCTION,
     UNKNOWN_FUNCTION_AXIS,
@@ -51,6 +52,8 @@ MODIFIERS: dict[str, int | None] = {
 NOT_VALID = "NOT_VALID"
 FLAGS = {NOT_VALID: 0x80000000, **SYNCHRONISATIONS, **MODIFIERS}
 _REPLACEMENT = ("MVS_SVS",)
+#: Units of the list for each mm or s of a lead.
+_LEAD_UNITS = {"MEP_SVS": 1e4, "MEP_MOS": 1e4, "MET_SVS": 1e6, "MET_MOS": 1e6}
 
 #: The spindle functions by their number in the list's keys; ``s`` is the S word.
 SPINDLE_FUNCTION_KEYS = ("s", "m3", "m4", "m5", "m19")
@@ -62,6 +65,7 @@ class TechnologyFunction:
 
     ``synchronisation`` is its type without modifiers. ``axis_name``: the axis or spindle in whose
     section of the interface it is output, empty for the channel's. ``process_time_us``: µs.
+    ``lead``: how much it goes out before the path comes to it, mm (MEP) or s (MET).
     """
 
     number: int
@@ -69,6 +73,7 @@ class TechnologyFunction:
     modifiers: tuple[str, ...]
     process_time_us: float
     axis_name: str
+    lead: float = 0.0
 
     @property
     def synchronisation_bits(self) -> int:
@@ -111,8 +116,26 @@ def technology_functions(
                 values, (f"{letter}_prozess_zeit[]", number), synchronisation, collector
             ),
             _axis_of(values, letter, number, axes, collector),
+            _lead(values, (f"{letter}_pre_outp[]", number), synchronisation, collector),
         )
     return functions
+
+
+def _lead(values: Values, at: tuple[str, int], synchronisation: str, collector: Collector) -> float:
+    """Return how much a function goes out early, mm or s; other types than MEP, MET do not."""
+    lead = values.integer(*at)
+    unit = _LEAD_UNITS.get(synchronisation)
+    if unit is not None:
+        return lead / unit
+    if lead:
+        values.report(
+            collector,
+            LEAD_WITHOUT_EARLY_TYPE,
+            at,
+            key=with_indices(at[0], at[1:]),
+            synchronisation=synchronisation,
+        )
+    return 0.0
 
 
 def tool_output(values: Values, collector: Collector) -> TechnologyFunction | None:

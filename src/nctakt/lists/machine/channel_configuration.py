@@ -189,6 +189,7 @@ class ChannelParameters:
     with ``path_limits_per_s``, else mm/min². ``context_*``: P-CHAN-00409 … 00411. ``c_axis_name``:
     P-CHAN-00010, of the axis of #CAX. ``single_block``: P-CHAN-00015. ``awaits_idle_axes``:
     P-CHAN-00451, whether a block also waits for an independent axis that it need not move.
+    ``lead_blocks``: P-CHAN-00274, for functions that go out early.
     """
 
     axes: tuple[NamedAxis, ...]
@@ -226,6 +227,13 @@ class ChannelParameters:
     gears: ListedGears
     couplings: ListedCouplings
     single_block: int
+    lead_blocks: int
+
+    @property
+    def blocks_ahead(self) -> int:
+        """How many blocks functions that go out early need to be queued, 0: none does."""
+        functions = (*self.m_functions.values(), *self.h_functions.values())
+        return self.lead_blocks if any(function.lead for function in functions) else 0
 
     @property
     def spindle_names(self) -> tuple[str, ...]:
@@ -284,6 +292,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         listed_gears(values),
         listed_couplings(values, collector),
         values.integer("einzelschrittmodus"),
+        values.integer("m_h_pre_outp_nbr_block"),
     )
 
 

@@ -6,7 +6,7 @@ G functions and the M functions of the controller: ``functions.py``.
 
 from __future__ import annotations
 
-from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, table
+from nctakt.nc.vocabulary.entries import ACCEPTED, SIMULATED, Kind, table
 
 #: M and H functions of the channel list, by their synchronisation type (P-CHAN-00041).
 TECHNOLOGY = table(
@@ -35,19 +35,29 @@ TECHNOLOGY = table(
     ),
     ("MVS_SLP", SIMULATED, "late waiting, at #EXPL SYN", "spätes Warten, bei #EXPL SYN"),
     ("MOS_TS", SIMULATED, "output with a time stamp", "Ausgabe mit Zeitstempel"),
-    ("MEP_SVS", REFUSED, "output a way before the block's end", "Ausgabe mit Weg vor dem Satzende"),
-    ("MEP_MOS", REFUSED, "output a way before the block's end", "Ausgabe mit Weg vor dem Satzende"),
+    (
+        "MEP_SVS",
+        SIMULATED,
+        "output a distance before its block, waiting at it",
+        "Ausgabe einen Weg vor dem Satz, Warten dort",
+    ),
+    (
+        "MEP_MOS",
+        SIMULATED,
+        "output a distance before its block, without waiting",
+        "Ausgabe einen Weg vor dem Satz, ohne Warten",
+    ),
     (
         "MET_SVS",
-        REFUSED,
-        "output a time before the block's end",
-        "Ausgabe mit Zeit vor dem Satzende",
+        SIMULATED,
+        "output a time before its block, waiting at it",
+        "Ausgabe eine Zeit vor dem Satz, Warten dort",
     ),
     (
         "MET_MOS",
-        REFUSED,
-        "output a time before the block's end",
-        "Ausgabe mit Zeit vor dem Satzende",
+        SIMULATED,
+        "output a time before its block, without waiting",
+        "Ausgabe eine Zeit vor dem Satz, ohne Warten",
     ),
 )
 

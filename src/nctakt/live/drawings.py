@@ -100,11 +100,11 @@ class Drawings:
         with card(texts["path"], "nc-path"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["path"]).classes("nc-title")
-                for name in ("feed_line", "rapid_line", "fired_mark", "future_line"):
-                    ui.label(texts[name]).classes(f"nc-key {name}")
-                self._future = ui.label().classes("nc-soft ellipsis")
-                self._future.props("data-testid=future role=status")
-                ui.space()
+                with ui.element("div").classes("nc-keys"):
+                    for name in ("feed_line", "rapid_line", "fired_mark", "future_line"):
+                        ui.label(texts[name]).classes(f"nc-key {name}")
+                    self._future = ui.label().classes("nc-soft ellipsis")
+                    self._future.props("data-testid=future role=status")
                 self._views = ui.button(icon="view_in_ar")
                 explained(
                     self._views.props("flat dense size=sm data-testid=turn"), texts["turn_view"]

@@ -71,6 +71,10 @@ class Lists:
                 ui.button(self._texts["add"], on_click=self._add_stop).props(
                     "dense flat no-caps size=sm data-testid=add-stop"
                 )
+        if name == "events":
+            self._search = ui.input(placeholder=self._texts["search"], on_change=self._turn)
+            self._search.props("dense outlined clearable data-testid=search-events")
+            named(self._search, self._texts["search_events"])
         if name in _ROWS:
             view_of_rows = RowsView()
             view_of_rows.props["rows"] = []
@@ -112,7 +116,9 @@ class Lists:
         self._due_s = time.monotonic() + _DISTANCE_S
         messages = [view.message_row(one) for one in log.messages[-_MAX_SHOWN:]]
         self._show_rows("messages", messages[::-1])
-        events = [view.event_row(one, language) for one in log.events[-_MAX_SHOWN:]]
+        searched = (self._search.value or "").casefold()
+        rows = (view.event_row(one, language) for one in log.events)
+        events = [row for row in rows if searched in row.text.casefold()][-_MAX_SHOWN:]
         if log.begin:
             events.insert(0, LogRow("note", 0, self._texts["begins"].format(tick=log.begin)))
         elif log.left_out:

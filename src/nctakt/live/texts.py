@@ -176,6 +176,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "machine_error": ("error", "Fehler"),
     "variables": ("V.E variables", "V.E-Variablen"),
     "search": ("Search", "Suchen"),
+    "search_events": ("Search the events that are listed", "Die gelisteten Ereignisse durchsuchen"),
     "search_variable": ("Search a V.E variable", "V.E-Variable suchen"),
     "no_variable": ("No variable has that name.", "Keine Variable heißt so."),
     "more_variables": ("{count} more: search", "{count} weitere: suchen"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Colours that all pictures of runs share."""
+"""Colours that all pictures of runs share; the live page has the same (docs/live.md)."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ LANE_COLOURS = {
     "block": "#94a3b8",
     "wait": "#f59e0b",
     "cycle": "#0d9488",
-    "condition": "#d62728",
-    "reaction": "#d62728",
-    "function": "#7c3aed",
+    "condition": "#22a06b",
+    "reaction": "#e8833a",
+    "function": "#8b7cf6",
     "axis": "#8c564b",
     "spindle": "#8c564b",
-    "message": "#2563eb",
-    "error": "#b91c1c",
+    "message": "#0ea5b7",
+    "error": "#d64545",
     "starved": "#ea580c",
     "overflow": "#b91c1c",
     "paused": "#f59e0b",
@@ -31,5 +31,5 @@ LANE_COLOURS = {
 #: Signals on their way from channel to channel.
 ARROW = "#15803d"
 
-FEED, RAPID = "#1f77b4", "#f28e2b"
+FEED, RAPID = "#3b82f6", "#9aa1ab"
 START, END = "#15803d", "#b91c1c"

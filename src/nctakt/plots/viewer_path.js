@@ -73,7 +73,7 @@ const drawPath = () => {
     }
     pen.stroke(); pen.setLineDash([]);
   };
-  drawKind(true, "#f28e2b", [6, 4]);
+  drawKind(true, "#9aa1ab", [6, 4]);
   drawKind(false, "#3b82c4", []);
   const sign = (point, tint, text) => {
     const [x, y] = place(point);
@@ -93,7 +93,7 @@ const drawPath = () => {
   }
   for (const { x, y, numbers } of taken.values()) {
     const text = numbers.join(", "), wide = Math.max(16, pen.measureText(text).width + 9);
-    pen.fillStyle = "#d62728"; pen.beginPath(); pen.roundRect(x - wide / 2, y - 8, wide, 16, 8); pen.fill();
+    pen.fillStyle = "#e8833a"; pen.beginPath(); pen.roundRect(x - wide / 2, y - 8, wide, 16, 8); pen.fill();
     pen.fillStyle = "#ffffff"; pen.fillText(text, x, y + 0.5);
   }
   if (cursor !== null) {

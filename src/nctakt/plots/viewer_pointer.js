@@ -80,7 +80,7 @@ timePart.addEventListener("keydown", (event) => {
 if (run.path) {
   const keys = make("div", pathPart, { className: "keys" });
   make("i", keys).style.color = "#3b82c4"; keys.append(words.feed);
-  make("i", keys, { className: "rapid" }).style.color = "#f28e2b"; keys.append(words.rapid);
+  make("i", keys, { className: "rapid" }).style.color = "#9aa1ab"; keys.append(words.rapid);
   make("span", keys, { textContent: `${run.path.axes.join(" / ")} · mm` });
   if (width3 > 2) {
     const button = make("button", pathPart, { className: "switch", textContent: words.space });

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+"""Colours mean the same on the live page and in pictures of runs, as docs/live.md says."""
+
+import re
+from pathlib import Path
+
+from nctakt.plots import style
+
+ROOT = Path(__file__).parents[2]
+LIVE = ROOT / "src" / "nctakt" / "live"
+
+
+def test_page_and_pictures_have_the_colours_of_the_table() -> None:
+    """Feed, rapid traverse, conditions, reactions, functions, messages, errors."""
+    table = re.findall(r"^\| \w+ `(#\w{6})` \|", (ROOT / "docs/live.md").read_text("utf-8"), re.M)
+    lanes = style.LANE_COLOURS
+    kinds = ("condition", "reaction", "function", "message", "error")
+    assert table == [style.FEED, style.RAPID, *(lanes[kind] for kind in kinds)]
+    scope = (LIVE / "scope.js").read_text("utf-8")
+    marks = re.search(r"const MARKS = \{(.*)\}", scope)
+    assert marks is not None
+    found = dict(re.findall(r'(\w+): "(#\w{6})"', marks[1]))
+    assert [found[name] for name in ("fired", "M", "message", "error")] == table[3:]
+    assert {found["H"], found["output"]} == {found["M"]}
+    assert f'pen.fillStyle = "{lanes["condition"]}"' in scope
+    path = (LIVE / "path.js").read_text("utf-8")
+    names = f'FEED = "{style.FEED}", RAPID = "{style.RAPID}", FIRED = "{lanes["reaction"]}"'
+    assert names in path

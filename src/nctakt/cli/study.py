@@ -26,6 +26,7 @@ from nctakt.cli.terminal import complain_notes, print_diagnostics
 from nctakt.run.options import RunOption, accepted_by
 
 if TYPE_CHECKING:
+    from nctakt.studies.folder_store import FolderStore
     from nctakt.studies.parts import Part
     from nctakt.studies.results import StreamedRows
     from nctakt.studies.row_store import RowStore
@@ -235,7 +236,7 @@ def _study(file: str, words: dict[str, Any]) -> int:
         _refuse(words, "a plan with find searches", ("part", "shrink"))
     if part is not None:
         _make_folder(Path(words["out"]).parent)
-    _check_outputs(study, [file], {name: words[name] for name in ("out", "report", "corpus")})
+    _check_files(study, file, words, finds=finds)
     _tell_unchanged(study, words)
     if words["cover"]:
         return _cover(study, words)
@@ -255,17 +256,17 @@ def _study(file: str, words: dict[str, Any]) -> int:
     )
     if not words["yes"]:
         progress.check_size(study, count)
-    store = None if words["out"] is None else _store(study, words)
+    store = None if words["out"] is None else _results(study, words)
     try:
         result = study.run(
             processes=count,
             numbers=numbers,
             store=store,
-            executor=_executor(words),
+            executor=_executor(words, store),
             on_rows=progress.add,
         )
         progress.close()
-        if words["out"] is not None:
+        if words["out"] is not None and not _is_folder(words):
             result.save(words["out"], is_part=part is not None)
         _show(study, result, file, words)
         print_diagnostics(progress.crashed(), words["language"])
@@ -386,6 +387,16 @@ def _refuse(words: dict[str, Any], reason: str, names: Sequence[str]) -> None:
             raise click.UsageError(f"{reason}: --{name} would have no effect")
 
 
+def _check_files(study: Study, file: str, words: dict[str, Any], *, finds: bool) -> None:
+    """Check the outputs; raises ``click.UsageError``, and as ``_check_outputs``."""
+    outputs = {name: words[name] for name in ("out", "report", "corpus")}
+    if _is_folder(words):
+        outputs["out"] = None  # its parts have names of their own
+        if finds:
+            raise click.UsageError("a plan with find writes a file: --out FILE")
+    _check_outputs(study, [file], outputs)
+
+
 def _check_outputs(study: Study, inputs: list[str], outputs: dict[str, str | None]) -> None:
     """Raise ``Failure`` before any run for outputs that are inputs or cannot be written."""
     from nctakt.files.access import FileAccess  # noqa: PLC0415 - as above
@@ -414,13 +425,20 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     from nctakt.studies.results import read_rows  # noqa: PLC0415
     from nctakt.studies.study import Study, StudyResult  # noqa: PLC0415
 
-    study, is_folder = Study(plan), Path(results).is_dir()
-    rows = _rows_of_parts(results, words) if is_folder else read_rows(Path(results))
+    study = Study(plan)
+    rows: StreamedRows
+    if "://" in results or Path(results, "_study.json").exists():
+        from nctakt.studies.part_folder import PartFolder, RowsOfFolder  # noqa: PLC0415
+
+        rows = RowsOfFolder(PartFolder(results, study.plan, dict(study.bench.units)))
+    else:
+        is_folder = Path(results).is_dir()
+        rows = _rows_of_parts(results, words) if is_folder else read_rows(Path(results))
     names = {dimension.name for dimension in study.plan.dimensions}
     names |= {measure.name for measure in study.plan.measures}
     if rows and not names <= set(rows[0]):
         raise Failure(diagnostic(OTHER_PLAN, folder=results))
-    target = words["report"] or str(Path(results).with_suffix(".html"))
+    target = words["report"] or str(Path(results.rpartition("://")[2]).with_suffix(".html"))
     _check_outputs(study, [plan, results], {"report": target})
     result = StudyResult(study.plan, rows, study.nominal, study.bench.units)
     page = result.report(words["language"], commands_of(study, result, plan, words))
@@ -482,7 +500,7 @@ def _find(study: Study, file: str, words: dict[str, Any]) -> int:
     return EXIT_NC_ERROR if any(answer.finding for answer in answers) else EXIT_RAN
 
 
-def _executor(words: dict[str, Any]) -> Any:
+def _executor(words: dict[str, Any], store: RowStore | FolderStore | None) -> Any:
     """Return what makes the runs on a cluster; ``None``: this machine."""
     address = words["scheduler"]
     if address is None:
@@ -490,11 +508,15 @@ def _executor(words: dict[str, Any]) -> Any:
     from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - as above
 
     uploads = [Path(name) for name in words["upload"]]
-    return lambda plan, numbers: rows_of_cluster(plan, numbers, address, uploads)
+    writer = None if store is None else store.folder
+    return lambda plan, numbers: rows_of_cluster(plan, numbers, address, uploads, writer)
 
 
 def _interrupted(
-    error: KeyboardInterrupt | Failure, size: int, store: RowStore | None, words: dict[str, Any]
+    error: KeyboardInterrupt | Failure,
+    size: int,
+    store: RowStore | FolderStore | None,
+    words: dict[str, Any],
 ) -> int:
     """Say why a study has ended early, and how many runs are kept; raise what leaves none."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - few studies are interrupted
@@ -503,15 +525,31 @@ def _interrupted(
     if store is None:
         raise error
     store.close()
-    found = diagnostic(
-        STUDY_INTERRUPTED, count=len(store.done), size=size, folder=store.path.as_posix()
-    )
+    found = diagnostic(STUDY_INTERRUPTED, count=len(store.done), size=size, folder=store.name)
     if isinstance(error, Failure):
         print_diagnostics([*error.diagnostics, found], words["language"])
         return EXIT_USAGE
     complain_notes(error)
     print_diagnostics([found], words["language"])
     return EXIT_NC_ERROR
+
+
+def _is_folder(words: dict[str, Any]) -> bool:
+    """Return whether ``--out`` names a folder of parts."""
+    from nctakt.studies.part_folder import is_folder  # noqa: PLC0415 - as above
+
+    return words["out"] is not None and is_folder(words["out"])
+
+
+def _results(study: Study, words: dict[str, Any]) -> RowStore | FolderStore:
+    """Return what keeps the rows of ``--out``."""
+    if not _is_folder(words):
+        return _store(study, words)
+    from nctakt.studies.folder_store import FolderStore  # noqa: PLC0415 - as above
+    from nctakt.studies.part_folder import PartFolder  # noqa: PLC0415
+
+    folder = PartFolder(words["out"], study.plan, dict(study.bench.units))
+    return FolderStore(folder, study.plan, resumes=words["resume"])
 
 
 def _store(study: Study, words: dict[str, Any]) -> RowStore:

@@ -66,7 +66,9 @@ def summary(
         name = next(one.name for one in study.plan.dimensions if one.is_each_tick)
         yield from strip(result.rows, study.nominal, name, language)
     for row in result.first_broken(MAX_SHOWN):
-        values_of = ", ".join(f"{one.name} = {row[one.name]}" for one in study.plan.dimensions)
+        values_of = ", ".join(
+            f"{one.name} = {as_text(row[one.name])}" for one in study.plan.dimensions
+        )
         verdict = names[str(row["verdict"])]
         yield f"{row['run']}: {values_of}: {verdict}: {row['broken']}"
         number = row["run"]

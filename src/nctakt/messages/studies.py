@@ -301,6 +301,14 @@ NO_PARTS = error(
     "jedes N einen eigenen.",
     counts=("the numbers of parts that were found", "die gefundenen Zahlen von Teilen"),
 )
+FOLDER_HAS_RESULTS = error(
+    902690,
+    en="{folder} has the results of an earlier study",
+    de="{folder} hat die Ergebnisse einer früheren Studie",
+    remedy_en="--resume goes on with it, if it has the same plan; else name another folder.",
+    remedy_de="--resume macht damit weiter, wenn der Plan derselbe ist; sonst einen anderen Ordner "
+    "angeben.",
+)
 PARTS_MISSING = warning(
     902535,
     en="of the study in {folder} these parts are missing: {names}; the report has the others only",

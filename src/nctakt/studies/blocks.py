@@ -48,10 +48,19 @@ class MadeBlock:
     run_s: float
 
 
-def make_runs(maker: RowMaker, block: Block) -> MadeBlock:
-    """Make the runs of a block."""
+class RowWriter(Protocol):
+    """Writes rows where they are made."""
+
+    def written(self, block: RowBlock, /) -> RowBlock:
+        """Write the rows of a block; return it without them."""
+
+
+def make_runs(maker: RowMaker, block: Block, writer: RowWriter | None = None) -> MadeBlock:
+    """Make the runs of a block; raises ``Failure`` if the writer cannot write them."""
     begin_s = time.perf_counter()
     rows = RowBlock(_rows(maker, block))
+    if writer is not None:
+        rows = writer.written(rows)
     return MadeBlock(rows, (time.perf_counter() - begin_s) / len(block))
 
 

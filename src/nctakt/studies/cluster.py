@@ -28,7 +28,7 @@ from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER_UNFIT
 from nctakt.studies.bench import Row, crashed_row
-from nctakt.studies.blocks import Block, Blocks, MadeBlock, make_runs
+from nctakt.studies.blocks import Block, Blocks, MadeBlock, RowWriter, make_runs
 from nctakt.studies.bundle import Bundle, bundle
 from nctakt.studies.dimension import Value
 from nctakt.studies.plan import Plan
@@ -65,13 +65,15 @@ def received(packed: Bundle) -> Bundle:
     return packed
 
 
-def make_block(packed: Bundle, key: str, block: Block) -> MadeBlock:
+def make_block(
+    packed: Bundle, key: str, block: Block, writer: RowWriter | None = None
+) -> MadeBlock:
     """Make the runs of a block, on a worker, where the bench stays for the next block.
 
     Raises ``Failure`` (901485) on a worker that cannot make runs as they would be made elsewhere.
     """
     with _lock:
-        return _station(packed, key).make(block)
+        return _station(packed, key).make(block, writer)
 
 
 def make_point(packed: Bundle, key: str, number: int, point: Sequence[Value]) -> Row:
@@ -117,10 +119,10 @@ class Station:
         gc.collect()
         gc.freeze()  # machine and program stay: nobody looks for garbage in them again
 
-    def make(self, block: Block) -> MadeBlock:
+    def make(self, block: Block, writer: RowWriter | None) -> MadeBlock:
         """Make the runs of a block."""
         self._enter()
-        return make_runs(self._maker, block)
+        return make_runs(self._maker, block, writer)
 
     def row_of(self, number: int, point: Sequence[Value]) -> Row:
         """Return the row of a run with these values."""
@@ -163,17 +165,24 @@ def _unfit(reason: str) -> Failure:
 
 
 def rows_of_cluster(
-    plan: Plan, numbers: Iterable[int], address: str | Any, uploads: Sequence[Path] = ()
+    plan: Plan,
+    numbers: Iterable[int],
+    address: str | Any,
+    uploads: Sequence[Path] = (),
+    writer: RowWriter | None = None,
 ) -> Iterator[RowBlock]:
     """Yield the rows of runs, in the order in which they finish.
 
     ``address``: of the scheduler, or a ``distributed`` cluster or client; ``uploads``: further
-    files, modules and wheels for the workers. Raises ``Failure``: no package distributed (901311),
-    no such scheduler or none any more (901316), a worker that cannot make the runs (901485).
+    files, modules and wheels for the workers; ``writer`` writes rows there. Raises ``Failure``: no
+    package distributed (901311), no such scheduler or none any more (901316), a worker that cannot
+    make the runs (901485), and that of the writer.
     """
     packed = bundle(plan, uploads)
     with _connected(address) as client:
-        blocks = _Blocks(client, plan, packed)  # what is asked for lets some clusters start workers
+        blocks = _Blocks(
+            client, plan, packed, writer
+        )  # what is asked for lets some clusters start workers
         client.wait_for_workers(1, timeout=WORKER_S)
         yield from blocks.rows(numbers)
 
@@ -287,8 +296,9 @@ def _lost(address: object, error: Exception) -> Failure:
 class _Blocks:
     """The blocks of a study on a cluster; only some of them wait there at a time."""
 
-    def __init__(self, client: Any, plan: Plan, packed: Bundle) -> None:
+    def __init__(self, client: Any, plan: Plan, packed: Bundle, writer: RowWriter | None) -> None:
         self._client = client
+        self._writer = writer
         self._plan = plan
         self._study = packed.key
         self._received = _sent(client, packed)
@@ -314,7 +324,7 @@ class _Blocks:
 
     def _submit(self, block: Block, finished: Any) -> None:
         future = self._client.submit(
-            make_block, self._received, self._study, block, pure=False, retries=0
+            make_block, self._received, self._study, block, self._writer, pure=False, retries=0
         )
         self._asked[future.key] = block
         finished.add(future)

@@ -16,7 +16,7 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 
 from nctakt.studies.bench import Bench, crashed_row
-from nctakt.studies.blocks import Block, Blocks
+from nctakt.studies.blocks import Block, Blocks, RowWriter
 from nctakt.studies.plan import Plan
 from nctakt.studies.row_block import RowBlock
 from nctakt.studies.schedule_bench import bench_of
@@ -25,6 +25,9 @@ from nctakt.studies.worker_process import WorkerProcess, can_copy
 
 #: How long a worker has a block, in seconds.
 BLOCK_S = 0.2
+
+#: The same where it writes the rows: a block is a part then, a file.
+PART_S = 2.0
 
 #: Blocks that a worker has been asked for: one that it makes, one so that it need not wait.
 ASKED = 2
@@ -38,14 +41,18 @@ def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[RowBlock]:
 
 
 def rows_of_processes(
-    plan: Plan, numbers: Iterable[int], count: int, bench: Bench | None = None
+    plan: Plan,
+    numbers: Iterable[int],
+    count: int,
+    bench: Bench | None = None,
+    writer: RowWriter | None = None,
 ) -> Iterator[RowBlock]:
     """Yield the rows of runs, made by ``count`` processes, in the order in which they finish.
 
-    ``bench``: of this process, which its copies share. Raises ``Failure`` if no process can be
-    started.
+    ``bench``: of this process, which its copies share. ``writer``: writes the rows there.
+    Raises ``Failure`` if no process can be started, and that of the writer.
     """
-    pool = _Pool(plan, Blocks(numbers, count, BLOCK_S))
+    pool = _Pool(plan, Blocks(numbers, count, BLOCK_S if writer is None else PART_S), writer)
     workers: list[WorkerProcess | None] = [None] * count
     if can_copy():
         workers = list(pool.copies(bench or bench_of(plan), count))
@@ -70,8 +77,9 @@ def rows_of_processes(
 class _Pool:
     """Hands out blocks to workers; each thread speaks with one worker at a time."""
 
-    def __init__(self, plan: Plan, blocks: Blocks) -> None:
+    def __init__(self, plan: Plan, blocks: Blocks, writer: RowWriter | None) -> None:
         self._plan = plan
+        self._writer = writer
         self._blocks = blocks
         self._next_blocks = iter(blocks)
         self._lock = threading.Lock()
@@ -99,7 +107,7 @@ class _Pool:
             while True:
                 while len(asked) < ASKED and (block := self._next()) is not None:
                     worker = worker or self._start()
-                    worker.ask(block)
+                    worker.ask(block, self._writer)
                     asked.append(block)
                 if worker is None or not asked:
                     return
@@ -113,7 +121,7 @@ class _Pool:
                 worker = self._one_by_one(block)
                 for block in asked:
                     worker = worker or self._start()
-                    worker.ask(block)
+                    worker.ask(block, self._writer)
         except BaseException as error:  # noqa: BLE001 - goes to who waits for the rows
             self._put(error)
         finally:
@@ -128,7 +136,7 @@ class _Pool:
             if self._is_stopped:
                 break
             worker = worker or self._start()
-            worker.ask((number,))
+            worker.ask((number,), self._writer)
             done = worker.answer()
             if done is None:
                 worker.end()

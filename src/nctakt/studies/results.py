@@ -23,6 +23,7 @@ from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
 from nctakt.studies.bench import EARLIER_VERDICTS, Row
+from nctakt.studies.plan import Plan
 from nctakt.trace.arrow import field, load_pyarrow
 
 if TYPE_CHECKING:
@@ -70,6 +71,24 @@ def write_rows(
             file.write("")
             for group in _groups(rows):
                 file.write("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in group))
+
+
+def text_columns(plan: Plan) -> list[str]:
+    """Return the inputs of a plan that have texts."""
+    return [one.name for one in plan.dimensions if any(isinstance(v, str) for v in one.values)]
+
+
+def parquet_bytes(
+    rows: Sequence[Row], columns: Sequence[str], units: Mapping[str, str], texts: Collection[str]
+) -> bytes:
+    """Return rows as a Parquet file, with types that do not depend on them (``write_rows``)."""
+    arrow, parquet = load_pyarrow(), load_pyarrow("parquet")
+    schema = _schema(rows, columns, units, texts)
+    target = io.BytesIO()
+    parquet.write_table(
+        arrow.table(_arrays(rows, schema), schema=schema), target, compression="zstd"
+    )
+    return target.getvalue()
 
 
 def _csv_line(cells: Sequence[object]) -> str:

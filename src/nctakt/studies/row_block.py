@@ -8,7 +8,7 @@ processes need not look into them.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from functools import cached_property
 
 from nctakt.studies.bench import CRASHED, PASSED, Row
@@ -19,12 +19,13 @@ _encode = json.JSONEncoder(ensure_ascii=False).encode
 class RowBlock:
     """Rows, with what a progress shows: ``numbers`` of their runs, ``crashed`` ones.
 
-    ``broken``: how many runs did not meet all expectations.
+    ``broken``: how many runs did not meet all expectations. ``has_rows``: they are in it.
     """
 
     def __init__(self, rows: Iterable[Row]) -> None:
         self.rows = list(rows)
-        self.numbers = tuple(int(row["run"] or 0) for row in self.rows)
+        self.has_rows = True
+        self.numbers: Sequence[int] = tuple(int(row["run"] or 0) for row in self.rows)
         self.broken = sum(row["verdict"] != PASSED for row in self.rows)
         self.crashed = tuple(
             number
@@ -34,6 +35,16 @@ class RowBlock:
 
     def __len__(self) -> int:
         return len(self.numbers)
+
+    def without_rows(self) -> RowBlock:
+        """Return the block without its rows, which stand elsewhere by now."""
+        block = RowBlock(())
+        vars(block).update(vars(self))
+        block.rows, block.lines, block.has_rows = [], b"", False
+        numbers = range(min(self.numbers, default=0), max(self.numbers, default=-1) + 1)
+        if tuple(numbers) == self.numbers:
+            block.numbers = numbers  # a few bytes instead of some for each run
+        return block
 
     def __getstate__(self) -> dict[str, object]:
         """Return all but the rows, which ``lines`` have."""

@@ -19,7 +19,7 @@ import tempfile
 import weakref
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any, BinaryIO, Protocol
 
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
@@ -65,6 +65,8 @@ class RowStore:
 
     def __init__(self, path: Path, plan: Plan, *, resumes: bool) -> None:
         self.path = path
+        self.name = path.as_posix()
+        self.folder = None
         self.done = RunNumbers()
         self._is_sorted = True
         self._last = -1
@@ -79,9 +81,9 @@ class RowStore:
                 self._file = os.open(path, flags)
         except OSError as error:
             raise _unwritable(self.path, error) from error
-        _open_stores.add(self)
+        open_stores.add(self)
         try:
-            self._lock()
+            lock(self._file, path)
             length = self._read(head) if resumes else 0
             os.ftruncate(self._file, length)
             os.lseek(self._file, length, os.SEEK_SET)
@@ -93,18 +95,6 @@ class RowStore:
             raise
         if not length:
             self._write(f"{head}\n".encode())
-
-    def _lock(self) -> None:
-        """Keep other studies from writing the same file; raises ``Failure`` (900919)."""
-        if fcntl is None:
-            return
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            is_ours = os.path.samestat(os.fstat(self._file), self.path.stat())
-        except (BlockingIOError, FileNotFoundError):
-            is_ours = False
-        if not is_ours:  # another study writes it, or has just finished and removed it
-            raise Failure(diagnostic(OUTPUT_IN_USE, file=self.path.as_posix()))
 
     def _read(self, head: str) -> int:
         """Note the finished runs; return the length of what is whole, in bytes."""
@@ -178,12 +168,32 @@ class RowStore:
             self.path.unlink(missing_ok=True)
 
 
+class LeftByCopies(Protocol):
+    """What a copy of the process leaves to the process itself."""
+
+    def leave(self) -> None:
+        """Close what is open, without a change of any file."""
+
+
+def lock(file: int, path: Path) -> None:
+    """Keep other studies from writing an open file; raises ``Failure`` (900919)."""
+    if fcntl is None:
+        return
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        is_ours = os.path.samestat(os.fstat(file), path.stat())
+    except (BlockingIOError, FileNotFoundError):
+        is_ours = False
+    if not is_ours:  # another study writes it, or has just finished and removed it
+        raise Failure(diagnostic(OUTPUT_IN_USE, file=path.as_posix()))
+
+
 #: The stores of this process that are open: its copies, which make runs, must not hold their locks.
-_open_stores: weakref.WeakSet[RowStore] = weakref.WeakSet()
+open_stores: weakref.WeakSet[LeftByCopies] = weakref.WeakSet()
 
 
 def _leave_stores() -> None:
-    for store in list(_open_stores):
+    for store in list(open_stores):
         store.leave()
 
 

@@ -20,6 +20,7 @@ from nctakt.studies.cover import Reached, reach
 from nctakt.studies.dimension import Value
 from nctakt.studies.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.effects import without_effect, without_shown_effect
+from nctakt.studies.folder_store import FolderStore
 from nctakt.studies.inputs import command_of, inputs_of
 from nctakt.studies.measures import MeasuredValue, function_measure
 from nctakt.studies.outcome import NotMeasuredError
@@ -29,7 +30,7 @@ from nctakt.studies.processes import rows_here, rows_of_processes
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.recording import record_run
 from nctakt.studies.report import report, shown_result
-from nctakt.studies.results import arrow_table, write_rows
+from nctakt.studies.results import arrow_table, text_columns, write_rows
 from nctakt.studies.row_block import RowBlock
 from nctakt.studies.row_store import RowStore
 from nctakt.studies.schedule_bench import bench_of
@@ -160,8 +161,7 @@ class StudyResult:
         """
         texts = None
         if is_part:
-            dimensions = self.plan.dimensions
-            texts = [one.name for one in dimensions if any(isinstance(v, str) for v in one.values)]
+            texts = text_columns(self.plan)
         write_rows(self.rows, columns_of(self.plan), Path(path), self.units, texts)
 
 
@@ -231,7 +231,7 @@ class Study:
         *,
         processes: int = 1,
         numbers: Iterable[int] | None = None,
-        store: RowStore | None = None,
+        store: RowStore | FolderStore | None = None,
         executor: Executor | None = None,
         on_rows: Callable[[RowBlock], None] | None = None,
     ) -> StudyResult:
@@ -251,9 +251,10 @@ class Study:
         if executor is None:
             executor = rows_here
             copies = is_copied(self.plan, self.bench.cycle_time_us)
-            if (processes > 1 or copies) and not self._has_functions:
+            writer = None if store is None else store.folder
+            if (processes > 1 or copies or writer is not None) and not self._has_functions:
                 executor = lambda plan, left: rows_of_processes(  # noqa: E731
-                    plan, left, processes, self.bench
+                    plan, left, processes, self.bench, writer
                 )
         total = len(missing) if isinstance(missing, list) else None
         blocks: list[RowBlock] = []

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
 """A worker: a process that makes runs of a plan, asked over a pipe.
 
-In: where Python finds modules, the plan, then lists of numbers of runs, each pickled. Out: ``True``
-once it is ready, or the ``Failure`` that keeps it from that; then for each list its rows, pickled.
+In: where Python finds modules, the plan, then lists of numbers of runs, each pickled with what
+writes their rows or ``None``. Out: ``True``
+once it is ready, or the ``Failure`` that keeps it from that; then for each list its rows, pickled,
+or the ``Failure`` to write them.
 A worker has one thread, so that it can copy itself, and it ends when nobody asks any more. What a
 user's PLC prints goes to standard error, and it finds nothing to read.
 """
@@ -47,7 +49,11 @@ def serve(bench: Bench, questions: IO[bytes], answers: IO[bytes]) -> None:
     maker = maker_of(bench, may_copy=True)
     with contextlib.suppress(EOFError, BrokenPipeError):
         while True:
-            _answer(answers, make_runs(maker, pickle.load(questions)))
+            block, writer = pickle.load(questions)
+            try:
+                _answer(answers, make_runs(maker, block, writer))
+            except Failure as failure:
+                _answer(answers, failure)
 
 
 def _leave_streams() -> None:

@@ -26,7 +26,7 @@ from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import WORKER_NOT_STARTED
 from nctakt.studies.bench import Bench
-from nctakt.studies.blocks import MadeBlock
+from nctakt.studies.blocks import MadeBlock, RowWriter
 from nctakt.studies.plan import Plan
 from nctakt.studies.worker import serve
 
@@ -120,13 +120,18 @@ class WorkerProcess:
             code = worker.end()
         raise _not_started(Text(f"exit code {code}", f"Exit-Code {code}"))
 
-    def ask(self, block: Sequence[int]) -> None:
+    def ask(self, block: Sequence[int], writer: RowWriter | None) -> None:
         """Ask for the rows of a block; what is asked is answered in order."""
-        self._send(tuple(block))
+        self._send((tuple(block), writer))
 
     def answer(self) -> MadeBlock | None:
-        """Return the next rows; ``None`` if the process has ended."""
+        """Return the next rows; ``None`` if the process has ended.
+
+        Raises the ``Failure`` of what writes them.
+        """
         answer = self._received()
+        if isinstance(answer, Failure):
+            raise answer
         assert answer is None or isinstance(answer, MadeBlock)
         return answer
 

@@ -146,10 +146,13 @@ def test_the_readme_is_short_and_leads_to_the_index() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("language", ["en", pytest.param("de", marks=pytest.mark.nightly)])
-def test_the_tutorial_shows_what_happens(language: str) -> None:
+@pytest.mark.parametrize(
+    "page",
+    ["en", *(pytest.param(page, marks=pytest.mark.nightly) for page in ("de", "plc"))],
+)
+def test_the_tutorial_shows_what_happens(page: str) -> None:
     """Followed step by step in an empty folder, each command prints what the page shows."""
-    command = [sys.executable, "scripts/tutorial", "--check", language]
+    command = [sys.executable, "scripts/tutorial", "--check", page]
     done = subprocess.run(command, cwd=ROOT, check=False, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
 

@@ -315,3 +315,10 @@ PARTS_MISSING = warning(
     de="von der Studie in {folder} fehlen diese Teile: {names}; der Bericht hat nur die anderen",
     names=("the numbers of the parts", "die Nummern der Teile"),
 )
+FAULTS_OF_STRUCTURED_PLC = error(
+    902670,
+    en="faults of a PLC can be put on one in Python only, not on {file}",
+    de="Fehler einer SPS lassen sich nur einer in Python geben, nicht {file}",
+    remedy_en='Vary its inputs instead: time_of = "MAIN.bSensor = 1".',
+    remedy_de='Stattdessen ihre Eingänge variieren: time_of = "MAIN.bSensor = 1".',
+)

@@ -19,7 +19,7 @@ from importlib.abc import SourceLoader
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import CodeType, ModuleType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
@@ -50,11 +50,23 @@ def load_plc(path: str | Path) -> AnyPlc:
     ``PlcError``: no such file (900500), a folder (900501), not readable (900503), no class
     (900520), several classes (900521), an exception in the file (900522).
     """
-    if Path(path).suffix.lower() in PLC_SUFFIXES:
-        from nctakt.plc.structured_text import load_projects  # noqa: PLC0415 - rare
+    return plc_file(path).plc()
 
-        return load_projects(path)
-    return PlcFile(path).plc()
+
+class AnyPlcFile(Protocol):
+    """A PLC's file for any number of PLCs."""
+
+    def plc(self) -> AnyPlc:
+        """Return a new PLC; raises as ``load_plc``."""
+
+
+def plc_file(path: str | Path) -> AnyPlcFile:
+    """Return a PLC's file, from which PLCs are made one after another; raises as ``load_plc``."""
+    if Path(path).suffix.lower() in PLC_SUFFIXES:
+        from nctakt.plc.structured_text import StructuredFile  # noqa: PLC0415 - rare
+
+        return StructuredFile(path)
+    return PlcFile(path)
 
 
 class PlcFile:

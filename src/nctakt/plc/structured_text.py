@@ -100,11 +100,23 @@ def load_structured(path: str | Path, axes: Mapping[str, str] | None = None) -> 
     return plc_of(programs[0], path, findings, project, axes)
 
 
-def load_projects(path: str | Path) -> AnyPlc:
-    """Return the PLC of a file; of a system with several projects all of them together."""
-    programs, findings, project = inspected(path)
-    plcs = [plc_of(one, path, () if i else findings, project) for i, one in enumerate(programs)]
-    return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
+class StructuredFile:
+    """A PLC's file, read and checked once, for any number of PLCs; raises as ``load_structured``.
+
+    Of a system with several projects each PLC is all of them together.
+    """
+
+    def __init__(self, path: str | Path) -> None:
+        self._path = path
+        self._programs, self._findings, self._project = inspected(path)
+
+    def plc(self) -> AnyPlc:
+        """Return a new PLC."""
+        plcs = [
+            plc_of(one, self._path, () if i else self._findings, self._project)
+            for i, one in enumerate(self._programs)
+        ]
+        return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
 
 
 def inspected(

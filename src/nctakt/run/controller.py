@@ -205,6 +205,15 @@ class Controller:
             raise Failure(self._machine.unknown_signal(name))
         return signals[name][1]
 
+    def attach(self, plc: AnyPlc | None, signals: Sequence[str] = ()) -> None:
+        """Let the variables of a PLC in the realtime part be known before any run.
+
+        ``signals``: names of which those of its variables are signals, too. Raises ``Failure`` for
+        a fault in its FB_init.
+        """
+        self._loop.attach(plc)
+        self._machine.show_named(signals)
+
     def signals(self) -> list[Signal]:
         """Return all signals that a run can record, with their units."""
         return [Signal(name, *found[1:]) for name, found in self._machine.signals().items()]

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections import OrderedDict
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
@@ -20,14 +20,15 @@ from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import UNKNOWN_PROGRAM_VARIABLE
+from nctakt.messages.studies import FAULTS_OF_STRUCTURED_PLC, UNKNOWN_PROGRAM_VARIABLE
 from nctakt.nc.parse.lexer import without_comments
-from nctakt.plc.loading import PlcFile
+from nctakt.plc.loading import plc_file
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords, merged
 from nctakt.run.plc_view import AnyPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.realtime_parts import MACHINES, RealtimeParts
+from nctakt.run.realtime_plc import is_structured
 from nctakt.run.tape import TapeWriter
 from nctakt.schedule.open_schedule import RunSchedule
 from nctakt.studies.begun_run import BegunRun, Digest, FinishedRun
@@ -78,7 +79,7 @@ class Bench:
         self._schedules: OrderedDict[object, RunSchedule] = OrderedDict()
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
-        self._plc_file = None if plan.plc is None else PlcFile(plan.plc)
+        self._plc_file = None if plan.plc is None else plc_file(plan.plc)
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
         #: The program as it was checked for a machine.
         self._loaded: dict[Parameters, LoadedProgram] = {}
@@ -94,21 +95,26 @@ class Bench:
     def _signals(self, controller: Controller) -> tuple[str, ...]:
         """Return the signals that measures read; an axis stands for its command position."""
         axes = {axis.name for axis in controller.channel_axes}
-        plan = self.plan
-        readers = [("measure", one.name, one.node.signals()) for one in plan.measures]
-        readers += [("expect", one.text, iter(one.signals)) for one in plan.expectations]
         signals: list[str] = []
         found: list[Diagnostic] = []
-        for table, entry, names in readers:
-            for name in names:
-                signals.append(_signal_name(name, axes))
-                try:
-                    controller.signal(signals[-1])
-                except Failure as failure:
-                    found += plan.placed(failure, table, entry)
+        for table, entry, name in self._readers():
+            signals.append(_signal_name(name, axes))
+            try:
+                controller.signal(signals[-1])
+            except Failure as failure:
+                found += self.plan.placed(failure, table, entry)
         if found:
             raise Failure(*{one.text(): one for one in found}.values())
         return tuple(dict.fromkeys(signals))
+
+    def _readers(self) -> Iterator[tuple[str, str, str]]:
+        """Yield what is read, with table and entry of the plan that read it."""
+        for measure in self.plan.measures:
+            for name in measure.node.signals():
+                yield "measure", measure.name, name
+        for expectation in self.plan.expectations:
+            for name in expectation.signals:
+                yield "expect", expectation.text, name
 
     def line(self, number: int) -> str:
         """Return a line of the program, from 1."""
@@ -258,9 +264,13 @@ class Bench:
         return BegunRun(controller, run, inputs, digest, lent)
 
     def _controller(self, inputs: RunInputs) -> Controller:
-        """Return a controller with the machine and the schedule of a run."""
+        """Return a controller with machine, schedule and the PLC's variables of a run."""
         machine = self._machine_with(inputs.parameters)
-        return Controller(machine, self._schedule_of(inputs.schedule), self.access)
+        controller = Controller(machine, self._schedule_of(inputs.schedule), self.access)
+        if is_structured(self.plan.plc):
+            names = [name for _, _, name in self._readers()]
+            controller.attach(self._plc(inputs), names)
+        return controller
 
     def _schedule_of(self, changes: ScheduleChanges) -> RunSchedule | None:
         """Return the schedule with these changes, read once; ``None`` without one."""
@@ -319,7 +329,11 @@ class Bench:
 
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
         plc = None if self._plc_file is None else self._plc_file.plc()
-        return FaultyPlc(plc, inputs.faults) if inputs.faults else plc
+        if not inputs.faults:
+            return plc
+        if is_structured(self.plan.plc):
+            raise Failure(diagnostic(FAULTS_OF_STRUCTURED_PLC, file=str(self.plan.plc)))
+        return FaultyPlc(plc, inputs.faults)
 
 
 def _signal_name(name: str, axes: Collection[str]) -> str:

@@ -8,15 +8,14 @@ from __future__ import annotations
 
 import json
 import shutil
-import signal
 import socket
 import subprocess
 import sys
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from support.ads_server import Server
 from support.ads_wire import write
 
 pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing here")
@@ -24,54 +23,6 @@ pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing he
 pytestmark = pytest.mark.slow
 
 FOLDER = Path(__file__).parent
-LIMIT_S = 60.0
-
-PROGRAM = """\
-#RT CYCLE [ID=1 SCOPE=GLOBAL]
-  $IF EDGE V.E.TRIGGER > 0
-    V.E.COUNT_POS = V.E.COUNT_POS + 1
-  $ENDIF
-#RT CYCLE END
-G01 X10 F600
-M30
-"""
-
-
-def until(holds: Callable[[], bool]) -> None:
-    """Wait until something holds."""
-    end = time.monotonic() + LIMIT_S
-    while not holds():
-        assert time.monotonic() < end
-        time.sleep(0.005)
-
-
-class Server:
-    """``nctakt serve`` in a process of its own."""
-
-    def __init__(self, folder: Path, *words: str) -> None:
-        self.folder = folder
-        self.program = folder / "part.nc"
-        self.program.write_text(PROGRAM, "utf-8")
-        ready = folder / "ready.json"
-        command = [sys.executable, "-m", "nctakt", "serve", str(self.program)]
-        self.process = subprocess.Popen(
-            [*command, "--ads=127.0.0.1:0", f"--ready-file={ready}", "--quiet", *words],
-            cwd=folder,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE,
-            text=True,
-        )
-        until(lambda: ready.exists() or self.process.poll() is not None)
-        assert ready.exists(), self.process.communicate()
-        address = json.loads(ready.read_text("utf-8"))["addresses"]["ads"]
-        self.address, self.net_id = address.split("/")
-
-    def end(self) -> tuple[int, str, str]:
-        """End it as a service manager does; exit code and what it has printed."""
-        self.process.send_signal(signal.SIGTERM)
-        out, error = self.process.communicate(timeout=LIMIT_S)
-        return self.process.returncode, out, error
 
 
 @pytest.fixture(scope="module")

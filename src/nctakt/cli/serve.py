@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from nctakt.session.growing_tape import GrowingTape
     from nctakt.session.session import Session
     from nctakt.session.setup import Setup
+    from nctakt.st.program import Program
 
 
 @described(
@@ -282,6 +283,15 @@ class _Words:
     log: str | None
 
 
+def _plc_programs(options: Options) -> Sequence[Program]:
+    """Return the programs of a PLC in Structured Text; raises ``Failure``."""
+    if options.plc is None:
+        return ()
+    from nctakt.plc.structured_text import structured_programs  # noqa: PLC0415 - rare
+
+    return structured_programs(options.plc)
+
+
 def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[], None]) -> int:
     """Open the session and serve it, ``built`` once all doors are open.
 
@@ -319,8 +329,12 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
         speed = own.speed
         ready = _ready_teller(own.ready_file, built)
         growing = _growing(own.tape, session, setup, options, access)
+        programs = _plc_programs(options)
+        serving = serve(
+            session, machine, log, doors, programs=programs, tape=growing, speed=speed, ready=ready
+        )
         try:
-            asyncio.run(serve(session, machine, log, doors, tape=growing, speed=speed, ready=ready))
+            asyncio.run(serving)
         finally:
             _end(session, options, own.tape)
             if growing is not None:

@@ -50,7 +50,7 @@ from nctakt.plc.st_interface import StInterface, connect, lay_out
 from nctakt.project.project_file import Project, find_project
 from nctakt.run.named_values import SignalCell
 from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
+from nctakt.run.realtime_plc import PlcGroup, RealtimePlc, is_structured, parts_of
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
 from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType, Type
@@ -117,6 +117,17 @@ class StructuredFile:
             for i, one in enumerate(self._programs)
         ]
         return plcs[0] if len(plcs) == 1 else PlcGroup(plcs)
+
+
+def structured_programs(path: str | Path | None) -> list[Program]:
+    """Return the programs of a PLC's file as they run; none without a file in Structured Text.
+
+    Raises as ``load_structured``.
+    """
+    if path is None or not is_structured(path):
+        return []
+    realtime, _ = parts_of(StructuredFile(path).plc())
+    return [one.program for one in realtime if isinstance(one, StructuredPlc)]
 
 
 def inspected(

@@ -30,6 +30,7 @@ from nctakt.servers.notices import Notices, ServerNotice
 from nctakt.servers.store import Scalar, Store
 from nctakt.session.listening import Frame, Notice
 from nctakt.session.session import Session
+from nctakt.st.program import Program
 
 #: Writes that wait for the session at most; one more is refused.
 MAX_WRITES = 10_000
@@ -80,12 +81,19 @@ class Host:
     """A session and what its doors share; open it in a running loop.
 
     ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
-    values; ``notices``: what clients must know; ``log``: what is told of clients;
-    ``clock``: the times of ticks.
+    values; ``programs``: those of its PLC in Structured Text; ``notices``: what clients must know;
+    ``log``: what is told of clients; ``clock``: the times of ticks.
     """
 
-    def __init__(self, session: Session, machine: Machine, log: ServerLog) -> None:
+    def __init__(
+        self,
+        session: Session,
+        machine: Machine,
+        log: ServerLog,
+        programs: Sequence[Program] = (),
+    ) -> None:
         self.session = session
+        self.programs = programs
         self.machine = machine
         self.catalogue = Catalogue(names_of_machine(machine))
         self.log = log

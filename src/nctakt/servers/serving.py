@@ -11,7 +11,7 @@ import asyncio
 import contextlib
 import signal
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from nctakt.base import interrupts
@@ -25,6 +25,7 @@ from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import ServerNotice
 from nctakt.session.growing_tape import GrowingTape
 from nctakt.session.session import Session
+from nctakt.st.program import Program
 
 #: Makes a door of a host.
 DoorOpener = Callable[[Host], Door]
@@ -48,17 +49,20 @@ async def serve(
     log: ServerLog,
     doors: Mapping[str, DoorOpener],
     *,
+    programs: Sequence[Program] = (),
     tape: GrowingTape | None = None,
     speed: float | None,
     ready: Callable[[Mapping[str, str]], None],
 ) -> None:
     """Serve until a signal comes; ``ready`` gets the address of each door, ``tape`` grows.
 
+    ``programs``: those of the session's PLC in Structured Text.
+
     Raises ``Failure`` for an address that cannot be used, and when the controller has stopped
     (901354), or does not answer at the end.
     """
     sys.setswitchinterval(_SWITCH_S)
-    host = await Host(session, machine, log).open()
+    host = await Host(session, machine, log, programs).open()
     end = EndSignal(host)
     host.loop.set_exception_handler(lambda _, context: _tell_of_library(log, context))
     opened: list[tuple[str, Door]] = []

@@ -59,7 +59,7 @@ class Access:
     def __init__(self, host: Host, notifier: Notifier) -> None:
         self._host = host
         self.notifier = notifier
-        self.symbols = SymbolTable(host.machine, host.catalogue)
+        self.symbols = SymbolTable(host.machine, host.catalogue, host.programs)
         self.objects = Objects(host.catalogue, self.symbols.interface.areas)
         self._uploads = Uploads(self.symbols)
         self._once: Mapping[str, Scalar] | None = None

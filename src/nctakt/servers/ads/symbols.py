@@ -2,15 +2,15 @@
 """The symbols of a machine: names -> addresses, types and values; what clients upload (AD-3).
 
 In: the values of the session, the declarations of V.E. Out: ``SymbolTable``. Symbols are V.E and
-V.CH with their structures, arrays and elements, the values of the HLI and the signals of the
-machine. Each area has a group of its own; variables stand there one behind the other, inside as a
-PLC sees them in memory (P-STUP-00145).
+V.CH with their structures, arrays and elements, the values of the HLI, the signals of the machine
+and the variables of a PLC in Structured Text. Each area has a group of its own; variables stand
+there one behind the other, inside as a PLC sees them in memory (P-STUP-00145).
 """
 
 from __future__ import annotations
 
 import bisect
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.hli.table import LIST_NAME
@@ -31,8 +31,10 @@ from nctakt.servers.ads.data import (
     Readable,
 )
 from nctakt.servers.ads.interface import CONSTANTS, InterfaceSymbols
+from nctakt.servers.ads.plc_symbols import PlcSymbols
 from nctakt.servers.ads.types import DataType, Member, Symbol
 from nctakt.servers.catalogue import Catalogue, Value
+from nctakt.st.program import Program
 
 #: The groups of the areas: variables, values of the HLI, signals, V.E as gpVEGlob and gpVECh.
 VARIABLES, HLI, SIGNALS, PACKED = 0x4040, 0x4042, 0x4043, 0x4054
@@ -51,7 +53,9 @@ MAX_KEPT = 200_000
 class SymbolTable:
     """All symbols; ``types``: those of structures and arrays, and of numbers, by name."""
 
-    def __init__(self, machine: Machine, catalogue: Catalogue) -> None:
+    def __init__(
+        self, machine: Machine, catalogue: Catalogue, programs: Sequence[Program] = ()
+    ) -> None:
         self._catalogue = catalogue
         self._pack = pack_of(machine.startup.member_alignment)
         self.types: dict[str, DataType] = {}
@@ -68,6 +72,8 @@ class SymbolTable:
         self._add_packed(machine)
         self.interface = InterfaceSymbols(machine, self._named)
         self.symbols.update((symbol.name, symbol) for symbol in self.interface.all())
+        self.plc = PlcSymbols(programs, self._named)
+        self.symbols.update((symbol.name, symbol) for symbol in self.plc.all())
         self._starts = {
             group: [leaf.offset for leaf in leaves] for group, leaves in self._leaves.items()
         }
@@ -215,7 +221,7 @@ class SymbolTable:
         """Return the symbol of this name, in any case; raises ``AdsError`` (0x710)."""
         upper = name.upper()
         symbol = self._by_upper.get(upper) or self._by_upper.get(f"{LIST_NAME.upper()}{upper}")
-        symbol = symbol or self.interface.find(name)
+        symbol = symbol or self.plc.find(name) or self.interface.find(name)
         if symbol is None:
             raise AdsError(Error.SYMBOL, f"no symbol {name[:64]}")
         return symbol
@@ -230,7 +236,7 @@ class SymbolTable:
     def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
         """Return data for a text with zero bytes up to its end; any other data as they are."""
         if group not in self._starts:
-            return data
+            return self.plc.filled_up(group, offset, data)
         index = bisect.bisect_left(self._starts[group], offset)
         leaves = self._leaves[group]
         if index < len(leaves) and leaves[index].offset == offset:
@@ -241,7 +247,8 @@ class SymbolTable:
 
     def has_group(self, group: int) -> bool:
         """Return whether this is the group of an area."""
-        return group in self._leaves or self.interface.has_group(group)
+        owners = self.interface, self.plc
+        return group in self._leaves or any(owner.has_group(group) for owner in owners)
 
     def item(self, group: int, offset: int, size_bytes: int) -> Readable:
         """Return the values of a range of bytes.
@@ -253,6 +260,8 @@ class SymbolTable:
             return Fixed(self.interface.constant(offset, size_bytes))
         if self.interface.has_group(group):
             return self.interface.item(group, offset, size_bytes)
+        if self.plc.has_group(group):
+            return self.plc.item(group, offset, size_bytes)
         key = group, offset, size_bytes
         found = self._items.get(key)
         if found is None:
@@ -270,7 +279,7 @@ class SymbolTable:
         used = [item for item in self._items.values() if item.is_used]
         for item in used:
             item.is_used = False
-        return [*used, *self.interface.used_items()]
+        return [*used, *self.interface.used_items(), *self.plc.used_items()]
 
     def _new_item(self, group: int, offset: int, size_bytes: int) -> Item:
         starts, leaves = self._starts[group], self._leaves[group]

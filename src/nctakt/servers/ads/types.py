@@ -8,7 +8,10 @@ from nctakt.base.dataclass import dataclass
 
 @dataclass(frozen=True, slots=True)
 class DataType:
-    """A type: name, number in ADS, size; elements of an array of ``base``, or members."""
+    """A type: name, number in ADS, size; elements of an array of ``base``, or members.
+
+    ``bounds``: lower bound and count of each dimension of an array that is not counted from 0.
+    """
 
     name: str
     number: int
@@ -16,6 +19,12 @@ class DataType:
     elements: int = 0
     base: str = ""
     members: tuple[Member, ...] = ()
+    bounds: tuple[tuple[int, int], ...] = ()
+
+    @property
+    def dimensions(self) -> tuple[tuple[int, int], ...]:
+        """Lower bound and count of each dimension of an array."""
+        return self.bounds or (((0, self.elements),) if self.elements else ())
 
 
 @dataclass(frozen=True, slots=True)

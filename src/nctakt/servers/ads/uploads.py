@@ -37,10 +37,10 @@ def symbol_entry(symbol: Symbol) -> bytes:
         type_.size_bytes,
         type_.number,
         flags,
-        1 if type_.elements else 0,
+        len(type_.dimensions),
         *lengths,
     )
-    bounds = pack("<iI", 0, type_.elements) if type_.elements else b""
+    bounds = b"".join(pack("<iI", *one) for one in type_.dimensions)
     entry = body + names + bounds
     return pack("<I", len(entry) + 4) + entry
 
@@ -70,10 +70,10 @@ def type_entry(type_: DataType, name: str = "", offset: int = 0) -> bytes:
         number,
         _TYPE_ITEM if name else _TYPE,
         *lengths,
-        1 if type_.elements else 0,
+        len(type_.dimensions),
         len(own_members),
     )
-    bounds = pack("<iI", 0, type_.elements) if type_.elements else b""
+    bounds = b"".join(pack("<iI", *one) for one in type_.dimensions)
     inner = b"".join(type_entry(one.type, one.name, one.offset) for one in own_members)
     entry = body + names + bounds + inner
     return pack("<I", len(entry) + 4) + entry

@@ -38,6 +38,7 @@ DIRECTIVES = {
     "auto_pickle": False,
     "boundscheck": False,
     "cdivision": True,
+    "emit_code_comments": False,
     "initializedcheck": False,
     "nonecheck": False,
     "show_performance_hints": False,
@@ -174,6 +175,8 @@ class BuildExtensions(build_ext):
             if self.checked and sys.platform == "linux":
                 one.extra_compile_args = [*CHECKED, *SANITIZERS]
                 one.extra_link_args = SANITIZERS
+        # The largest first: at the end, one alone would keep all other processors waiting.
+        self.extensions.sort(key=lambda one: -Path(one.sources[0]).stat().st_size)
         try:
             super().build_extensions()
         except (CCompilerError, BaseError) as error:

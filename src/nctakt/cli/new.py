@@ -25,6 +25,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.machines.commented import commented_lists
 from nctakt.machines.conversion import Conversion, convert_lists
 from nctakt.machines.list_writer import ListFormat
+from nctakt.machines.xae_project import lists_of_project, project_in
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import (
     ENTRIES_AS_COMMENTS,
@@ -54,6 +55,7 @@ _NAMED_ENTRIES = 5
         "nctakt check mymachine",
         "nctakt run part.nc --machine mymachine",
         "nctakt new readable --from machine --format ascii",
+        "nctakt new mill --from Project.tsproj",
     ),
 )
 @click.argument("folder", metavar="FOLDER")
@@ -63,8 +65,8 @@ _NAMED_ENTRIES = 5
     "source",
     metavar="FOLDER",
     text=Text(
-        "Write the lists of this machine, or of demo5, instead of the demo machine's.",
-        "Statt der Listen der Demo-Maschine die dieser Maschine oder von demo5 schreiben.",
+        "Write the lists of this machine, of demo5, or of a TwinCAT project (.tsproj) instead.",
+        "Stattdessen die Listen dieser Maschine, von demo5 oder eines TwinCAT-Projekts (.tsproj).",
     ),
 )
 @table_option(BY_NAME["root"])
@@ -89,6 +91,8 @@ def command(
     try:
         if source is None:
             lists = commented_lists(language, list_format)
+        elif (project := project_in(Path(source))) is not None:
+            lists = lists_of_project(project, FileAccess())
         else:
             lists = _converted(source, root, Conversion(list_format, language))
         _write(Path(folder), lists)

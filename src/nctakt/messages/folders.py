@@ -139,3 +139,11 @@ CHANNEL_WITHOUT_AXES = warning(
     remedy_en="Name its axes in the channel list: gruppe[0].achse[i].",
     remedy_de="In der Kanalliste seine Achsen nennen: gruppe[0].achse[i].",
 )
+PROJECT_WITHOUT_LISTS = error(
+    902680,
+    en="no lists can be taken from the project {file}: {reason}",
+    de="aus dem Projekt {file} lassen sich keine Listen nehmen: {reason}",
+    remedy_en="Export the lists of its CNC into a folder: docs/machine-folders.md.",
+    remedy_de="Die Listen seiner CNC in einen Ordner exportieren: docs/machine-folders.md.",
+    reason=("what is wrong", "was falsch ist"),
+)

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR
@@ -38,6 +39,7 @@ from nctakt.messages.inputs import STIMULUS_WITHOUT_VALUE
 
 if TYPE_CHECKING:
     from nctakt.results.run import Run
+    from nctakt.results.why import WhyReport
     from nctakt.run.options import RunKeywords
 
 
@@ -64,6 +66,7 @@ if TYPE_CHECKING:
         "nctakt why part.nc",
         "nctakt why part.nc --cycle 17 --line 4 --at 1.5ms V.E.VALUE=-1",
         "nctakt why part.nc --state 0.463",
+        "nctakt why part.nc --plc cell.st --variable MAIN.bAlarm",
     ),
 )
 @run_options("why")
@@ -86,27 +89,54 @@ if TYPE_CHECKING:
     ),
 )
 @option(
+    "--variable",
+    metavar="PATH",
+    text=Text(
+        "Only this variable or interface element of a PLC in Structured Text: which statement "
+        "changed it, and the conditions that led there.",
+        "Nur diese Variable oder dieses Schnittstellenelement einer SPS in Strukturiertem Text: "
+        "welche Anweisung sie änderte, und die Bedingungen, die dahin führten.",
+    ),
+)
+@option(
     "--state",
     metavar="TIME",
     text=Text(
         "Show the states at this time of the run.", "Die Zustände zu dieser Zeit des Laufs zeigen."
     ),
 )
-def command(cycle: str | None, line: int | None, state: str | None, **words: Any) -> int:
-    """Explain reactions."""
-    return carry_out(words, lambda options, access: _why(options, access, cycle, line, state))
-
-
-def _why(
-    options: Options, access: FileAccess, cycle: str | None, line: int | None, state: str | None
+def command(
+    cycle: str | None, line: int | None, variable: str | None, state: str | None, **words: Any
 ) -> int:
+    """Explain reactions."""
+    asked = _Asked(cycle, line, variable, state)
+    return carry_out(words, lambda options, access: _why(options, access, asked))
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    """What the report is narrowed to."""
+
+    cycle: str | None
+    line: int | None
+    variable: str | None
+    state: str | None
+
+    def select(self, report: WhyReport) -> WhyReport:
+        """Return what is asked of a report; raises ``Failure`` where it has no such thing."""
+        if self.variable is not None:
+            report = report.select_plc(self.variable)
+        return report.select(self.cycle, self.line)
+
+
+def _why(options: Options, access: FileAccess, asked: _Asked) -> int:
     """Run and report; raises ``Failure`` for invalid options."""
     choose_mode(options)
     for time, assignment in options.run["at"]:
         if "=" not in assignment:
             raise Failure(diagnostic(STIMULUS_WITHOUT_VALUE, time=time))
     request = read_request(options, access)
-    moment = None if state is None else read_time(state)
+    moment = None if asked.state is None else read_time(asked.state)
     controller = start_controller(options, access)
     length_us = controller.cycle_time_us
     tick = None if moment is None else moment.us(length_us) // length_us
@@ -123,20 +153,18 @@ def _why(
         lowest = Severity.ERROR if options.quiet else Severity.NOTE
         print_diagnostics(run.diagnostics, options.language, lowest)
     if run.ticks or options.form == "json":
-        text = _report(options, run, cycle, line, tick)
+        text = _report(options, run, asked, tick)
         show_at_the_end(lambda file: print(text, end="", file=file))
     return exit_code(options, run)
 
 
-def _report(
-    options: Options, run: Run, cycle: str | None, line: int | None, tick: int | None
-) -> str:
+def _report(options: Options, run: Run, asked: _Asked, tick: int | None) -> str:
     from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as below
     from nctakt.results.summary import headline  # noqa: PLC0415 - the mode is chosen before
 
     if run.why is None or not run.ticks:
         return as_json(run_document(run, options.language))
-    report = run.why.select(cycle, line)
+    report = asked.select(run.why)
     if options.form == "json":
         state = None if tick is None else report.render_at(tick, options.language).splitlines()
         return as_json(run_document(run, options.language, why=report, state_at_tick=state))

@@ -60,3 +60,12 @@ PROGRAMS_WITHOUT_CYCLES = error(
     remedy_en="Name a program that defines realtime cycles.",
     remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",
 )
+PLC_VARIABLE_UNCHANGED = error(
+    902660,
+    en="no statement of the PLC has written {path} in this run",
+    de="keine Anweisung der SPS hat in diesem Lauf {path} geschrieben",
+    remedy_en="The nearest is {nearest}; pointers, texts and counters of FOR are not recorded.",
+    remedy_de="Am ähnlichsten ist {nearest}; Zeiger, Texte und Zähler von FOR fehlen hier.",
+    path=("the path that was given", "der angegebene Pfad"),
+    nearest=("the nearest path that was written", "der ähnlichste geschriebene Pfad"),
+)

@@ -69,11 +69,8 @@ def _branch(sources: Sources, branch: NumberedBranch, counts: Sequence[int]) -> 
 def _condition(
     sources: Sources, expression: Expression, number: int, counts: Sequence[int]
 ) -> ConditionCounts:
-    piece = sources.piece_of(expression.start)
-    text = ""
-    if piece is not None:
-        text = piece.text[expression.start - piece.base : expression.end - piece.base]
-    return ConditionCounts(" ".join(text.split()), "", counts[number], counts[number + 1])
+    text = sources.text(expression.start, expression.end)
+    return ConditionCounts(text, "", counts[number], counts[number + 1])
 
 
 def _lines(sources: Sources, starts: Sequence[int]) -> tuple[int, ...]:

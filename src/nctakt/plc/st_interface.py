@@ -142,6 +142,26 @@ def lay_out(machine: AssembledMachine, begin: int, roots: Collection[str]) -> St
     return found
 
 
+def names_of(machine: AssembledMachine, found: StInterface) -> dict[int, str]:
+    """Return the names of what lies in the interface by their addresses."""
+    names = {}
+    for one in found.placed:
+        for path, slot in slots(one.area.shape.root).items():
+            names[one.address + slot.offset] = f"{one.area.name}.{path}"
+    if found.variables:
+        pack = pack_of(machine.configuration.startup.member_alignment)
+        several = len(machine.channels) > 1
+        for part in sections(machine.configuration):
+            prefix = prefix_of(part.channel - 1) if several and part.channel else ""
+            for placed in part.placed:
+                for item in fields(placed, pack):
+                    for index in range(max(1, item.count)):
+                        at = found.variables + part.offset + item.offset + index * item.size_bytes
+                        element = f"[{index}]" if item.count else ""
+                        names[at] = f"{prefix}V.E.{item.path}{element}"
+    return names
+
+
 def is_used(root: str, roots: Collection[str]) -> bool:
     """Return whether an area is there: channels and axes together, which share functions."""
     together = ("gpCh", "gpAx")

@@ -46,7 +46,8 @@ from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
 from nctakt.plc.st_coverage import coverage_of
-from nctakt.plc.st_interface import StInterface, connect, lay_out
+from nctakt.plc.st_interface import StInterface, connect, lay_out, names_of
+from nctakt.plc.st_reasons import StReasons
 from nctakt.project.project_file import Project, find_project
 from nctakt.run.named_values import SignalCell
 from nctakt.run.plc_view import AnyPlc
@@ -56,6 +57,7 @@ from nctakt.st.program import Program, Task
 from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType, Type
 from nctakt.translation.branches import BranchNumbers
 from nctakt.translation.layout import as_word, is_real, kind_of
+from nctakt.translation.noting import NoteRows
 from nctakt.translation.project import Translation, translate
 from nctakt.translation.variables import (
     PlacedVariable,
@@ -66,6 +68,7 @@ from nctakt.translation.variables import (
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
+    from nctakt.results.plc_histories import PlcHistory
     from nctakt.run.assembly import AssembledMachine
 
 #: The block that follows a command of an axis for those of the libraries.
@@ -206,6 +209,9 @@ class StructuredPlc(RealtimePlc):
         self.translated: Translation = translate(program)
         #: The numbers of its branches, if they are counted.
         self._numbers: BranchNumbers | None = None
+        #: What is noted of it, if somebody wants to know why it acts.
+        self._rows: NoteRows | None = None
+        self._reasons: StReasons | None = None
         self._tasks: PlcTasks | None = None
         self._machine: AssembledMachine | None = None
         self._first_tick = 0
@@ -249,6 +255,10 @@ class StructuredPlc(RealtimePlc):
         self.translated.start.execute(context)
         if context.fault:
             raise PlcError(self._fault())
+        if self._rows is not None:
+            names = names_of(machine, interface)
+            tick = kernel.tick
+            self._reasons = StReasons(self.program, self._rows, context, names, tick_ns, tick)
         machine.registry.plc_span = self.span_of
         return self
 
@@ -257,6 +267,16 @@ class StructuredPlc(RealtimePlc):
         if self._numbers is None:
             self._numbers = BranchNumbers(self.program)
             self.translated = translate(self.program, self._numbers.by_identity)
+
+    def explain(self) -> None:
+        """Count its branches and note what it changes from the next ``attach`` on."""
+        self._numbers = self._numbers or BranchNumbers(self.program)
+        self._rows = self._rows or NoteRows(self.program)
+        self.translated = translate(self.program, self._numbers.by_identity, self._rows)
+
+    def changes(self) -> tuple[PlcHistory, ...]:
+        """Return what it has changed since it was attached, and why, if that is noted."""
+        return () if self._reasons is None else self._reasons.histories()
 
     def coverage(self) -> Coverage | None:
         """Return which branches have run since it was attached; ``None`` if nothing counts them."""
@@ -335,6 +355,8 @@ class StructuredPlc(RealtimePlc):
         if self._tasks is None or not self._tasks.has_news:
             return ()
         self._tasks.has_news = False
+        if self._reasons is not None:
+            self._reasons.take()
         if self.context.fault:
             return [self._fault()]
         overruns = self._overrun()

@@ -32,7 +32,7 @@ from nctakt.st.program import Program, Task
 from nctakt.st.tree import Call
 from nctakt.st.types import Callable, Kind, Node, Pou
 from nctakt.st.vocabulary.libraries import TEST_LIBRARY
-from nctakt.translation.project import methods_of
+from nctakt.translation.units import methods_of
 from nctakt.translation.variables import instances_of
 
 #: How long suites may take if nothing else is said, in s of the machine's time.

@@ -8,22 +8,28 @@ a line, ``render`` describes the whole run, ``render_at`` one tick. The data beh
 
 from __future__ import annotations
 
+import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
+from nctakt.base.misspelling import nearest
 from nctakt.base.notebook import html_columns, strip
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.explaining import (
     CYCLE_NOT_IN_RUN,
     LINE_NOT_IN_CYCLE,
+    PLC_VARIABLE_UNCHANGED,
     PROGRAMS_WITHOUT_CYCLES,
     RUN_WITHOUT_CYCLES,
     TICK_NOT_IN_RUN,
 )
 from nctakt.results.histories import CycleHistory, Series, Times
+from nctakt.results.plc_histories import PlcHistory
+from nctakt.results.plc_text import render_plc, render_plc_at
 from nctakt.results.why_text import render_answer, render_report, render_state
 from nctakt.results.why_words import Words
 
@@ -43,6 +49,21 @@ class WhyReport:
     ticks: int
     cycles: tuple[CycleHistory, ...]
     left_out: int = 0
+    #: What a PLC in Structured Text has changed.
+    plc: tuple[PlcHistory, ...] = ()
+
+    def with_plc(self, changes: tuple[PlcHistory, ...]) -> WhyReport:
+        """Return the report with what a PLC has changed."""
+        return replace(self, plc=self.plc + changes)
+
+    def select_plc(self, path: str) -> WhyReport:
+        """Return only the history of a variable of the PLC; raises ``Failure`` (902660)."""
+        sought = path.upper()
+        found = tuple(one for one in self.plc if one.path.upper() == sought)
+        if not found:
+            near = nearest(path, [one.path for one in self.plc])
+            raise Failure(diagnostic(PLC_VARIABLE_UNCHANGED, path=path, nearest=near or "-"))
+        return replace(self, cycles=(), left_out=0, plc=found)
 
     def select(self, cycle: str | None = None, line: int | None = None) -> WhyReport:
         """Return only the cycles with this ID (``17``, ``#1``), only the branches with this line.
@@ -50,6 +71,8 @@ class WhyReport:
         The line may be that of a branch or of a statement in its body. Raises ``Failure`` for an
         unknown cycle (900574) or line (900575).
         """
+        if cycle is None and line is None:
+            return self
         cycles = self.cycles
         if cycle is not None:
             cycles = tuple(history for history in cycles if history.name == cycle)
@@ -60,7 +83,16 @@ class WhyReport:
             cycles = tuple(history for history in chosen if history is not None)
             if not cycles:
                 raise Failure(self._unknown_line(line, cycle))
-        return replace(self, cycles=cycles)
+        return replace(self, cycles=cycles, plc=self._named_in(cycles))
+
+    def _named_in(self, cycles: Sequence[CycleHistory]) -> tuple[PlcHistory, ...]:
+        """Return what the PLC has changed of what conditions compare."""
+        texts = [cycle.branches[index].text.upper() for cycle in cycles for index in cycle.shown]
+        return tuple(
+            one
+            for one in self.plc
+            if any(re.search(rf"{re.escape(one.path.upper())}(?![\w.])", text) for text in texts)
+        )
 
     def _repr_html_(self) -> str:
         """Return a table for notebooks: each branch, how often it was true and ran, and when."""
@@ -93,7 +125,17 @@ class WhyReport:
     def render(self, language: Language = "en") -> str:
         """Return the histories as text with a final line end."""
         words = Words(language, self.cycle_time_us)
-        return render_report(self.cycles, self.left_out, self.last_tick, words)
+        shown = self._shown_plc()
+        plc = render_plc(shown, words)
+        if shown and not self.cycles:
+            return plc.lstrip("\n")
+        return render_report(self.cycles, self.left_out, self.last_tick, words) + plc
+
+    def _shown_plc(self) -> tuple[PlcHistory, ...]:
+        """Return what is asked for: a variable, else what the PLC has commanded."""
+        if not self.cycles and len(self.plc) == 1:
+            return self.plc
+        return tuple(one for one in self.plc if one.is_interface)
 
     @property
     def last_tick(self) -> int:
@@ -110,7 +152,11 @@ class WhyReport:
         if not first <= tick <= last:
             raise Failure(diagnostic(TICK_NOT_IN_RUN, tick=tick, first=first, last=last))
         words = Words(language, self.cycle_time_us)
-        return render_state(self.cycles, self.left_out, tick, words)
+        shown = self._shown_plc()
+        plc = render_plc_at(shown, tick, words)
+        if shown and not self.cycles:
+            return f"{words.tick(tick)}\n{plc}"
+        return render_state(self.cycles, self.left_out, tick, words) + plc
 
     def _unknown_cycle(self, name: str) -> Diagnostic:
         names = list(dict.fromkeys(cycle.name for cycle in self.cycles if cycle.name))

@@ -118,7 +118,7 @@ class ProgramRun:
         machine, options, plc = self._machine, self._options, self._plc
         if options["why"]:
             for one in parts_of(plc)[0]:
-                one.count_branches()
+                one.explain()
         self._loop.attach(plc)
         for name, value in (options["set"] or {}).items():
             machine.write(name, value)
@@ -351,6 +351,8 @@ class ProgramRun:
             counted = one.coverage()
             if coverage is not None and counted is not None:
                 coverage = coverage.plus(counted)
+            if report is not None:
+                report = report.with_plc(one.changes())
         statistics = self._statistics
         kind: type[Run] = Run
         if self._memory is not None:

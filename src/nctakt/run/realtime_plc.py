@@ -14,6 +14,7 @@ from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
+    from nctakt.results.plc_histories import PlcHistory
     from nctakt.run.assembly import AssembledMachine
 
 
@@ -40,8 +41,16 @@ class RealtimePlc(WatchedPlc):
         """Return what runs in the tick, once it is attached."""
         raise NotImplementedError
 
+    def explain(self) -> None:
+        """Count its branches and note what it changes from the next ``attach`` on, if it can."""
+        self.count_branches()
+
     def count_branches(self) -> None:
         """Count what its branches do from the next ``attach`` on, if it can."""
+
+    def changes(self) -> tuple[PlcHistory, ...]:
+        """Return what it has changed since it was attached, and why, if that is noted."""
+        return ()
 
     def coverage(self) -> Coverage | None:
         """Return which branches have run since it was attached; ``None`` if nothing counts them."""

@@ -75,6 +75,13 @@ class Sources:
             return Span(piece.file, line, column, len(self.line(piece.file, line)) + 1)
         return Span(piece.file, line, column, last_column + 1)
 
+    def text(self, start: int, end: int) -> str:
+        """Return a part of the text, in one line."""
+        piece = self.piece_of(start)
+        if piece is None:
+            return ""
+        return " ".join(piece.text[start - piece.base : end - piece.base].split())
+
     def line_number(self, position: int) -> int:
         """Return the line of a position in its file, 0 for none."""
         piece = self.piece_of(position)

@@ -31,6 +31,7 @@ from nctakt.st.types import (
 from nctakt.translation.frames import Frame
 from nctakt.translation.layout import Layout
 from nctakt.translation.locations import Location
+from nctakt.translation.noting import NoteRows
 
 
 class CannotRunError(Exception):
@@ -50,6 +51,8 @@ class Routines(Protocol):
     roots: set[str]
     #: The numbers of conditions and bodies that are counted, by identity.
     counted: Mapping[int, int]
+    #: What is noted of its own code, if somebody wants to know why it acted.
+    notes: NoteRows | None
 
     def routine(self, called: Callable) -> Routine:
         """Return the routine of a function, method or body."""
@@ -89,6 +92,9 @@ class Body(ABC):
         #: The block or program whose variables are seen; ``None`` in functions.
         self.pou = pou
         self.frame = Frame(called.frame_size)
+        #: What is noted of this code.
+        known = project.notes
+        self.notes = known if known is not None and id(called) in known.units else None
         #: The dereference that the assignment at work writes through.
         self.written: Expression | None = None
         #: Nodes of the statement at work: its cost.

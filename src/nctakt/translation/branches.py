@@ -8,14 +8,14 @@ of the expression or of the list of statements in the tree.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.st import tree
 from nctakt.st.program import Program
-from nctakt.st.types import Callable, Expression, Kind, Method, Node, Pou, Statement
-from nctakt.translation.project import methods_of
+from nctakt.st.types import Callable, Expression, Node, Statement
+from nctakt.translation.units import own_units
 
 BranchKind = Literal["IF", "ELSIF", "ELSE", "CASE", "FOR", "WHILE", "REPEAT"]
 _JOINING = (tree.Operator.AND, tree.Operator.AND_THEN, tree.Operator.OR, tree.Operator.OR_ELSE)
@@ -59,7 +59,7 @@ class BranchNumbers:
     def __init__(self, program: Program) -> None:
         self.by_identity: dict[int, int] = {}
         self.size = 0
-        self.units = [self._unit(called, title) for called, title in _units(program)]
+        self.units = [self._unit(called, title) for called, title in own_units(program)]
 
     def _take(self, key: object, count: int) -> int:
         number = self.by_identity[id(key)] = self.size
@@ -137,23 +137,3 @@ def _parts(condition: Expression) -> list[Expression]:
     if isinstance(condition, tree.Binary) and condition.operator in _JOINING:
         return [*_parts(condition.left), *_parts(condition.right)]
     return [] if condition.value is not None else [condition]
-
-
-def _units(program: Program) -> Iterator[tuple[Callable, str]]:
-    """Yield what the project itself declares and can be called, with its keyword."""
-    for pou in program.pous.values():
-        if pou.library or pou.is_refused:
-            continue
-        if pou.body:
-            yield pou, pou.kind.value
-        if pou.kind is not Kind.FUNCTION:
-            for method in methods_of(pou):
-                if method.body:
-                    yield method, _title(pou, method)
-
-
-def _title(pou: Pou, method: Method) -> str:
-    if method.is_action:
-        return "ACTION"
-    accessors = [part for one in pou.properties.values() for part in (one.get, one.set)]
-    return "PROPERTY" if method in accessors else "METHOD"

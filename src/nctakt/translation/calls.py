@@ -7,6 +7,7 @@ from abc import abstractmethod
 
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.calls import Callee, NoteCaller, ResultPlace
+from nctakt.kernel.st.noted import NotedCall
 from nctakt.kernel.st.reals import RealOfWhole
 from nctakt.kernel.st.steps import CopyBytes, Step, steps_in_order
 from nctakt.kernel.st.texts import AssignString
@@ -65,7 +66,11 @@ class Calls(BuiltIns):
         arguments, outputs = self._arguments(call, called, fills_instance)
         if _library_of(called) == TEST_LIBRARY != _library_of(self.called):
             arguments = steps_in_order([arguments, NoteCaller(call.start)])
-        return CallNode(callee, instance, shared, arguments, outputs, fills_instance, call.start)
+        node = CallNode(callee, instance, shared, arguments, outputs, fills_instance, call.start)
+        return self._noted(node, call)
+
+    def _noted(self, node: CallNode, call: Expression) -> CallNode:
+        return node if self.notes is None else NotedCall(node, self.notes.add_call(call))
 
     def callee(
         self, instance: Expression, called: Callable, is_virtual: bool
@@ -258,7 +263,8 @@ class Calls(BuiltIns):
         is_super = isinstance(base, tree.Dereference) and isinstance(base.base, tree.Super)
         instance, callee = self.callee(base, method, not is_super)
         shared = self.project.shared_bytes(method)
-        return CallNode(callee, instance, shared, arguments, Step(), False, expression.start)
+        node = CallNode(callee, instance, shared, arguments, Step(), False, expression.start)
+        return self._noted(node, expression)
 
     def set_property(self, target: tree.Name | tree.Member, value: Expression, source: int) -> Step:
         """Return the call of Set with a value; of a reference that Get returns, its assignment."""

@@ -33,7 +33,9 @@ from nctakt.translation.initial_values import Images, put_scalar
 from nctakt.translation.initialisation import Initialisation
 from nctakt.translation.layout import Layout, lay_out_frame
 from nctakt.translation.locations import Location, Origin
+from nctakt.translation.noting import NoteRows
 from nctakt.translation.reflection import InstancePaths
+from nctakt.translation.units import methods_of
 
 
 @dataclass(slots=True, eq=False)
@@ -52,12 +54,17 @@ class Translation:
     roots: set[str]
 
 
-def translate(program: Program, counted: Mapping[int, int] | None = None) -> Translation:
+def translate(
+    program: Program,
+    counted: Mapping[int, int] | None = None,
+    notes: NoteRows | None = None,
+) -> Translation:
     """Translate what the tasks of a checked program reach.
 
     ``counted``: the numbers of the conditions and bodies that are counted, by identity.
+    ``notes``: what is noted of its own code.
     """
-    project = _Project(program, counted or {})
+    project = _Project(program, counted or {}, notes)
     start, end = project.start(), project.end()
     bodies = {
         pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
@@ -69,9 +76,12 @@ def translate(program: Program, counted: Mapping[int, int] | None = None) -> Tra
 class _Project:
     """The routines and the memory of a program while they are made."""
 
-    def __init__(self, program: Program, counted: Mapping[int, int]) -> None:
+    def __init__(
+        self, program: Program, counted: Mapping[int, int], notes: NoteRows | None
+    ) -> None:
         self.program = program
         self.counted = counted
+        self.notes = notes
         self.layout = Layout(program.data_size)
         self.refused: list[CannotRunError] = []
         self.roots: set[str] = set()
@@ -296,13 +306,6 @@ def _called_alone(steps: list[Step], frame_size: int) -> Step:
 def nowhere(start: int) -> Expression:
     """Return an expression that only has a position."""
     return Expression(start, start)
-
-
-def methods_of(pou: Pou) -> Iterator[Method]:
-    """Yield the methods, actions and accessors that a block declares itself."""
-    yield from pou.methods.values()
-    for one in pou.properties.values():
-        yield from (method for method in (one.get, one.set) if method is not None)
 
 
 def _owners(blocks: list[Pou]) -> dict[int, Pou]:

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from nctakt.kernel.st import branching, kinds
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.counting import CountedStep
+from nctakt.kernel.st.noted import NotedLoop, NotedPass, NotedResult, NotedScope
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import (
     CopyBytes,
@@ -44,6 +45,7 @@ from nctakt.translation.calls import Calls
 from nctakt.translation.checks import written_pointer
 from nctakt.translation.layout import is_real, kind_of
 from nctakt.translation.locations import Location
+from nctakt.translation.noting import leaves_early
 
 _UPDATES: dict[type[Whole], int] = {
     AddWhole: kinds.ADD,
@@ -66,7 +68,19 @@ class Statements(Calls):
         """Return a statement; what it keeps for a while is free after it."""
         step = self._statement(written)
         self.frame.release()
-        return step
+        if self.notes is None or leaves_early(written):
+            return step
+        if isinstance(written, tree.Assignment) and self._is_result(written.target):
+            return NotedResult(step, self.notes.add("result", written))
+        return NotedScope(step)
+
+    def _is_result(self, target: Expression) -> bool:
+        result = self.called.result
+        return isinstance(target, tree.Name) and result is not None and target.target is result
+
+    def _loop_condition(self, condition: Expression) -> Whole:
+        node = self.whole(condition)
+        return node if self.notes is None else NotedLoop(node)
 
     def _statement(self, written: Statement) -> Step:
         source = written.start
@@ -82,11 +96,12 @@ class Statements(Calls):
             case tree.For():
                 return self._for(written)
             case tree.While(condition=condition, body=body):
-                truth, cost = self.whole(condition), self.take_cost()
+                truth, cost = self._loop_condition(condition), self.take_cost()
                 return branching.While(truth, self.statements(body), source, cost)
             case tree.Repeat(condition=condition, body=body):
                 inner = self.statements(body)
-                return branching.Repeat(self.whole(condition), inner, source, self.take_cost())
+                truth = self._loop_condition(condition)
+                return branching.Repeat(truth, inner, source, self.take_cost())
             case tree.Exit():
                 return Leave(kinds.EXITS, source)
             case tree.Continue():
@@ -232,6 +247,9 @@ class Statements(Calls):
         cost = self.take_cost()
         self.frame.release()
         body = self.statements(written.body)
+        if self.notes is not None:
+            row = self.notes.add("pass", written)
+            body = NotedPass(body, counter.address(), counter.kind, row)
         return branching.For(
             counter.address(), counter.kind, first, last, step, body, written.start, cost
         )

@@ -6,6 +6,7 @@ from __future__ import annotations
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.counting import CountedTruth
 from nctakt.kernel.st.kept import RealAfter, WholeAfter
+from nctakt.kernel.st.noted import NotedReal, NotedWhole
 from nctakt.kernel.st.reals import (
     AddReal,
     CompareReal,
@@ -98,7 +99,10 @@ class Values(Designators):
     def whole(self, expression: Expression) -> Whole:
         node = self._whole(expression)
         number = self.project.counted.get(id(expression))
-        return node if number is None else CountedTruth(node, number)
+        if number is not None:
+            node = CountedTruth(node, number)
+        row = None if self.notes is None else self.notes.by_identity.get(id(expression))
+        return node if row is None else NotedWhole(node, row)
 
     def _whole(self, expression: Expression) -> Whole:
         self.cost += 1
@@ -133,6 +137,13 @@ class Values(Designators):
         return self.location(expression).load(self.layout.data_end)
 
     def real(self, expression: Expression) -> Real:
+        node = self._real(expression)
+        row = None if self.notes is None else self.notes.by_identity.get(id(expression))
+        if row is None or not is_real(value_type(expression)):
+            return node
+        return NotedReal(node, row)
+
+    def _real(self, expression: Expression) -> Real:
         self.cost += 1
         if expression.value is not None and not isinstance(expression.value, bytes):
             return RealConstant(float(expression.value))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of blocks_of_bytes.py.
 cimport cython
-from nctakt.kernel.st cimport words
+from nctakt.kernel.st cimport kinds, words
 from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.wholes cimport Whole
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.kernel.st import words
+from nctakt.kernel.st import kinds, words
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.wholes import Whole
 
@@ -28,6 +28,8 @@ class MoveBytes(Whole):
             return 0
         context.steps += count >> 3
         words.copy(context.memory, to, origin, count)
+        if context.is_noting:
+            context.wrote_bytes(to, count, kinds.NOT_A_STATEMENT)
         return count
 
 
@@ -50,6 +52,8 @@ class FillBytes(Whole):
             return 0
         context.steps += count >> 3
         words.fill(context.memory, to, count, filling & 255)
+        if context.is_noting:
+            context.wrote_bytes(to, count, kinds.NOT_A_STATEMENT)
         return count
 
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # C types of context.py.
 cimport cython
-from nctakt.kernel.st cimport kinds
+from nctakt.kernel.st cimport kinds, notes
+from nctakt.kernel.st.notes cimport Notes
 from nctakt.kernel.st.outside cimport Outside
 
 @cython.final
@@ -12,6 +13,8 @@ cdef class PlcContext:
     cdef readonly long long end
     cdef readonly long long interface
     cdef public Outside outside
+    cdef readonly Notes notes
+    cdef readonly bint is_noting
     cdef long long[::1] writers
     cdef public long long task
     cdef public long long frame
@@ -39,6 +42,8 @@ cdef class PlcContext:
     cdef public bint stops_at_invalid
     cdef public bint wraps_conversions
 
+    cdef void wrote(self, long long at, int kind, long long source) noexcept nogil
+    cdef void wrote_bytes(self, long long at, long long size, long long source) noexcept nogil
     cdef void count(self, long long number) noexcept nogil
     cpdef void begin(self, long long now) noexcept nogil
     cdef void fail(self, int message, long long a, long long b) noexcept nogil

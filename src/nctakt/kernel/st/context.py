@@ -9,7 +9,8 @@ offset needs no check (ST-001). A pointer is an offset in it; 0 is null.
 from __future__ import annotations
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds
+from nctakt.kernel.st import kinds, notes
+from nctakt.kernel.st.notes import Notes
 from nctakt.kernel.st.outside import Outside
 
 
@@ -26,6 +27,7 @@ class PlcContext:
     a task whose cycle took too long, ``overrun_ns`` how long, 0 where nothing is to be reported.
     ``caller`` is the source of the latest call of a test's function; ``counts`` says how often
     conditions and bodies ran.
+    ``notes`` keeps what leads to changes while somebody wants to know (``is_noting``).
     ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
     its source, its values and the calls that led to it (ST-560).
     """
@@ -43,6 +45,8 @@ class PlcContext:
         self.interface = self.end if interface is None else interface
         check_range(self.interface, stack_end, self.end, "interface")
         self.outside = Outside()
+        self.notes = Notes(0)
+        self.is_noting = False
         self.writers = memoryview(bytearray(8 * (self.end - self.interface) + 8)).cast("q")
         self.frame = stack
         self.top = stack
@@ -75,6 +79,22 @@ class PlcContext:
         self.counts = memoryview(bytearray(8 * size + 8)).cast("q")
         self.count_end = size
 
+    def keep_notes(self) -> Notes:
+        """Note what leads to changes from now on; return where."""
+        self.notes = Notes(len(self.memory))
+        self.is_noting = True
+        return self.notes
+
+    def wrote(self, at: int, kind: int, source: int) -> None:
+        """Note that a statement has written a value; one of the interface is watched from now."""
+        if at >= self.interface and self.notes.watched[at] == 0:
+            self.notes.discover(self.memory, at, kind)
+        self.notes.note(self.memory, at, notes.width(kind), source, self.now)
+
+    def wrote_bytes(self, at: int, size: int, source: int) -> None:
+        """Note that a statement has written bytes."""
+        self.notes.note(self.memory, at, size, source, self.now)
+
     def count(self, number: int) -> None:
         """Count a condition or a body, if it is counted at all."""
         if number < self.count_end:
@@ -87,6 +107,7 @@ class PlcContext:
         self.frame = self.stack
         self.top = self.stack
         self.depth = 0
+        self.notes.begin()
 
     def fail(self, message: int, a: int, b: int) -> None:
         """Note the first fault; the statement adds its source."""

@@ -67,6 +67,19 @@ MAX_INPUTS = 4096
 MAX_OUTPUTS = 256
 #: Counts of conditions and bodies in one project, at most.
 MAX_COUNTS = 1 << 22
+#: Notes of what led to a change (``notes.py``): rows on the stack, watched variables, words of the
+#: log, words before the rows of a change; rows that say that those from a row on belong to a
+#: statement that is over, or to a call that has returned.
+NOTE_ROWS = 512
+MAX_WATCHES = 16384
+NOTE_LOG = 1 << 18
+NOTE_HEAD = 7
+NOTE_CLOSED = -1
+NOTE_RETURNED = -2
+NOTES_CUT = 1
+NOTES_FIRST = 2
+#: The source of what MEMCPY and the like write.
+NOT_A_STATEMENT = -1
 
 #: What code asks of an axis or of a command.
 (

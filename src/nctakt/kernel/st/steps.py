@@ -114,6 +114,8 @@ class StoreFixed(Store):
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, self.target, self.kind, value)
+        if context.is_noting:
+            context.wrote(self.target, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -150,6 +152,8 @@ class StoreInstance(Store):
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, context.instance + self.target, self.kind, value)
+        if context.is_noting:
+            context.wrote(context.instance + self.target, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -173,6 +177,8 @@ class StoreAt(Sourced):
         words.store(context.memory, at, self.kind, value)
         if at >= context.interface:
             context.note_writer(at, self.source)
+        if context.is_noting:
+            context.wrote(at, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -207,6 +213,8 @@ class UpdateAt(Sourced):
         else:
             left = left | right
         words.store(context.memory, at, self.kind, left)
+        if context.is_noting:
+            context.wrote(at, self.kind, self.source)
         if at >= context.interface:
             context.note_writer(at, self.source)
         return kinds.GOES_ON
@@ -239,6 +247,8 @@ class StoreRealFixed(StoreReal):
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, self.target, self.kind, number)
+        if context.is_noting:
+            context.wrote(self.target, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -275,6 +285,8 @@ class StoreRealInstance(StoreReal):
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, context.instance + self.target, self.kind, number)
+        if context.is_noting:
+            context.wrote(context.instance + self.target, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -298,6 +310,8 @@ class StoreRealAt(Sourced):
         words.store_real(context.memory, at, self.kind, number)
         if at >= context.interface:
             context.note_writer(at, self.source)
+        if context.is_noting:
+            context.wrote(at, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -326,6 +340,8 @@ class StoreBit(Sourced):
         old = words.load(context.memory, at, self.kind)
         new = old | mask if value else old & (-1 - mask)
         words.store(context.memory, at, self.kind, new)
+        if context.is_noting:
+            context.wrote(at, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -348,6 +364,8 @@ class CopyBytes(Sourced):
         if context.fault:
             return context.stop_at(self.source)
         words.copy(context.memory, to, origin, self.size)
+        if context.is_noting:
+            context.wrote_bytes(to, self.size, self.source)
         return kinds.GOES_ON
 
 

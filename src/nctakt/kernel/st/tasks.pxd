@@ -63,7 +63,7 @@ cdef class PlcTasks(PlcSide):
     @cython.locals(begin=cython.longlong)
     cdef void run(self, long long tick) noexcept nogil
     @cython.locals(i=Py_ssize_t)
-    cdef void latch_inputs(self) noexcept nogil
+    cdef void latch_inputs(self, long long begin) noexcept nogil
     cdef void run_tasks(self, long long tick, long long begin) noexcept nogil
     @cython.locals(
         i=Py_ssize_t, address=cython.longlong, kind=int, cell=Py_ssize_t, value=cython.longlong

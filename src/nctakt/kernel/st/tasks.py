@@ -216,24 +216,31 @@ class PlcTasks(PlcSide):
         begin = (tick - self.first_tick) * self.tick_ns
         self.cnc.follow(tick)
         if self.context.fault == 0:
-            self.latch_inputs()
+            self.latch_inputs(begin)
             if self.tasks.is_due(begin + self.tick_ns):
                 self.run_tasks(tick, begin)
         self.show_outputs()
 
-    def latch_inputs(self) -> None:
-        """Put what came from outside into the memory."""
+    def latch_inputs(self, begin: int) -> None:
+        """Put what came from outside into the memory, at this time in ns."""
         for i in range(self.input_count):
             words.store(self.context.memory, self.input_address[i], kinds.U8, self.input_byte[i])
+        if self.context.is_noting:
+            for i in range(self.input_count):
+                self.context.notes.touch(self.context.memory, self.input_address[i], begin)
         self.input_count = 0
 
     def run_tasks(self, tick: int, begin: int) -> None:
         """Run the tasks that are due between what the CNC shows and what it is commanded."""
         self.cnc.show(tick)
+        if self.context.is_noting:
+            self.context.notes.refresh(self.context.memory, begin)
         if self.tasks.run(self.context, begin, begin + self.tick_ns) == kinds.STOPS:
             self.has_news = True
             self.cnc.leave()
         elif self.cnc.take() or self.context.overrun_task:
+            self.has_news = True
+        if self.context.notes.log_end > kinds.NOTE_LOG >> 1:
             self.has_news = True
 
     def show_outputs(self) -> None:

@@ -74,6 +74,8 @@ class AssignString(Sourced):
         context.steps += count >> 3
         words.copy(context.memory, to, begin, count)
         words.fill(context.memory, to + count, unit, 0)
+        if context.is_noting:
+            context.wrote_bytes(to, count + unit, self.source)
         return kinds.GOES_ON
 
 

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+"""What led to a change of a variable: conditions with their values, kept while a cycle runs.
+
+Conditions, operands and calls put rows of a number and a value on a stack; a statement's rows leave
+it when the statement is over, those of a call that led to its result stay until the calling
+statement is over. When a watched variable changes, the rows on the stack are copied into the log
+(ST-840), which Python empties between two ticks. Without watches nothing of this runs.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.base.bounds import check_range
+from nctakt.kernel.st import kinds, words
+
+
+class Notes:
+    """The stack of rows, the watched variables, and the log of their changes.
+
+    ``watched`` has for each byte of the memory the number of the watch that it belongs to, from 1
+    on, or 0. A change in the log: watch, time in ns, source (0: not by a statement), value before,
+    value after, number of rows, whether rows are missing (``kinds.NOTES_CUT``) or the value before
+    is not known (``kinds.NOTES_FIRST``); then the rows.
+    """
+
+    def __init__(self, size: int) -> None:
+        check_range(size, 0, kinds.MAX_MEMORY, "size")
+        self.is_on = size > 0
+        rows = kinds.NOTE_ROWS if size else 0
+        watches = kinds.MAX_WATCHES if size else 0
+        self.top = 0
+        self.kept = 0
+        self.loop = 0
+        self.numbers = memoryview(bytearray(8 * rows + 8)).cast("q")
+        values = bytearray(8 * rows + 8)
+        self.values = memoryview(values).cast("q")
+        self.reals = memoryview(values).cast("d")
+        self.watched = memoryview(bytearray(4 * size + 4)).cast("i")
+        self.count = 0
+        self.interface_from = 0
+        self.address = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.kind = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.is_new = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.seen = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.written_at = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.written_by = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.log_size = kinds.NOTE_LOG if size else 0
+        self.log = memoryview(bytearray(8 * self.log_size + 8)).cast("q")
+        self.log_end = 0
+
+    def begin(self) -> None:
+        """Begin a cycle: nothing has led anywhere yet."""
+        self.top = 0
+        self.kept = 0
+        self.loop = 0
+
+    def push(self, number: int, value: int) -> None:
+        """Put a row on the stack; rows that have no room are counted."""
+        if self.top < kinds.NOTE_ROWS:
+            self.numbers[self.top] = number
+            self.values[self.top] = value
+        self.top += 1
+
+    def push_real(self, number: int, value: float) -> None:
+        """Put a row with a real number on the stack."""
+        if self.top < kinds.NOTE_ROWS:
+            self.numbers[self.top] = number
+            self.reals[self.top] = value
+        self.top += 1
+
+    def leave(self, begin: int) -> None:
+        """Take the rows of a statement off, unless some of them led to a result."""
+        if self.kept > begin:
+            self.push(kinds.NOTE_CLOSED, begin)
+        else:
+            self.top = begin
+
+    def add(self, memory: memoryview, address: int, kind: int) -> int:
+        """Watch a variable from now on; return its number, 0 where there is no room."""
+        if self.count >= kinds.MAX_WATCHES:
+            return 0
+        self.count += 1
+        self.address[self.count] = address
+        self.is_new[self.count] = 0
+        self.kind[self.count] = kind
+        self.seen[self.count] = self.bits(memory, address, kind)
+        self.written_at[self.count] = -1
+        for i in range(width(kind)):
+            if self.watched[address + i] == 0:
+                self.watched[address + i] = self.count
+        return self.count
+
+    def bits(self, memory: memoryview, address: int, kind: int) -> int:
+        """Return the value of a variable, of a real number its bits."""
+        if kind == kinds.F32:
+            return words.load(memory, address, kinds.U32)
+        if kind == kinds.F64:
+            return words.load(memory, address, kinds.I64)
+        return words.load(memory, address, kind)
+
+    def watch(self, memory: memoryview, address: int, kind: int) -> int:
+        """Watch a variable for Python's side."""
+        check_range(kind, kinds.BOOL, kinds.F64, "kind")
+        check_range(address, kinds.NULL_BYTES, len(self.watched) - 9, "address")
+        return self.add(memory, address, kind)
+
+    def note(self, memory: memoryview, at: int, size: int, source: int, now: int) -> None:
+        """Note that a statement has written bytes; log the variables that it has changed."""
+        latest = 0
+        for i in range(size):
+            number = self.watched[at + i]
+            if number not in (0, latest):
+                latest = number
+                self.written_at[number] = now
+                self.written_by[number] = source
+                self.compare(memory, number, source, now)
+
+    def discover(self, memory: memoryview, at: int, kind: int) -> None:
+        """Watch a value that has just been written; what it was before is not known."""
+        number = self.add(memory, at, kind)
+        if number:
+            self.is_new[number] = 1
+
+    def refresh(self, memory: memoryview, now: int) -> None:
+        """Log what else than a statement has changed in the interface."""
+        for number in range(self.interface_from, self.count + 1):
+            self.compare(memory, number, 0, now)
+
+    def touch(self, memory: memoryview, at: int, now: int) -> None:
+        """Log that a byte has come from outside."""
+        if self.watched[at]:
+            self.compare(memory, self.watched[at], 0, now)
+
+    def compare(self, memory: memoryview, number: int, source: int, now: int) -> None:
+        """Log a variable that has changed, with what led to it."""
+        value = self.bits(memory, self.address[number], int(self.kind[number]))
+        before = self.seen[number]
+        if value == before and self.is_new[number] == 0:
+            return
+        count = min(self.top, kinds.NOTE_ROWS) if source else 0
+        if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size:
+            return  # what is seen stays as it was: so the gap shows
+        self.seen[number] = value
+        at = self.log_end
+        self.log[at] = number
+        self.log[at + 1] = now
+        self.log[at + 2] = source
+        self.log[at + 3] = before
+        self.log[at + 4] = value
+        self.log[at + 5] = count
+        flags = kinds.NOTES_FIRST if self.is_new[number] else 0
+        if source and self.top > count:
+            flags |= kinds.NOTES_CUT
+        self.log[at + 6] = flags
+        self.is_new[number] = 0
+        at += kinds.NOTE_HEAD
+        for i in range(count):
+            self.log[at] = self.numbers[i]
+            self.log[at + 1] = self.values[i]
+            at += 2
+        self.log_end = at
+
+    def take_log(self) -> list[int]:
+        """Return the words of the log, and empty it."""
+        log = list(self.log[: self.log_end])
+        self.log_end = 0
+        return log
+
+
+def width(kind: int) -> int:
+    """Return the number of bytes that a kind has."""
+    if kind in (kinds.BOOL, kinds.I8, kinds.U8):
+        return 1
+    if kind in (kinds.I16, kinds.U16):
+        return 2
+    return 4 if kind in (kinds.I32, kinds.U32, kinds.F32) else 8

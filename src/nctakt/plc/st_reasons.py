@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: MIT
+"""Why a PLC in Structured Text has changed its variables: its notes -> histories (ST-840).
+
+In: the log of ``kernel.st.notes`` and the rows of the program. Out: ``PlcHistory`` for each watched
+variable that a statement has written. Watched are the scalars of its own code, but for counters of
+FOR and pointers, and each place of the interface that a statement writes.
+"""
+
+from __future__ import annotations
+
+import itertools
+import struct
+from collections import deque
+from collections.abc import Callable, Iterator, Mapping
+
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Span
+from nctakt.kernel.st import kinds
+from nctakt.kernel.st.context import PlcContext
+from nctakt.results.plc_histories import Fact, PlcChange, PlcHistory
+from nctakt.st.program import Program
+from nctakt.st.types import (
+    ArrayType,
+    BlockType,
+    EnumType,
+    Expression,
+    InterfaceType,
+    Kind,
+    PointerType,
+    ReferenceType,
+    Section,
+    Storage,
+    StructType,
+    Type,
+    Variable,
+)
+from nctakt.trace.events import number_text
+from nctakt.translation.body import value_type
+from nctakt.translation.layout import is_real, kind_of
+from nctakt.translation.noting import NoteRows
+
+#: Changes of a variable that are kept: the newest.
+CHANGES_KEPT = 50
+#: Elements of an array that are watched, at most.
+_MAX_ELEMENTS = 256
+
+
+@dataclass(slots=True)
+class _Kept:
+    """The changes of a watch, as words of the log."""
+
+    changes: deque[tuple[int, ...]] = field(default_factory=lambda: deque(maxlen=CHANGES_KEPT))
+    count: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class _Named:
+    """What a watch is called, and how its value is written."""
+
+    path: str
+    is_interface: bool
+    show: Callable[[int], str]
+
+
+class StReasons:
+    """The notes of one PLC at work."""
+
+    def __init__(
+        self,
+        program: Program,
+        rows: NoteRows,
+        context: PlcContext,
+        names: Mapping[int, str],
+        tick_ns: int,
+        first_tick: int,
+    ) -> None:
+        self._program = program
+        self._rows = rows
+        self._context = context
+        self._notes = context.keep_notes()
+        self._tick_ns = tick_ns
+        self._first_tick = first_tick
+        self._names = names
+        self._own: dict[int, _Named] = {}
+        self._kept: dict[int, _Kept] = {}
+        for path, address, found in _own_variables(program, rows.counters):
+            kind = kind_of(found)
+            number = 0 if kind is None else self._watch(address, kind)
+            if number and kind is not None:
+                self._own[number] = _Named(path, False, _shower(found, kind))
+        self._notes.interface_from = self._notes.count + 1
+
+    def _watch(self, address: int, kind: int) -> int:
+        return self._notes.watch(self._context.memory, address, kind)
+
+    def take(self) -> None:
+        """Take what has been logged since the last call."""
+        log = self._notes.take_log()
+        at = 0
+        while at < len(log):
+            end = at + kinds.NOTE_HEAD + 2 * log[at + 5]
+            kept = self._kept.setdefault(log[at], _Kept())
+            kept.changes.append(tuple(log[at:end]))
+            kept.count += 1
+            at = end
+
+    def histories(self) -> tuple[PlcHistory, ...]:
+        """Return the histories of what statements have written, in the order of their names."""
+        self.take()
+        found = [
+            self._history(number)
+            for number in range(1, self._notes.count + 1)
+            if self._notes.written_at[number] >= 0 or number in self._kept
+        ]
+        return tuple(sorted(found, key=lambda one: (not one.is_interface, one.path)))
+
+    def _history(self, number: int) -> PlcHistory:
+        notes, named = self._notes, self._named(number)
+        kept = self._kept.get(number, _Kept())
+        changes = tuple(self._change(words, named) for words in kept.changes)
+        written = notes.written_at[number]
+        begin = named.show(kept.changes[0][3] if kept.changes else notes.seen[number])
+        if changes and not changes[0].before:
+            begin = ""
+        return PlcHistory(
+            named.path,
+            named.is_interface,
+            begin,
+            changes,
+            kept.count - len(changes),
+            self._tick(written) if written >= 0 else None,
+            self._span(notes.written_by[number]) if written >= 0 else None,
+            self._statement(notes.written_by[number]) if written >= 0 else "",
+        )
+
+    def _named(self, number: int) -> _Named:
+        found = self._own.get(number)
+        if found is not None:
+            return found
+        address, kind = self._notes.address[number], int(self._notes.kind[number])
+        name = self._names.get(address, f"%{address}")
+        return _Named(name, True, _shower(None, kind))
+
+    def _tick(self, now: int) -> int:
+        return int(now // self._tick_ns) + self._first_tick
+
+    def _span(self, source: int) -> Span | None:
+        return self._program.sources.span(source, source + 1) if source > 0 else None
+
+    def _statement(self, source: int) -> str:
+        """Return the text of a statement, of other sources the rest of their line."""
+        span, end = self._span(source), self._rows.ends.get(source)
+        if span is None:
+            return ""
+        if end is not None:
+            return self._program.sources.text(source, end)
+        return self._program.sources.line(span.file, span.line)[span.column - 1 :].strip()
+
+    def _change(self, words: tuple[int, ...], named: _Named) -> PlcChange:
+        _, now, source, before, value, count, flags = words[: kinds.NOTE_HEAD]
+        rows = words[kinds.NOTE_HEAD :]
+        pairs = [(rows[2 * i], rows[2 * i + 1]) for i in range(count)]
+        return PlcChange(
+            self._tick(now),
+            self._span(source),
+            "" if flags & kinds.NOTES_FIRST else named.show(before),
+            named.show(value),
+            self._statement(source),
+            self._facts(pairs),
+            bool(flags & kinds.NOTES_CUT),
+        )
+
+    def _facts(self, pairs: list[tuple[int, int]]) -> tuple[Fact, ...]:
+        """Return what led to a change: without statements that are over and led to no result."""
+        open_facts: list[tuple[int, Fact]] = []
+        result: tuple[int, list[tuple[int, Fact]]] = (-1, [])
+        for index, (row, value) in enumerate(pairs):
+            if row == kinds.NOTE_CLOSED:
+                open_facts = [one for one in open_facts if one[0] < value]
+            elif row == kinds.NOTE_RETURNED:
+                call = next((fact for at, fact in open_facts if at == value), None)
+                inside = [fact for at, fact in result[1] if at > value] if result[0] > value else []
+                open_facts = [one for one in open_facts if one[0] < value]
+                if call is not None and inside:
+                    returned = Fact("call", call.span, call.text, "", tuple(inside))
+                    open_facts.append((value, returned))
+            else:
+                fact = self._fact(row, value)
+                open_facts.append((index, fact))
+                if fact.kind == "result":
+                    result = (index, list(open_facts))
+        return tuple(fact for _, fact in open_facts)
+
+    def _fact(self, row: int, value: int) -> Fact:
+        found = self._rows.rows[row]
+        node, sources = found.node, self._program.sources
+        text = sources.text(node.start, node.end)
+        shown = ""
+        if found.kind == "pass":
+            shown = str(value)
+        elif found.kind in ("condition", "operand", "selector") and isinstance(node, Expression):
+            sought = value_type(node)
+            kind = kind_of(sought)
+            if is_real(sought):
+                kind = kinds.F64
+            shown = "" if kind is None else _shower(sought, kind)(value)
+        return Fact(found.kind, sources.span(node.start, node.start + 1), text, shown)
+
+
+def _shower(found: Type | None, kind: int) -> Callable[[int], str]:
+    """Return what writes the bits of a value."""
+    labels: dict[int, str] = {}
+    if isinstance(found, EnumType):
+        for one in found.values.values():
+            labels.setdefault(one.number, f"{found.name}.{one.name}")
+
+    def show(bits: int) -> str:
+        if kind == kinds.BOOL:
+            return "TRUE" if bits else "FALSE"
+        if kind == kinds.F32:
+            return number_text(struct.unpack("<f", struct.pack("<q", bits)[:4])[0])
+        if kind == kinds.F64:
+            return number_text(struct.unpack("<d", struct.pack("<q", bits))[0])
+        if kind == kinds.U64:
+            bits &= (1 << 64) - 1
+        return labels.get(bits, str(bits))
+
+    return show
+
+
+def _own_variables(program: Program, counters: set[int]) -> Iterator[tuple[str, int, Type]]:
+    """Yield path, address and type of the scalars of a project's own code."""
+    for group in program.lists:
+        prefix = f"{group.name}." if group.name else ""
+        for one in group.variables.values():
+            if one.storage is Storage.GLOBAL and id(one) not in counters:
+                address = kinds.NULL_BYTES + one.offset
+                yield from _scalars(f"{prefix}{one.name}", one.type, address, counters)
+    for pou in program.pous.values():
+        if pou.kind is Kind.PROGRAM and pou.type is not None and not pou.library:
+            address = kinds.NULL_BYTES + pou.instance
+            yield from _scalars(pou.name, pou.type, address, counters)
+
+
+def _scalars(
+    path: str, found: Type, address: int, counters: set[int]
+) -> Iterator[tuple[str, int, Type]]:
+    if isinstance(found, BlockType | StructType):
+        for one in _members(found):
+            if id(one) not in counters:
+                at = address + one.offset
+                yield from _scalars(f"{path}.{one.name}", one.type, at, counters)
+    elif isinstance(found, ArrayType):
+        ranges = [range(low, high + 1) for low, high in found.bounds]
+        elements = itertools.islice(itertools.product(*ranges), _MAX_ELEMENTS)
+        for number, indices in enumerate(elements):
+            name = f"{path}[{','.join(map(str, indices))}]"
+            at = address + number * found.element.size
+            yield from _scalars(name, found.element, at, counters)
+    elif kind_of(found) is not None:
+        if not isinstance(found, PointerType | ReferenceType | InterfaceType):
+            yield path, address, found
+
+
+def _members(found: BlockType | StructType) -> Iterator[Variable]:
+    if isinstance(found, BlockType) and found.pou.library:
+        return
+    members = found.pou.members if isinstance(found, BlockType) else found.members
+    for one in members.values():
+        is_here = one.section is not Section.IN_OUT and one.storage is not Storage.GLOBAL
+        if is_here and one.bit < 0:
+            yield one

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""What a PLC in Structured Text has changed, by which statement, and what led to it.
+
+Made by ``plc/st_reasons.py``, shown by ``plc_text.py``. Ticks count from the controller's start.
+"""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span
+
+FactKind = Literal["condition", "operand", "selector", "pass", "result", "call"]
+
+
+@dataclass(frozen=True, slots=True)
+class Fact:
+    """Something that led to a change: a value that the code saw, or a call.
+
+    ``value``: empty for calls and results. ``inside``: of a call that has returned, what led to its
+    result.
+    """
+
+    kind: FactKind
+    span: Span | None
+    text: str
+    value: str
+    inside: tuple[Fact, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class PlcChange:
+    """A change of a variable; without ``span`` no statement made it, but the CNC or an input.
+
+    ``before``: empty where nobody has looked before. ``statement``: its text. ``facts``: what led
+    to it, from the task's program to the statement; ``is_cut``: some are missing.
+    """
+
+    tick: int
+    span: Span | None
+    before: str
+    value: str
+    statement: str = ""
+    facts: tuple[Fact, ...] = ()
+    is_cut: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class PlcHistory:
+    """The changes of a variable in a run; of many only the newest.
+
+    ``is_interface``: it lies in the interface or is a V.E variable. ``begin``: its value before the
+    first change that is kept, empty where that is not known. ``left_out``: older changes.
+    ``written`` and ``writer``: tick and statement that wrote it last, whether its value changed or
+    not.
+    """
+
+    path: str
+    is_interface: bool
+    begin: str
+    changes: tuple[PlcChange, ...] = ()
+    left_out: int = 0
+    written: int | None = None
+    writer: Span | None = None
+    writer_statement: str = ""
+
+    def change_at(self, tick: int) -> PlcChange | None:
+        """Return the change that gave the value in a tick; ``None`` if it is older."""
+        return next((one for one in reversed(self.changes) if one.tick <= tick), None)

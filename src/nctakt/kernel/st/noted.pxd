@@ -2,7 +2,7 @@
 # C types of noted.py.
 cimport cython
 from nctakt.kernel.st cimport kinds, words
-from nctakt.kernel.st.calls cimport Call
+from nctakt.kernel.st.calls cimport Call, Callee
 from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.reals cimport Real
 from nctakt.kernel.st.steps cimport Step

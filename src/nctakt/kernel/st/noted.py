@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds, words
-from nctakt.kernel.st.calls import Call
+from nctakt.kernel.st.calls import Call, Callee
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import Step
@@ -108,15 +108,7 @@ class NotedCall(Call):
 
     def __init__(self, call: Call, row: int) -> None:
         check_range(row, 0, kinds.MAX_COUNTS - 1, "row")
-        super().__init__(
-            call.callee,
-            call.instance,
-            call.shared,
-            call.arguments,
-            call.outputs,
-            call.fills_instance,
-            call.source,
-        )
+        super().__init__(Callee(), Whole(), 0, Step(), Step(), False, 0)
         self.row = row
         self.call = call
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Colours mean the same on the live page and in pictures of runs, as docs/live.md says."""
+"""Colours mean the same on the live page and in pictures of runs, as docs/traces.md says."""
 
 import re
 from pathlib import Path
@@ -12,7 +12,7 @@ LIVE = ROOT / "src" / "nctakt" / "live"
 
 def test_page_and_pictures_have_the_colours_of_the_table() -> None:
     """Feed, rapid traverse, conditions, reactions, functions, messages, errors."""
-    table = re.findall(r"^\| \w+ `(#\w{6})` \|", (ROOT / "docs/live.md").read_text("utf-8"), re.M)
+    table = re.findall(r"^\| \w+ `(#\w{6})` \|", (ROOT / "docs/traces.md").read_text("utf-8"), re.M)
     lanes = style.LANE_COLOURS
     kinds = ("condition", "reaction", "function", "message", "error")
     assert table == [style.FEED, style.RAPID, *(lanes[kind] for kind in kinds)]

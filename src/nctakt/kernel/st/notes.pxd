@@ -47,11 +47,12 @@ cdef class Notes:
     cdef void refresh(self, unsigned char[::1] memory, long long now) noexcept nogil
     cdef void touch(self, unsigned char[::1] memory, long long at, long long now) noexcept nogil
     @cython.locals(
-        value=cython.longlong, before=cython.longlong, count=cython.longlong, at=cython.longlong,
+        value=cython.longlong, before=cython.longlong, count=cython.longlong,
         flags=cython.longlong, i=cython.longlong
     )
     cdef void compare(
         self, unsigned char[::1] memory, long long number, long long source, long long now
     ) noexcept nogil
+    cdef void put(self, long long word) noexcept nogil
 
 cdef long long width(int kind) noexcept nogil

@@ -140,24 +140,25 @@ class Notes:
         if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size:
             return  # what is seen stays as it was: so the gap shows
         self.seen[number] = value
-        at = self.log_end
-        self.log[at] = number
-        self.log[at + 1] = now
-        self.log[at + 2] = source
-        self.log[at + 3] = before
-        self.log[at + 4] = value
-        self.log[at + 5] = count
         flags = kinds.NOTES_FIRST if self.is_new[number] else 0
         if source and self.top > count:
             flags |= kinds.NOTES_CUT
-        self.log[at + 6] = flags
         self.is_new[number] = 0
-        at += kinds.NOTE_HEAD
+        self.put(number)
+        self.put(now)
+        self.put(source)
+        self.put(before)
+        self.put(value)
+        self.put(count)
+        self.put(flags)
         for i in range(count):
-            self.log[at] = self.numbers[i]
-            self.log[at + 1] = self.values[i]
-            at += 2
-        self.log_end = at
+            self.put(self.numbers[i])
+            self.put(self.values[i])
+
+    def put(self, word: int) -> None:
+        """Put a word at the end of the log."""
+        self.log[self.log_end] = word
+        self.log_end += 1
 
     def take_log(self) -> list[int]:
         """Return the words of the log, and empty it."""

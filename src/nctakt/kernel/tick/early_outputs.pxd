@@ -22,7 +22,8 @@ cdef class EarlyOutputs:
     cdef double end_v
 
     @cython.locals(
-        is_open=int, closed_d=double, has_more=int, position=Py_ssize_t, row=Py_ssize_t, kind=int, length_d=double
+        is_open=int, closed_d=double, has_more=int, position=Py_ssize_t, row=Py_ssize_t, kind=int,
+        length_d=double
     )
     cdef void put_out(self, long long tick) noexcept nogil
     @cython.locals(row=Py_ssize_t, rest_d=double)

@@ -129,9 +129,11 @@ def test_the_plc_of_the_documents_is_the_example_and_slows_the_path() -> None:
 
 
 def test_each_dependency_has_its_reason() -> None:
-    """A document names the dependencies of pyproject.toml, those of its extras too, no other."""
-    project = tomllib.loads(text_of("pyproject.toml"))["project"]
-    extras = [one for extra in project["optional-dependencies"].values() for one in extra]
+    """A document names the dependencies of pyproject.toml, of extras and groups too, no other."""
+    settings = tomllib.loads(text_of("pyproject.toml"))
+    project, groups = settings["project"], settings["dependency-groups"]
+    lists = (*project["optional-dependencies"].values(), *groups.values())
+    extras = [one for entries in lists for one in entries]
     needed = [one for one in (*project["dependencies"], *extras) if not one.startswith("nctakt[")]
     section = text_of("docs/dependencies.md")
     rows = re.findall(r"^\| ([a-z*].+?) \|", section, re.MULTILINE)

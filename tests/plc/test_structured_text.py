@@ -347,10 +347,11 @@ def test_a_tape_gives_the_inputs_of_the_plc_again(tmp_path: Path) -> None:
     signals = ["MAIN.nUnit", "X.ACS.ACT_POS"]
     first = Controller().run(
         NcText("part.nc", text), plc=plc, ticks=40, signals=signals, record=noted.extend,
-        at=[("30 ms", "MAIN.bDoor", 1)],
+        at=[("30 ms", "MAIN.bDoor", True)],
     )  # fmt: skip
     inputs = tuple(unpack(noted))
     assert [(one.tick, one.values) for one in inputs] == [(30, ("MAIN.bDoor", 1))]
+    assert type(inputs[0].values[1]) is int  # a tape knows no truth values
     tape = Tape({}, {}, False, inputs, {}, 40, "", {})
     again = Controller().run(
         NcText("part.nc", text), plc=loaded(tmp_path, GATE), ticks=40, signals=signals, replay=tape

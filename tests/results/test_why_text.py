@@ -212,3 +212,8 @@ def test_a_frozen_value_is_told() -> None:
     assert told in report.render()
     assert told in report.render_at(3)
     assert "5 > 7, 2 away" in report.render()
+
+
+def test_a_distance_has_no_digits_of_rounding() -> None:
+    """X ends its path 0.002 mm before 300; the difference of the two doubles is longer."""
+    assert "> 300, 0.002 away" in why(ONCE.replace("200", "300")).render()

@@ -21,7 +21,7 @@ from nctakt.results.coverage import (
     NearestMiss,
 )
 from nctakt.results.histories import WITHOUT_VALUES
-from nctakt.trace.events import number_text
+from nctakt.trace.events import distance_text, number_text
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
 _NO_NAME = Text("realtime cycle", "Echtzeit-Zyklus")
@@ -164,7 +164,7 @@ class CoverageText:
         values = number_text(miss.left)
         if condition.operator:
             values = f"{values} {condition.operator} {number_text(miss.right)}"
-        return self._get(_NEAREST, values=values, distance=number_text(miss.distance))
+        return self._get(_NEAREST, values=values, distance=distance_text(miss.distance))
 
     # --- source ---------------------------------------------------------------------------------
 

@@ -21,7 +21,7 @@ from nctakt.results.histories import (
     Series,
     Times,
 )
-from nctakt.trace.events import number_text
+from nctakt.trace.events import distance_text, number_text
 
 #: Number of items shown at each end of a long list.
 ENDS_SHOWN = 4
@@ -157,7 +157,7 @@ class Words:
         never = self.get(_NEVER_TRUE)
         if not values:
             return never
-        distance = number_text(nearest.distance)
+        distance = distance_text(nearest.distance)
         tick = self.tick(nearest.tick)
         near = self.get(_NEAREST, tick=tick, values=values, distance=distance)
         return f"{never}, {near}"

@@ -176,7 +176,8 @@ class VariableAccess:
             return
         if self.named is not None and self.named.knows(name):
             self.named.write(name, value)
-            self.notes.add(source, WRITE, name, value)
+            noted = int(value) if isinstance(value, bool) else value
+            self.notes.add(source, WRITE, name, noted)
             return
         self.bind(name).write(value, source)
 

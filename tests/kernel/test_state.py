@@ -33,7 +33,7 @@ BUILT = {
     "Kernel": {"plc"},
     "Index": {"count"},
     "NumberValue": {"number"},
-    "PlcContext": {"counts"},
+    "PlcContext": {"counts", "notes"},
     "Routine": {"shared", "size", "body"},
 }
 

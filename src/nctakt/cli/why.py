@@ -90,7 +90,7 @@ if TYPE_CHECKING:
 )
 @option(
     "--variable",
-    metavar="PATH",
+    metavar="NAME",
     text=Text(
         "Only this variable or interface element of a PLC in Structured Text: which statement "
         "changed it, and the conditions that led there.",

@@ -38,6 +38,7 @@ REFERENCES = {
 #: of segments that have begun count: ``Path.history`` has them.
 UNREAD = {
     "Kernel": ("input_slots",),
+    "Notes": ("numbers", "reals", "values"),
     "PathAxes": ("history_rows",),
     "Record": ("events", "probes", "rows"),
 }
@@ -46,8 +47,8 @@ TREES = ("nctakt.kernel.cycles.", "nctakt.kernel.st.")
 CHANGING_IN_TREES = (
     "AxisReleases", "ChannelRecords", "CncInterface", "Combination", "Condition", "Connection",
     "Context", "ControlUnits", "Counted", "CycleManager", "CyclicTask", "FeedMemory", "IfAlways",
-    "IfEdge", "IfOnce", "PlcContext", "PlcSide", "PlcTasks", "Reaction", "RealtimeCycle",
-    "SectionSource", "SpindleSource", "UnitBanks",
+    "IfEdge", "IfOnce", "Notes", "PlcContext", "PlcSide", "PlcTasks", "Reaction",
+    "RealtimeCycle", "SectionSource", "SpindleSource", "UnitBanks",
 )  # fmt: skip
 #: What no snapshot is taken of: a shared image, and what stops the ticks.
 LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits", "Watched")

@@ -18,7 +18,6 @@ from nctakt.cli import main
 from nctakt.studies.blocks import make_runs
 from nctakt.studies.folder_store import FolderStore
 from nctakt.studies.part_folder import Part, PartFolder, RowsOfFolder
-from nctakt.studies.processes import rows_of_processes
 from nctakt.studies.row_block import RowBlock
 from nctakt.studies.study import Study
 
@@ -96,7 +95,7 @@ def test_only_missing_runs_are_made(plan: Path) -> None:
 
 
 def test_a_full_disk_leaves_what_was_done(plan: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The worker's failure (900507) ends the study; the parts before it stay, whole."""
+    """A part that cannot be written ends the study (900507); those before it stay, whole."""
     study, address = Study(plan), str(plan.with_name("results"))
     store = FolderStore(folder_of(study, address), study.plan, resumes=False)
     replace = Path.replace
@@ -108,17 +107,11 @@ def test_a_full_disk_leaves_what_was_done(plan: Path, monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(Path, "replace", full)
 
-    def make(numbers: range) -> None:
-        for block in rows_of_processes(study.plan, numbers, 1, study.bench, store.folder):
-            store.add(block)
-
-    make(range(3))
+    make_runs(study.bench, range(3), store.folder)
     with pytest.raises(Failure, match="No space left"):
-        make(range(3, 6))
+        make_runs(study.bench, range(3, 6), store.folder)
     store.close()
-    parts = store.folder.parts()
-    assert sum(part.count for part in parts) == 3
-    assert all(part.last < 3 for part in parts)
+    assert store.folder.parts() == [Part(0, 2, 3)]
     assert not list(Path(address).rglob("*.tmp"))
 
 

@@ -107,9 +107,9 @@ def test_a_full_disk_leaves_what_was_done(plan: Path, monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(Path, "replace", full)
 
-    make_runs(study.bench, range(3), store.folder)
+    make_runs(study.bench, (0, 1, 2), store.folder)
     with pytest.raises(Failure, match="No space left"):
-        make_runs(study.bench, range(3, 6), store.folder)
+        make_runs(study.bench, (3, 4, 5), store.folder)
     store.close()
     assert store.folder.parts() == [Part(0, 2, 3)]
     assert not list(Path(address).rglob("*.tmp"))

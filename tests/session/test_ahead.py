@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 """What a session knows of ticks to come, and where its branches differ first."""
 
+import math
+import struct
 from pathlib import Path
+from typing import Any, cast
 
 import pytest
 
 from nctakt import NcText, Session
+from nctakt.session.comparing import first_difference
 
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.RTA.ACS.ACT_POS.X > 5
@@ -62,3 +66,22 @@ def test_branches_differ_first_in_the_tick_of_the_input() -> None:
         session.write({"V.E.VALUE": 0})
         session.step(3)
         assert session.compare_branches(3, 1).tick is None
+
+
+def test_what_is_no_number_is_the_same_in_both_branches() -> None:
+    """Values that are no numbers, and zeros of both signs, are no difference."""
+
+    class Engine:
+        tick = 5
+
+        def __init__(self, *rows: tuple[float, float]) -> None:
+            self.data = struct.pack("<6d", *(value for row in rows for value in row))
+
+        def ask(self, *_: object) -> bytes:
+            return self.data
+
+    one = Engine((math.nan, 0.0), (1.0, 2.0), (1.0, 3.0))
+    other = Engine((math.nan, -0.0), (1.0, 2.0), (1.0, 4.0))
+    found = first_difference(cast("Any", (one, other)), 8, ("A", "B"), lambda: None)
+    assert (found.fork, found.end, found.tick) == (5, 8, 7)
+    assert found.signals == (("B", 3.0, 4.0),)

@@ -51,16 +51,7 @@ def save_run(session: Session, kind: str, path: Path) -> None:
     tape = path.with_name("run.tape")
     session.save(tape)
     roots = [word for folder in session.folders for word in ("--root", str(folder))]
-    words = [
-        str(tape),
-        option,
-        str(path),
-        "--quiet",
-        "--anyway",
-        *roots,
-        "--root",
-        str(path.parent),
-    ]
+    words = [str(tape), option, str(path), "--quiet", *roots, "--root", str(path.parent)]
     done = subprocess.run(
         python_command("nctakt", "replay", *words),
         env=python_environment(),

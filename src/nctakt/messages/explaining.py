@@ -62,10 +62,13 @@ PROGRAMS_WITHOUT_CYCLES = error(
 )
 PLC_VARIABLE_UNCHANGED = error(
     902660,
-    en="no statement of the PLC has written {path} in this run",
-    de="keine Anweisung der SPS hat in diesem Lauf {path} geschrieben",
-    remedy_en="The nearest is {nearest}; pointers, texts and counters of FOR are not recorded.",
-    remedy_de="Am ähnlichsten ist {nearest}; Zeiger, Texte und Zähler von FOR fehlen hier.",
+    en="no write of {path} by the PLC is recorded in this run",
+    de="in diesem Lauf ist nicht aufgezeichnet, dass die SPS {path} schreibt",
+    remedy_en="The nearest is {nearest}. Recorded are numbers and truths of the project's own code "
+    "and of the interface: no texts, pointers, counters of FOR, blocks of libraries.",
+    remedy_de="Am ähnlichsten ist {nearest}. Aufgezeichnet werden Zahlen und Wahrheitswerte des "
+    "eigenen Codes und der Schnittstelle: keine Texte, Zeiger, Zähler von FOR, Bausteine von "
+    "Bibliotheken.",
     path=("the path that was given", "der angegebene Pfad"),
     nearest=("the nearest path that was written", "der ähnlichste geschriebene Pfad"),
 )

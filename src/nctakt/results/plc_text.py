@@ -29,7 +29,7 @@ _OUTSIDE = Text(
     "Bytes",
 )
 _VALUE = Text("is {value}", "ist {value}")
-_NEVER = Text("has not changed in this run", "hat sich in diesem Lauf nicht geändert")
+_NEVER = Text("has not changed up to here", "hat sich bis hierher nicht geändert")
 _WRITTEN = Text("written last at {tick}: {statement}", "zuletzt geschrieben in {tick}: {statement}")
 _CUT = Text("further conditions are not kept", "weitere Bedingungen sind nicht aufgezeichnet")
 _CALLED = Text("called in {statement}", "gerufen in {statement}")

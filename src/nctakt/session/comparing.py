@@ -7,6 +7,7 @@ after which one of their signals differs.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 from nctakt.base.dataclass import dataclass
@@ -59,18 +60,20 @@ def first_difference(
     names, width, part = list(signals), len(signals), _FIRST_PART
     while tick < end:
         bound = min(tick + part, end)
-        one, other = (
-            memoryview(engine.ask("look", bound, names, 1)).cast("d").tolist() for engine in engines
-        )
-        if one != other or len(one) != len(other):
-            row = next(
-                row
-                for row in range(bound - tick)
-                if one[row * width : (row + 1) * width] != other[row * width : (row + 1) * width]
+        one, other = (engine.ask("look", bound, names, 1) for engine in engines)
+        for row in range(bound - tick) if one != other else ():
+            begin, stop = 8 * width * row, 8 * width * (row + 1)
+            values = (memoryview(cells[begin:stop]).cast("d") for cells in (one, other))
+            differing = tuple(
+                cell for cell in zip(names, *values, strict=False) if not _is_same(*cell[1:])
             )
-            cells = zip(names, one[row * width :], other[row * width :], strict=False)
-            differing = tuple(cell for cell in cells if cell[1] != cell[2])
-            return BranchDifference(fork, end, tick + row, differing)
+            if differing or len(one) < stop or len(other) < stop:
+                return BranchDifference(fork, end, tick + row, differing)
         tick, part = bound, min(2 * part, _LARGEST_PART)
         poll()
     return BranchDifference(fork, end)
+
+
+def _is_same(one: float, other: float) -> bool:
+    """Return whether two values are equal, or both no numbers."""
+    return one == other or (math.isnan(one) and math.isnan(other))

@@ -64,11 +64,8 @@ PLC_VARIABLE_UNCHANGED = error(
     902660,
     en="no write of {path} by the PLC is recorded in this run",
     de="in diesem Lauf ist nicht aufgezeichnet, dass die SPS {path} schreibt",
-    remedy_en="The nearest is {nearest}. Recorded are numbers and truths of the project's own code "
-    "and of the interface: no texts, pointers, counters of FOR, blocks of libraries.",
-    remedy_de="Am ähnlichsten ist {nearest}. Aufgezeichnet werden Zahlen und Wahrheitswerte des "
-    "eigenen Codes und der Schnittstelle: keine Texte, Zeiger, Zähler von FOR, Bausteine von "
-    "Bibliotheken.",
+    remedy_en="The nearest is {nearest}. Texts, pointers, FOR counters, libraries are not recorded.",
+    remedy_de="Am ähnlichsten: {nearest}. Texte, Zeiger, Zähler von FOR, Bibliotheken fehlen hier.",
     path=("the path that was given", "der angegebene Pfad"),
     nearest=("the nearest path that was written", "der ähnlichste geschriebene Pfad"),
 )

@@ -64,7 +64,7 @@ PLC_VARIABLE_UNCHANGED = error(
     902660,
     en="no write of {path} by the PLC is recorded in this run",
     de="in diesem Lauf ist nicht aufgezeichnet, dass die SPS {path} schreibt",
-    remedy_en="The nearest is {nearest}. Texts, pointers, FOR counters, libraries are not recorded.",
+    remedy_en="The nearest is {nearest}. Texts, pointers, FOR counters, libraries are not kept.",
     remedy_de="Am ähnlichsten: {nearest}. Texte, Zeiger, Zähler von FOR, Bibliotheken fehlen hier.",
     path=("the path that was given", "der angegebene Pfad"),
     nearest=("the nearest path that was written", "der ähnlichste geschriebene Pfad"),

@@ -177,6 +177,7 @@ def test_a_reaction_of_a_realtime_cycle_names_the_write(why: WhyReport) -> None:
 def test_a_tick_of_the_past(why: WhyReport) -> None:
     text = why.select_plc("MAIN.bAlarm").render_at(4, "en")
     assert "is FALSE" in text
+    assert "has not changed up to here" in text
     assert "->" not in text
     assert "wahr" in why.select_plc("MAIN.bAlarm").render("de")
 
@@ -200,3 +201,28 @@ def test_an_input_is_no_statement(tmp_path: Path) -> None:
     changes = [(one.before, one.value, one.span is None) for one in stop.changes]
     assert changes == [("FALSE", "TRUE", True), ("TRUE", "FALSE", False)]
     assert stop.changes[0].tick < stop.changes[1].tick
+
+
+def test_changes_that_a_tick_has_no_room_for_are_counted(tmp_path: Path) -> None:
+    """A log has 2^18 words: room for 10,922 passes beside the change of z.
+
+    A change of x takes 7 + 2 · 2 words (pass, i), one of y 7 + 2 · 3 (pass, i, -i). What gave a value is then not known, and not shown; z, which changed before, is.
+    """
+    code = (
+        "PROGRAM MAIN\nVAR i, x, y, z : DINT; END_VAR\nz := z + 1;\n"
+        "FOR i := 1 TO 20000 DO x := i; y := -i; END_FOR\nEND_PROGRAM\n"
+    )
+    path = tmp_path / "cell.st"
+    path.write_text(code + TASK, "utf-8")
+    run = Controller().run(
+        NcText("p.nc", "G04 1\nM30\n"), plc=load_structured(path), ticks=1, why=True
+    )
+    assert run.why is not None
+    x, y = (history(run.why, f"MAIN.{name}") for name in "xy")
+    assert (x.missed, y.missed) == (20_000 - 10_922, 20_000 - 10_922)
+    assert (x.left_out + len(x.changes) + x.missed, x.begin) == (20_000, "")
+    shown = run.why.select_plc("MAIN.x").render_at(0)
+    assert f"{x.missed} changes are missing: their ticks had too many" in shown
+    assert "is " not in shown.split("PLC: MAIN.x\n")[1].split("\n")[0]
+    z = history(run.why, "MAIN.z")
+    assert (z.missed, len(z.changes), z.begin) == (0, 1, "0")

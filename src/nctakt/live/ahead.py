@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The path that is to come: what a copy of the session's controller runs into if nobody writes.
+"""The predicted path: a copy of the session's controller runs ahead without further inputs.
 
 In: a session, and up to which input it is known. Out: for browsers the ticks, positions and
 reactions to come, made in a thread of its own, and why they end where they do.

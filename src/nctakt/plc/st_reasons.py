@@ -120,7 +120,8 @@ class StReasons:
         changes = tuple(self._change(words, named) for words in kept.changes)
         written = notes.written_at[number]
         begin = named.show(kept.changes[0][3] if kept.changes else notes.seen[number])
-        if changes and not changes[0].before:
+        missed = notes.missed[number]
+        if missed or (changes and not changes[0].before):
             begin = ""
         return PlcHistory(
             named.path,
@@ -128,6 +129,7 @@ class StReasons:
             begin,
             changes,
             kept.count - len(changes),
+            missed,
             self._tick(written) if written >= 0 else None,
             self._span(notes.written_by[number]) if written >= 0 else None,
             self._statement(notes.written_by[number]) if written >= 0 else "",

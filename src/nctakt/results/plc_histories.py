@@ -51,7 +51,8 @@ class PlcHistory:
     """The changes of a variable in a run; of many only the newest.
 
     ``is_interface``: it lies in the interface or is a V.E variable. ``begin``: its value before the
-    first change that is kept, empty where that is not known. ``left_out``: older changes.
+    first change that is kept, empty where that is not known. ``left_out``: older changes;
+    ``missed``: changes for which a tick had no room.
     ``written`` and ``writer``: tick and statement that wrote it last, whether its value changed or
     not.
     """
@@ -61,6 +62,7 @@ class PlcHistory:
     begin: str
     changes: tuple[PlcChange, ...] = ()
     left_out: int = 0
+    missed: int = 0
     written: int | None = None
     writer: Span | None = None
     writer_statement: str = ""

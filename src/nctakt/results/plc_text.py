@@ -16,6 +16,10 @@ from nctakt.results.why_words import Words
 _HEADLINE = Text("PLC: {path}", "SPS: {path}")
 _BEGAN = Text("began as {value}", "zu Beginn {value}")
 _OLDER = Text("{count} older changes are left out", "{count} ältere Änderungen fehlen hier")
+_MISSED = Text(
+    "{count} changes are missing: their ticks had too many",
+    "{count} Änderungen fehlen: In ihren Takten waren es zu viele",
+)
 _CHANGED = Text(
     "{before} -> {value} at {tick}: {statement}", "{before} -> {value} in {tick}: {statement}"
 )
@@ -69,6 +73,8 @@ class _Writer:
             yield words.get(_BEGAN, value=one.begin)
         if one.left_out:
             yield words.get(_OLDER, count=one.left_out)
+        if one.missed:
+            yield words.get(_MISSED, count=one.missed)
         for change in one.changes:
             yield from self.change(change)
         yield from self._last(one)
@@ -76,7 +82,9 @@ class _Writer:
     def state(self, one: PlcHistory, tick: int) -> Iterator[str]:
         """Yield why a variable had its value in a tick."""
         words, change = self._words, one.change_at(tick)
-        if change is not None:
+        if one.missed:  # what gave the value may be among them
+            yield words.get(_MISSED, count=one.missed)
+        elif change is not None:
             yield words.get(_VALUE, value=change.value)
             yield from self.change(change)
         elif one.left_out:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a session will do if nobody writes anything more: a copy of its controller runs ahead.
+"""What a session will do without further inputs: a copy of its controller runs ahead.
 
 In: a copy that stands where its branch ends. Out: sampled signals and events of the ticks to come.
 The copy is thrown away; what it does reaches nobody else.

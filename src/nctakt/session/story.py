@@ -275,7 +275,7 @@ class Story:
         return every, memoryview(data).cast("d")
 
     def ahead(self) -> RemoteEngine | None:
-        """Return a copy to run ahead, ``None`` where there is no future to know."""
+        """Return a copy that can run ahead, or ``None`` if the future cannot be predicted."""
         return self._timeline.ahead()
 
     def compare(self, one: int, other: int, poll: Poll) -> BranchDifference:

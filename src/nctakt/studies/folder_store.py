@@ -57,7 +57,7 @@ class FolderStore:
             raise
 
     def add(self, block: RowBlock) -> None:
-        """Note the runs of a block; write its rows if nobody has."""
+        """Record that the runs of a block are done; write its rows unless a worker has."""
         for number in block.numbers:
             self.done.add(number)
         if block.has_rows:

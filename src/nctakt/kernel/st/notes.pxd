@@ -21,6 +21,7 @@ cdef class Notes:
     cdef readonly long long[::1] seen
     cdef readonly long long[::1] written_at
     cdef readonly long long[::1] written_by
+    cdef readonly long long[::1] missed
     cdef readonly long long log_size
     cdef readonly long long[::1] log
     cdef readonly long long log_end

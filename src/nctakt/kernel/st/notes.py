@@ -19,7 +19,8 @@ class Notes:
     ``watched`` has for each byte of the memory the number of the watch that it belongs to, from 1
     on, or 0. A change in the log: watch, time in ns, source (0: not by a statement), value before,
     value after, number of rows, whether rows are missing (``kinds.NOTES_CUT``) or the value before
-    is not known (``kinds.NOTES_FIRST``); then the rows.
+    is not known (``kinds.NOTES_FIRST``); then the rows. ``missed`` counts for each watch the
+    changes for which the log had no room.
     """
 
     def __init__(self, size: int) -> None:
@@ -43,6 +44,7 @@ class Notes:
         self.seen = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.written_at = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.written_by = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.missed = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.log_size = kinds.NOTE_LOG if size else 0
         self.log = memoryview(bytearray(8 * self.log_size + 8)).cast("q")
         self.log_end = 0
@@ -75,7 +77,7 @@ class Notes:
             self.top = begin
 
     def add(self, memory: memoryview, address: int, kind: int) -> int:
-        """Watch a variable from now on; return its number, 0 where there is no room."""
+        """Start to watch a variable; return its number, or 0 if the table is full."""
         if self.count >= kinds.MAX_WATCHES:
             return 0
         self.count += 1
@@ -137,13 +139,14 @@ class Notes:
         if value == before and self.is_new[number] == 0:
             return
         count = min(self.top, kinds.NOTE_ROWS) if source else 0
-        if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size:
-            return  # what is seen stays as it was: so the gap shows
-        self.seen[number] = value
         flags = kinds.NOTES_FIRST if self.is_new[number] else 0
         if source and self.top > count:
             flags |= kinds.NOTES_CUT
+        self.seen[number] = value
         self.is_new[number] = 0
+        if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size:
+            self.missed[number] += 1
+            return
         self.put(number)
         self.put(now)
         self.put(source)

@@ -206,7 +206,8 @@ def test_an_input_is_no_statement(tmp_path: Path) -> None:
 def test_changes_that_a_tick_has_no_room_for_are_counted(tmp_path: Path) -> None:
     """A log has 2^18 words: room for 10,922 passes beside the change of z.
 
-    A change of x takes 7 + 2 · 2 words (pass, i), one of y 7 + 2 · 3 (pass, i, -i). What gave a value is then not known, and not shown; z, which changed before, is.
+    A change of x takes 7 + 2 · 2 words (pass, i), one of y 7 + 2 · 3 (pass, i, -i).
+    What gave a value is then not known, and not shown; z, which changed before, is.
     """
     code = (
         "PROGRAM MAIN\nVAR i, x, y, z : DINT; END_VAR\nz := z + 1;\n"

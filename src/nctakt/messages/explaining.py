@@ -64,8 +64,8 @@ PLC_VARIABLE_UNCHANGED = error(
     902660,
     en="no write of {path} by the PLC is recorded in this run",
     de="in diesem Lauf ist nicht aufgezeichnet, dass die SPS {path} schreibt",
-    remedy_en="The nearest is {nearest}. Texts, pointers, FOR counters, libraries are not kept.",
-    remedy_de="Am ähnlichsten: {nearest}. Texte, Zeiger, Zähler von FOR, Bibliotheken fehlen hier.",
+    remedy_en="{meant}Texts, pointers, FOR counters, libraries are not recorded.",
+    remedy_de="{meant}Texte, Zeiger, Zähler von FOR, Bibliotheken werden nicht aufgezeichnet.",
     path=("the path that was given", "der angegebene Pfad"),
-    nearest=("the nearest path that was written", "der ähnlichste geschriebene Pfad"),
+    meant=("the path that is probably meant", "der Pfad, der wohl gemeint ist"),
 )

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.base.notebook import html_columns, strip
@@ -62,7 +62,10 @@ class WhyReport:
         found = tuple(one for one in self.plc if one.path.upper() == sought)
         if not found:
             near = nearest(path, [one.path for one in self.plc])
-            raise Failure(diagnostic(PLC_VARIABLE_UNCHANGED, path=path, nearest=near or "-"))
+            meant = (
+                Text(f"Did you mean {near}? ", f"War {near} gemeint? ") if near else Text("", "")
+            )
+            raise Failure(diagnostic(PLC_VARIABLE_UNCHANGED, path=path, meant=meant))
         return replace(self, cycles=(), left_out=0, plc=found)
 
     def select(self, cycle: str | None = None, line: int | None = None) -> WhyReport:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 from dataclasses import replace
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -19,7 +20,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.help import described, option
 from nctakt.cli.options import FORMAT_OPTION
-from nctakt.cli.request import Options, read_request
+from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import (
     TIMES_NOTE,
     choose_mode,
@@ -33,9 +34,10 @@ from nctakt.cli.running import (
 from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
+from nctakt.files.new_folder import check_new_folder, write_new_folder
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import TOLERANCE_UNREADABLE
+from nctakt.messages.comparison import SHARE_NOT_WRITTEN, TOLERANCE_UNREADABLE
 
 if TYPE_CHECKING:
     from nctakt.comparison.comparison import Comparison
@@ -74,6 +76,7 @@ _CODES = (
         "nctakt compare scope.csv part.nc --tolerance 0.05 --tolerance S.SPEED=20",
         "nctakt compare scope.csv part.nc --map scope.toml --offset 1.25s",
         "nctakt compare scope.csv part.nc --propose",
+        "nctakt compare scope.csv part.nc --share for_nctakt",
     ),
 )
 @click.argument("log")
@@ -120,9 +123,28 @@ _CODES = (
         "kommt.",
     ),
 )
+@option(
+    "--share",
+    metavar="FOLDER",
+    group="files",
+    text=Text(
+        "Write what helps to make nctakt more exact, without names and texts, into a new folder.",
+        "Was hilft, nctakt genauer zu machen, ohne Namen und Texte, in einen neuen Ordner "
+        "schreiben.",
+    ),
+)
+@option(
+    "--yes",
+    is_flag=True,
+    text=Text(
+        "Write the folder of --share; without it only what it would hold is shown.",
+        "Den Ordner von --share schreiben; ohne dies wird nur gezeigt, was er enthielte.",
+    ),
+)
 def command(log: str, picture: str | None, **words: Any) -> int:
     """Compare."""
-    said = {name: words.pop(name) for name in ("mapping", "tolerances", "offset", "proposes")}
+    names = ("mapping", "tolerances", "offset", "proposes", "share", "yes")
+    said = {name: words.pop(name) for name in names}
     return carry_out(words, lambda options, access: _compare(options, access, log, picture, **said))
 
 
@@ -135,6 +157,8 @@ def _compare(
     tolerances: tuple[str, ...],
     offset: str | None,
     proposes: bool,
+    share: str | None,
+    yes: bool,
 ) -> int:
     """Run, compare and report; raises ``Failure`` for invalid options and logs."""
     choose_mode(options)
@@ -142,12 +166,10 @@ def _compare(
     from nctakt.comparison.log_file import open_log  # noqa: PLC0415
     from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
     from nctakt.lists.format.times import read_time  # noqa: PLC0415
-    from nctakt.plots.picture import check_drawing  # noqa: PLC0415
     from nctakt.proposals.changes import OVERRIDE  # noqa: PLC0415
     from nctakt.proposals.nearer import Search  # noqa: PLC0415
 
-    if picture is not None:
-        check_drawing(picture)
+    _check_outputs(picture, share)
     limits = dict(_tolerance(text) for text in tolerances)
     said: MappingFile = MappingFile() if mapping is None else read_mapping(mapping, access)
     log = open_log(name, access, said.log)
@@ -169,7 +191,8 @@ def _compare(
         if run is None:
             return EXIT_NC_ERROR
         print_diagnostics(run.diagnostics, options.language, shown_from(options))
-        comparison = compare(log, run, pairs, limits, offset_us, is_drawn=file is not None)
+        is_drawn = file is not None or share is not None
+        comparison = compare(log, run, pairs, limits, offset_us, is_drawn=is_drawn)
         if file is not None:
             _draw(file, comparison, options)
     print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
@@ -180,7 +203,19 @@ def _compare(
         search = Search(comparison, pairs, offset_us, again)
         proposals = search.proposals(controller.machine, override)
     _show(options, comparison, proposals)
+    if share is not None:
+        _share(options, access, comparison, request, controller.machine, share, writes=yes)
     return max(exit_code(options, run), EXIT_RAN if comparison.is_within else EXIT_NC_ERROR)
+
+
+def _check_outputs(picture: str | None, share: str | None) -> None:
+    """Raise ``Failure`` for a picture and a folder that cannot be written."""
+    from nctakt.plots.picture import check_drawing  # noqa: PLC0415 - loads matplotlib
+
+    if picture is not None:
+        check_drawing(picture)
+    if share is not None:
+        check_new_folder(Path(share))
 
 
 def _run_again(
@@ -197,6 +232,31 @@ def _run_again(
     request = replace(read_request(options, access), signals=signals)  # a PLC of its own
     schedule = schedule_of(options, access)
     return changed_run(machine, schedule, access, request, change, value)
+
+
+def _share(
+    options: Options,
+    access: FileAccess,
+    comparison: Comparison,
+    request: Request,
+    machine: Machine,
+    folder: str,
+    *,
+    writes: bool,
+) -> None:
+    """Show what the folder holds, and write it; raises ``Failure``."""
+    from nctakt.comparison.share import SharedRun, share_lines, share_of  # noqa: PLC0415
+
+    channels = {1: request.programs, **request.channels}
+    share = share_of(comparison, SharedRun(machine, channels, request.options, options.run), access)
+    if options.form == "text":
+        for line in ("", *share_lines(share, folder, options.language)):
+            click.echo(line)
+    print_diagnostics(share.findings, options.language, shown_from(options))
+    if writes:
+        write_new_folder(Path(folder), {name: text.encode() for name, text in share.files.items()})
+    else:
+        print_diagnostics([diagnostic(SHARE_NOT_WRITTEN, folder=folder)], options.language)
 
 
 def _draw(file: OutputFile, comparison: Comparison, options: Options) -> None:

@@ -8,7 +8,6 @@ language; the next steps on standard output.
 
 from __future__ import annotations
 
-import contextlib
 from pathlib import Path
 
 import click
@@ -20,6 +19,7 @@ from nctakt.cli.help import described, option
 from nctakt.cli.options import language_option, table_option
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
+from nctakt.files.new_folder import write_new_folder
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import load_machine
 from nctakt.machines.commented import commented_lists
@@ -29,8 +29,6 @@ from nctakt.machines.xae_project import lists_of_project, project_in
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import (
     ENTRIES_AS_COMMENTS,
-    FOLDER_NOT_EMPTY,
-    FOLDER_NOT_WRITABLE,
     LISTS_KEPT_IN_ASCII,
     LISTS_WRITTEN,
 )
@@ -95,7 +93,7 @@ def command(
             lists = lists_of_project(project, FileAccess())
         else:
             lists = _converted(source, root, Conversion(list_format, language))
-        _write(Path(folder), lists)
+        write_new_folder(Path(folder), lists)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
@@ -124,33 +122,3 @@ def _converted(source: str, root: str | None, conversion: Conversion) -> dict[st
         note = diagnostic(LISTS_KEPT_IN_ASCII, files=", ".join(lists.in_ascii))
         print_diagnostics([note], conversion.language)
     return dict(lists.files)
-
-
-def _write(folder: Path, lists: dict[str, bytes]) -> None:
-    """Write the lists; raises ``Failure`` if the folder is in use or cannot be written."""
-    new_folders = [one for one in (folder, *folder.parents) if not one.exists()]
-    written: list[Path] = []
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        if any(folder.iterdir()):
-            raise Failure(diagnostic(FOLDER_NOT_EMPTY, folder=str(folder)))
-        try:
-            for name, text in lists.items():
-                with (folder / name).open("xb") as file:
-                    written.append(folder / name)
-                    file.write(text)
-        except BaseException:  # a full disk, Ctrl-C: half a machine is none
-            _remove(written, new_folders)
-            raise
-    except OSError as error:
-        reason = error.strerror or str(error)
-        raise Failure(diagnostic(FOLDER_NOT_WRITABLE, folder=str(folder), reason=reason)) from error
-
-
-def _remove(files: list[Path], folders: list[Path]) -> None:
-    """Remove files and the folders that were made for them."""
-    with contextlib.suppress(OSError):
-        for file in files:
-            file.unlink()
-        for folder in folders:
-            folder.rmdir()

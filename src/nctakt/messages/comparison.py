@@ -172,3 +172,36 @@ TOLERANCE_UNREADABLE = error(
     remedy_de="Eine Zahl für alle Signale schreiben, oder SIGNAL=ZAHL.",
     text=("the text", "der Text"),
 )
+SHARE_DIFFERS = warning(
+    902740,
+    en="the files to share do not run like the program: {signal} differs from {time} s on",
+    de="die Dateien zum Teilen laufen anders als das Programm: {signal} weicht ab {time} s ab",
+    remedy_en="Say when you send them what a PLC, an FMU or a tape did: it is not in them.",
+    remedy_de="Beim Senden dazusagen, was SPS, FMU oder Band getan haben: Das steht nicht darin.",
+    signal=("the signal", "das Signal"),
+    time=("the time", "die Zeit"),
+)
+SHARE_DOES_NOT_RUN = warning(
+    902741,
+    en="the files to share do not run by themselves: message {number}",
+    de="die Dateien zum Teilen laufen nicht für sich: Meldung {number}",
+    remedy_en="Send them nevertheless: log and deviations are complete.",
+    remedy_de="Sie trotzdem senden: Aufzeichnung und Abweichungen sind vollständig.",
+    number=("the number of the message", "die Nummer der Meldung"),
+)
+LOG_TOO_LONG_TO_SHARE = error(
+    902742,
+    en="{count} samples are too many to share: at most {limit}",
+    de="{count} Werte sind zum Teilen zu viele: höchstens {limit}",
+    remedy_en="Map fewer signals, or cut the log to where the curves part.",
+    remedy_de="Weniger Signale zuordnen oder das Log dort abschneiden, wo sich die Kurven trennen.",
+    count=("how many", "wie viele"),
+    limit=("the largest number", "die größte Zahl"),
+)
+SHARE_NOT_WRITTEN = note(
+    902743,
+    en="nothing is written into {folder} yet",
+    de="in {folder} ist noch nichts geschrieben",
+    remedy_en="Repeat the command with --yes to write it; nctakt sends nothing.",
+    remedy_de="Den Befehl mit --yes wiederholen, um es zu schreiben; nctakt sendet nichts.",
+)

@@ -16,7 +16,7 @@ from nctakt.lists.declared.technology_functions import (
     TechnologyFunction,
 )
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.command_forms import FORMS
+from nctakt.nc.vocabulary.commands import COMMANDS
 from nctakt.nc.vocabulary.entries import Kind, Support
 from nctakt.nc.vocabulary.message_formats import conversions
 from nctakt.nc.vocabulary.operators import FUNCTIONS
@@ -113,13 +113,13 @@ TURNING = ("#CYL", "#FACE", "#FGROUP ROT")
 COUPLING = ("#AX LINK", "#SET AX LINK")
 
 
-@pytest.mark.parametrize("command", FORMS)
+@pytest.mark.parametrize("command", [name for name, one in COMMANDS.items() if one.forms])
 def test_the_forms_of_a_command_are_right(command: str) -> None:
     """Each form that a remedy and ``nctakt explain`` show passes the check."""
     entry = support_level.hash_command(command.removeprefix("#").split())
     assert entry is not None
     assert entry.support is Support.SIMULATED
-    for form in FORMS[command]:
+    for form in COMMANDS[command].forms:
         lines = ("#VAR", "V.P.NAME", "#ENDVAR", form, "M30")
         rotary = ("C",) if command in TURNING else ("A", "C") if command in COUPLING else ()
         found = findings(lines, rotary=rotary)

@@ -138,8 +138,8 @@ CHANNEL_PARAMETER = Recipe(
         ),
         Edit(
             "src/nctakt/lists/machine/channel_configuration.py",
-            "    single_block: int\n    example_limit_mm: float\n",
-            "    single_block: int\n",
+            "    lead_blocks: int\n    example_limit_mm: float\n",
+            "    lead_blocks: int\n",
             replaces=True,
         ),
         Edit(
@@ -237,4 +237,106 @@ RUN_OPTION = Recipe(
     ("tests/test_run_options.py",),
 )
 
-RECIPES = (REFUSED_WORD, VARIABLE, MESSAGE, CHANNEL_PARAMETER, SUBCOMMAND, RUN_OPTION)
+G_FUNCTION = Recipe(
+    "A G function of the decoder: 4 files",
+    (
+        Edit(
+            "src/nctakt/nc/vocabulary/functions.py",
+            '        simulated(119, "an example", "ein Beispiel"),\n',
+            '        plain(ABSOLUTE, "absolute dimensions"',
+        ),
+        Edit(
+            "src/nctakt/decoder/blocks/block_decoder.py",
+            "                state.absolute = function in (ABSOLUTE, 119)\n",
+            "                state.absolute = function == ABSOLUTE\n",
+            replaces=True,
+        ),
+        Edit(
+            "tests/nc/check_words.nc",
+            'G90 G119 ; error 900210 "G119"\n',
+            "#MAIN SPINDLE [S2]\n",
+        ),
+        Edit(
+            "tests/decoder/test_example_function.py",
+            "from support.decided import perform\n\n\n"
+            "def test_it():\n"
+            '    run = perform("G91 G00 X10\\nG119 X10\\nM30")\n'
+            '    assert run.trace["X.ACS.ACT_POS"][-1] == 10.0\n',
+        ),
+    ),
+    ("tests/nc/test_check_chunks.py", "tests/decoder/test_example_function.py"),
+)
+
+HASH_COMMAND = Recipe(
+    "A `#` command of the decoder: 5 files",
+    (
+        Edit(
+            "src/nctakt/nc/vocabulary/commands.tsv",
+            "#EXAMPLE\tsimulated\t\t#EXAMPLE\tan example\tein Beispiel\n",
+            "#EXPL SYN\tsimulated",
+        ),
+        Edit(
+            "src/nctakt/nc/check/hash_commands.py",
+            '    ("EXAMPLE",),\n',
+            '    ("BLOCKSEARCH", "LOCKED"),\n',
+        ),
+        Edit(
+            "src/nctakt/decoder/flow/hash_commands.py",
+            '        elif words == ("EXAMPLE",):\n            state.absolute = False\n',
+            '        elif words[:2] == ("OPTIONAL", "EXECUTION"):\n',
+        ),
+        Edit(
+            "tests/nc/check_words.nc",
+            '#EXAMPLE [1] ; error 900233 "EXAMPLE"\n',
+            "#BACKWARD STORAGE CLEAR [1]",
+        ),
+        Edit(
+            "tests/decoder/test_example_command.py",
+            "from support.decided import perform\n\n\n"
+            "def test_it():\n"
+            '    run = perform("G90 G00 X10\\n#EXAMPLE\\nX10\\nM30")\n'
+            '    assert run.trace["X.ACS.ACT_POS"][-1] == 20.0\n',
+        ),
+    ),
+    (
+        "tests/nc/test_check_chunks.py",
+        "tests/nc/test_support.py",
+        "tests/decoder/test_example_command.py",
+    ),
+)
+
+SHOWN_ELEMENT = Recipe(
+    "A value that the interface shows: 2 files",
+    (
+        Edit(
+            "src/nctakt/hli/elements/interface.tsv",
+            "gpCh[]^.bahn_state.example_r\tUDINT\tCNC\t\t\t\tours\tshows BLOCK\t"
+            "An example\tEin Beispiel\n",
+            "gpCh[]^.bahn_state.block_number_r\t",
+        ),
+        Edit(
+            "tests/plc/test_example_element.py",
+            "from nctakt import Controller, NcText\n\n\n"
+            "def test_it():\n"
+            "    seen = set()\n\n"
+            "    class Plc:\n"
+            "        def cycle(self, hli):\n"
+            '            seen.add(hli["gpCh[0]^.bahn_state.example_r"])\n\n'
+            "    Controller().run(NcText('p.nc', 'N70 G01 X10 F600\\nM30'), plc=Plc())\n"
+            "    assert 70 in seen\n",
+        ),
+    ),
+    ("tests/plc/test_example_element.py", "tests/hli/test_table.py"),
+)
+
+RECIPES = (
+    REFUSED_WORD,
+    G_FUNCTION,
+    HASH_COMMAND,
+    VARIABLE,
+    SHOWN_ELEMENT,
+    MESSAGE,
+    CHANNEL_PARAMETER,
+    SUBCOMMAND,
+    RUN_OPTION,
+)

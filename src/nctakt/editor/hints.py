@@ -35,7 +35,7 @@ from nctakt.nc.parse.parser import parse_program
 from nctakt.nc.source import Source
 from nctakt.nc.tree import RealtimeCycle
 from nctakt.nc.vocabulary.axis_commands import KEYWORDS as AXIS_KEYWORDS
-from nctakt.nc.vocabulary.command_forms import FORMS
+from nctakt.nc.vocabulary.commands import COMMANDS, forms_of
 from nctakt.nc.vocabulary.keywords import KEYWORDS
 from nctakt.nc.vocabulary.operators import FUNCTIONS
 from nctakt.nc.vocabulary.variable_table import NameTable
@@ -175,11 +175,10 @@ def signature_help(before: str, language: Language) -> SignatureHelp | None:
         )
         active = _active(words, match["inside"])
     elif name.startswith("#"):
-        forms = FORMS.get(name)
-        if forms is None:
+        if name not in COMMANDS or not COMMANDS[name].forms:
             return None
         words, active, meaning = [], 0, ""
-        label = "  |  ".join(forms)
+        label = forms_of(name)
     elif len(name) <= 2:
         words = list(AXIS_KEYWORDS)
         label, meaning = f"{name}[{' '.join(words)}]", ""

@@ -24,7 +24,6 @@ from nctakt.nc.parse.block_head import BLOCK_HEAD
 from nctakt.nc.parse.controls import CONTROL_WORDS
 from nctakt.nc.parse.hash_commands import CYCLE_ACTIONS
 from nctakt.nc.vocabulary.axis_commands import KEYWORDS as AXIS_KEYWORDS
-from nctakt.nc.vocabulary.command_forms import FORMS
 from nctakt.nc.vocabulary.commands import COMMANDS, CONTROLS, VARIABLES
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.functions import (
@@ -34,6 +33,7 @@ from nctakt.nc.vocabulary.functions import (
     SPINDLE_FUNCTIONS,
 )
 from nctakt.nc.vocabulary.keywords import KEYWORDS
+from nctakt.nc.vocabulary.support_level import hash_command
 from nctakt.nc.vocabulary.words import WORDS
 
 _WORD = re.compile(r"[A-Z_@]\w*$", re.IGNORECASE)
@@ -172,7 +172,7 @@ def _command_names(cursor: Cursor) -> dict[str, str]:
             continue
         meaning = entry.meaning.get(cursor.language)
         names[entry.name] = meaning
-        for form in FORMS.get(entry.name, ()):
+        for form in entry.forms:
             names.setdefault(_words_of(form, entry.name), meaning)
     cycle = COMMANDS["#RT CYCLE"].meaning.get(cursor.language)
     for word in ("DEF", *CYCLE_ACTIONS):
@@ -219,8 +219,8 @@ def _keywords_of(command: str) -> Iterable[str]:
         return ("ID", "SCOPE", "END_ACTION") if is_definition else ("ID",)
     if not command.startswith("#"):
         return AXIS_KEYWORDS
-    names = [name for name in FORMS if command == name or command.startswith(f"{name} ")]
-    forms = FORMS[max(names, key=len)] if names else ()
+    entry = hash_command(command.removeprefix("#").split())
+    forms = entry.forms if entry else ()
     inside = (text for form in forms for text in _BRACKETS.findall(form))
     return dict.fromkeys(word for text in inside for word in _KEYWORD.findall(text))
 

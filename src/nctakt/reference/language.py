@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 from nctakt.base.diagnostics import Text
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.entries import Entry, Kind, Support
 from nctakt.nc.vocabulary.function_rows import GFunction
 from nctakt.nc.vocabulary.functions import G_FUNCTIONS
@@ -157,7 +157,7 @@ def _of_system(name: str) -> Iterator[Fact]:
 def entry_article(entry: Entry) -> Article:
     """Return the article of a row of the support table."""
     facts = [*_FURTHER.get(entry.name, ()), *_of_system(entry.name)]
-    if entry.name in FORMS:
+    if entry.forms:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
     facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))
     if isinstance(entry, GFunction) and entry.group is not None:

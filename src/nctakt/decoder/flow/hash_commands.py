@@ -53,7 +53,7 @@ from nctakt.nc.check.rotating_planes import PLANE_COMMANDS
 from nctakt.nc.check.single_steps import DISABLE
 from nctakt.nc.check.tools import COMMANDS as TOOL_COMMANDS
 from nctakt.nc.check.transformations import COMMANDS
-from nctakt.nc.vocabulary.command_forms import INITS
+from nctakt.nc.vocabulary.commands import INITS
 from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
 from nctakt.nc.vocabulary.system_variables import TIMERS
 

@@ -22,7 +22,7 @@ from nctakt.nc.check.signals import axis_name, constant
 from nctakt.nc.outline import AxisUse
 from nctakt.nc.parse.block_words import AXIS_LETTERS
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 #: The words of the commands, and what they do.

@@ -18,7 +18,7 @@ from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.signals import axis_name
 from nctakt.nc.parse.block_words import AXIS_LETTERS
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Number
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 _WORDS = (("CAX",), ("CAX", "OFF"))

@@ -93,7 +93,7 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.message_formats import conversions
 from nctakt.nc.vocabulary.variable_table import NameTable

@@ -20,7 +20,7 @@ from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
-from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 #: Maximum number of components: a shift along three axes, three angles.
 MAX_COMPONENTS = 6
@@ -159,7 +159,7 @@ def check_cs_command(command: HashCommand, values: ValueChecker, findings: Findi
     parsed = cs_command(command)
     if parsed is None:
         name = " ".join(["#" + kind, *words])
-        forms = forms_of(name if name in FORMS else "#" + kind)
+        forms = forms_of(name, "#" + kind)
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
     if parsed.action.startswith("MODE"):

@@ -18,7 +18,7 @@ from nctakt.messages.couplings import DENOMINATOR_MISSING, TOO_MANY_PAIRS, UNKNO
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 #: The highest number of a group.
 MAX_GROUP = 99

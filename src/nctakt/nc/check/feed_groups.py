@@ -15,7 +15,7 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.path_commands import Form, check_item, check_repetition, keywords
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 #: Words behind ``#FGROUP``.
 RADIUS, WEAKEST = "ROT", "WAXIS"

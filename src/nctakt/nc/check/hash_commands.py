@@ -18,7 +18,7 @@ from nctakt.nc.check.optional_parts import check_optional
 from nctakt.nc.check.path_commands import Form, check_item
 from nctakt.nc.check.single_steps import check_single_step
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
-from nctakt.nc.vocabulary.command_forms import INIT, OLD_INIT, forms_of
+from nctakt.nc.vocabulary.commands import INIT, OLD_INIT, forms_of
 from nctakt.nc.vocabulary.file_names import (
     MESSAGES,
     NAMED_FILES,

@@ -12,7 +12,7 @@ from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 CONVERSIONS = ("WCS TO MCS", "MCS TO WCS")
 MACHINE_COMMANDS = ("MCS ON", "MCS OFF", *CONVERSIONS)

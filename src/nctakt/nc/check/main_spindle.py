@@ -16,7 +16,7 @@ from nctakt.nc.check.c_axis import spindle_name
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Name
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 _WORDS = ("MAIN", "SPINDLE")
 

@@ -27,7 +27,7 @@ from nctakt.nc.tree import (
     Number,
     Word,
 )
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.functions import (
     ANY_ARCS,
     INTERRUPTIBLE,

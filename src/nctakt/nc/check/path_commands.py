@@ -40,7 +40,7 @@ from nctakt.nc.tree import (
     Name,
     Number,
 )
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.path_keywords import (
     ACTIONS,
     CONTOUR_MODES,

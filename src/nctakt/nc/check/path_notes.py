@@ -14,7 +14,7 @@ from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.path_keywords import HSC_MODES, HSC_NUMBERS, SLOPES
 from nctakt.nc.vocabulary.simplifications import HSC_CONTOUR
 

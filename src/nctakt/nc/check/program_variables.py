@@ -26,7 +26,7 @@ from nctakt.nc.tree import (
     Variable,
     VariableDeclarations,
 )
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.resolution import (
     PROGRAM_FAMILIES,
     indices_of,

@@ -15,7 +15,7 @@ from nctakt.messages.rotating_planes import UNKNOWN_AXIS_OF_PLANE
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.support_level import hash_command
 
 #: Commands with the number of axes in their bracket.

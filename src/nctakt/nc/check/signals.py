@@ -41,7 +41,7 @@ from nctakt.nc.tree import (
     Parameter,
     Variable,
 )
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 #: Highest number of a signal.
 MAX_SIGNAL = 2_147_483_647

@@ -24,7 +24,7 @@ from nctakt.nc.tree import (
     Number,
     Word,
 )
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.simplifications import AKIMA_CURVE, BSPLINE_CURVE
 
 #: Words that switch, as they are written, with what they mean.

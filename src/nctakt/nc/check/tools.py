@@ -11,7 +11,7 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.path_commands import Form, check_item, keywords
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Number
-from nctakt.nc.vocabulary.command_forms import forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 
 _MAIN_AXES = 3
 _SIGNS = {"+": 1, "-": -1}

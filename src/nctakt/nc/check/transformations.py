@@ -15,7 +15,7 @@ from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
-from nctakt.nc.vocabulary.command_forms import FORMS, forms_of
+from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.orientation import ANGLE, VECTOR
 
 Item = Keyword | Expression
@@ -116,7 +116,7 @@ def check_transformation(command: HashCommand, values: ValueChecker, findings: F
                 COMMAND_WORD_NOT_SIMULATED, command.span, command=name, word=other, names=names
             )
             return True
-        forms = forms_of(name if name in FORMS else f"#{words[0]}")
+        forms = forms_of(name, f"#{words[0]}")
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
     for value in parsed.values:

@@ -38,7 +38,7 @@ from nctakt.nc.tree import (
     While,
     Word,
 )
-from nctakt.nc.vocabulary.command_forms import INITS
+from nctakt.nc.vocabulary.commands import INITS
 from nctakt.nc.vocabulary.functions import COMPENSATION_OFF
 from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, variables_in
 from nctakt.nc.vocabulary.variable_table import Location, NameTable

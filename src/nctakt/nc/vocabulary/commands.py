@@ -1,13 +1,28 @@
 # SPDX-License-Identifier: MIT
 """Known ``#`` commands, control words, variables and forms with their support.
 
-A ``#`` command is known by its first words; the longest row that fits counts.
+A ``#`` command is known by its first words; the longest row that fits counts. Its row is a line of
+``commands.tsv``: name, support, what a refused one would change (``Effect``), its forms, its
+meaning, and what to use instead.
 """
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import Text
-from nctakt.nc.vocabulary.entries import ACCEPTED, REFUSED, SIMULATED, Kind, Support, table
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+
+from nctakt.base.diagnostics import NOTHING, Text
+from nctakt.nc.vocabulary.entries import (
+    NOTHING_INSTEAD,
+    REFUSED,
+    SIMULATED,
+    Effect,
+    Entry,
+    Kind,
+    Support,
+    table,
+)
 from nctakt.nc.vocabulary.spindle_variables import SPINDLE_ROWS
 from nctakt.nc.vocabulary.system_names import ROWS
 
@@ -24,342 +39,30 @@ CONTROLS = table(
     ("$GOTO", SIMULATED, "jump", "Sprung"),
 )
 
-COMMANDS = table(
-    Kind.COMMAND,
-    ("#RT CYCLE", SIMULATED, "realtime cycle", "Echtzeit-Zyklus"),
-    ("#TIMER SYN", SIMULATED, "timer, in realtime cycles", "Zeitmessung, in Echtzeit-Zyklen"),
-    ("#COMMENT", SIMULATED, "comment over several lines", "Kommentar über mehrere Zeilen"),
-    ("#FLUSH", SIMULATED, "wait for the prepared blocks", "auf die vorbereiteten Sätze warten"),
-    ("#MSG", SIMULATED, "message of the program", "Meldung des Programms"),
-    ("#TIME", SIMULATED, "dwell", "Verweilzeit"),
-    ("#RT WHILE", SIMULATED, "realtime loop", "Echtzeit-Schleife"),
-    ("#RT ENDWHILE", SIMULATED, "end of a realtime loop", "Ende einer Echtzeit-Schleife"),
-    ("#MSG INFO", REFUSED, "message to one receiver", "Meldung an einen Empfänger"),
-    ("#MSG SYN", REFUSED, "message with acknowledgement", "Meldung mit Quittung"),
-    ("#ACHSE", REFUSED, "exchange of axes", "Achstausch"),
-    ("#ACHSTAUSCH", REFUSED, "exchange of axes", "Achstausch"),
-    ("#ACS", SIMULATED, "position of the workpiece, below #CS", "Aufspannlage, unter #CS"),
-    ("#ADD", REFUSED, "user-defined technology data", "eigene Technologiedaten"),
-    ("#AKIMA TRANS", SIMULATED, "ends of Akima splines", "Enden von Akima-Splines"),
-    ("#AX", REFUSED, "coupling and exchange of axes", "Achskopplung und Achstausch"),
-    ("#AX LINK", SIMULATED, "coupling of axes", "Achskopplung"),
-    ("#AX DEF", SIMULATED, "define the axes of the channel", "Achsen des Kanals festlegen"),
-    (
-        "#AX LOCK",
-        REFUSED,
-        "locking of axes under #PTP; what it does is not published",
-        "Sperren von Achsen unter #PTP; was es bewirkt, ist nicht veröffentlicht",
-    ),
-    ("#AX RELEASE", SIMULATED, "give axes away", "Achsen abgeben"),
-    ("#AX REQUEST", SIMULATED, "fetch axes", "Achsen holen"),
-    (
-        "#AX UNLOCK",
-        REFUSED,
-        "release of axes under #PTP; what it does is not published",
-        "Freigabe von Achsen unter #PTP; was sie bewirkt, ist nicht veröffentlicht",
-    ),
-    (
-        "#BACKWARD STORAGE CLEAR",
-        SIMULATED,
-        "the history of backward motion begins anew",
-        "die Vorgeschichte der Rückwärtsfahrt beginnt neu",
-    ),
-    ("#BCS", SIMULATED, "base coordinates, below #ACS", "Basiskoordinaten, unter #ACS"),
-    ("#BLOCKSEARCH", REFUSED, "block search", "Satzvorlauf"),
-    ("#BLOCKSEARCH LOCKED", SIMULATED, "no block search from here on", "Satzvorlauf gesperrt"),
-    ("#BLOCKSEARCH RELEASED", SIMULATED, "block search again", "Satzvorlauf freigegeben"),
-    ("#BSPLINE", REFUSED, "B spline", "B-Spline"),
-    ("#CACHE", REFUSED, "programs in memory", "Programme im Speicher"),
-    ("#CALL AX", SIMULATED, "fetch axes", "Achsen holen"),
-    ("#CAX", SIMULATED, "spindle as C axis", "Spindel als C-Achse"),
-    ("#CAX OFF", SIMULATED, "spindle is no C axis", "Spindel ist keine C-Achse"),
-    ("#CAXTRACK", REFUSED, "C axis follows the path", "C-Achse folgt der Bahn"),
-    ("#CHANNEL INIT", SIMULATED, "take over positions", "Positionen übernehmen"),
-    ("#CHANNEL INTERFACE", REFUSED, "interface of the channel", "Schnittstelle des Kanals"),
-    ("#CHANNEL SET", REFUSED, "settings of the channel", "Einstellungen des Kanals"),
-    ("#CLAMP", REFUSED, "clamp offsets", "Platzversätze"),
-    (
-        "#CLEAR CONFIG",
-        REFUSED,
-        "clear a stored configuration",
-        "gespeicherte Konfiguration löschen",
-    ),
-    ("#COMMAND", REFUSED, "commands to drives", "Befehle an Antriebe"),
-    (
-        "#CONTOUR MODE",
-        SIMULATED,
-        "contouring by corner deviation",
-        "Überschleifen mit Eckenabweichung",
-    ),
-    ("#CONTROL AREA", REFUSED, "protected zones", "Schutzräume"),
-    ("#CORNER PARAM", SIMULATED, "corner deceleration (G13)", "Eckenverzögerung (G13)"),
-    ("#CS", SIMULATED, "coordinate system", "Koordinatensystem"),
-    (
-        "#CS ADD",
-        SIMULATED,
-        "coordinate system on top of a stack",
-        "Koordinatensystem auf einem Stapel",
-    ),
-    ("#CS MODE", SIMULATED, "how systems turn, whose offsets", "Art der Drehung, Verschiebungen"),
-    ("#CS SELECT", SIMULATED, "coordinate system of the stack", "Koordinatensystem des Stapels"),
-    ("#CYL", SIMULATED, "machining on a cylinder", "Zylinderbearbeitung"),
-    ("#CYL OFF", SIMULATED, "machining on a cylinder off", "Zylinderbearbeitung aus"),
-    (
-        "#CYL 2ROT",
-        REFUSED,
-        "cylinder with two rotary axes (kinematic 202), whose geometry is not published",
-        "Zylinder mit zwei Drehachsen (Kinematik 202), dessen Geometrie nicht veröffentlicht ist",
-    ),
-    (
-        "#CYL ORI",
-        REFUSED,
-        "cylinder with five axes; how the tool turns there is not published",
-        "Zylinder mit fünf Achsen; wie das Werkzeug dort dreht, ist nicht veröffentlicht",
-    ),
-    ("#DB INFO", REFUSED, "data base", "Datenbank"),
-    ("#DCC", REFUSED, "dynamic contour control", "dynamische Konturkontrolle"),
-    ("#DEL DIST2GO", REFUSED, "delete distance to go", "Restweg löschen"),
-    ("#DELETE", SIMULATED, "delete variables", "Variablen löschen"),
-    ("#DIAGNOSIS", REFUSED, "diagnosis data", "Diagnosedaten"),
-    ("#DISABLE AX LINK", SIMULATED, "coupling of axes off", "Achskopplung aus"),
-    ("#DISABLE MODAL CYCLE", SIMULATED, "end of a modal call", "Ende eines modalen Aufrufs"),
-    ("#DISTANCE PROG START", REFUSED, "distance since program start", "Weg seit Programmstart"),
-    ("#DRIVE", REFUSED, "data of drives", "Daten der Antriebe"),
-    ("#DYN_WEIGHT", REFUSED, "weight of dynamics", "Gewichtung der Dynamik"),
-    (
-        "#DYNAMIC WEIGHT",
-        SIMULATED,
-        "weights of the dynamics by length or radius",
-        "Gewichte der Dynamik nach Weglänge oder Radius",
-    ),
-    ("#ECS", SIMULATED, "coordinates along the tool", "Koordinaten längs des Werkzeugs"),
-    (
-        "#EDGE MACHINING",
-        REFUSED,
-        "machining of edges: stop, dwell and signals at sharp corners",
-        "Eckenbearbeitung: Halt, Verweilzeit und Signale an spitzen Ecken",
-        Text(
-            "#CORNER PARAM and G13 slow down before block ends, G60 stops at one.",
-            "#CORNER PARAM und G13 bremsen vor Satzenden, G60 hält an einem.",
-        ),
-    ),
-    ("#EDM", REFUSED, "electrical discharge machining", "Erodieren"),
-    ("#ENABLE AX LINK", SIMULATED, "coupling of axes on", "Achskopplung ein"),
-    ("#ERROR", SIMULATED, "error of the program", "Fehler des Programms"),
-    ("#EXPL SYN", SIMULATED, "explicit synchronisation", "explizite Synchronisation"),
-    ("#EXPORT VE", REFUSED, "list of external variables", "Liste der externen Variablen"),
-    ("#FACE", SIMULATED, "machining on a face", "Stirnflächenbearbeitung"),
-    (
-        "#FACE 2ROT",
-        REFUSED,
-        "face with two rotary axes (kinematic 203), whose geometry is not published",
-        "Stirnfläche mit zwei Drehachsen (Kinematik 203), deren Geometrie nicht veröffentlicht ist",
-    ),
-    ("#FACE OFF", SIMULATED, "machining on a face off", "Stirnflächenbearbeitung aus"),
-    (
-        "#FF",
-        REFUSED,
-        "external weight of the feed, whose words are not published",
-        "externe Gewichtung des Vorschubs, deren Worte nicht veröffentlicht sind",
-        Text("#OVERRIDE [FEED_FACT=50] weights it.", "#OVERRIDE [FEED_FACT=50] gewichtet ihn."),
-    ),
-    ("#FGROUP", SIMULATED, "axes of the feed", "Achsen des Vorschubs"),
-    (
-        "#FGROUP ROT",
-        SIMULATED,
-        "feed at the radius of a rotary axis",
-        "Vorschub am Radius einer Rundachse",
-    ),
-    ("#FGROUP WAXIS", SIMULATED, "feed of the weakest axis", "Vorschub der schwächsten Achse"),
-    ("#FILE", REFUSED, "files", "Dateien"),
-    ("#FILE DELETE", REFUSED, "delete a file", "Datei löschen"),
-    ("#FILE RENAME", REFUSED, "rename a file", "Datei umbenennen"),
-    ("#FILE NAME", SIMULATED, "names of files", "Namen von Dateien"),
-    ("#FILENAME", SIMULATED, "names of files", "Namen von Dateien"),
-    (
-        "#FILTER",
-        ACCEPTED,
-        "FIR filters of axes, which do not act without a type (P-AXIS-00586)",
-        "FIR-Filter der Achsen, die ohne Typ (P-AXIS-00586) nicht wirken",
-    ),
-    ("#FREE TOOL CHANGE", REFUSED, "tool change", "Werkzeugwechsel"),
-    ("#FRICTION", REFUSED, "friction compensation", "Reibkompensation"),
-    ("#GANTRY", REFUSED, "coupled drives", "gekoppelte Antriebe"),
-    ("#GEO", REFUSED, "output of geometry", "Ausgabe der Geometrie"),
-    ("#GET", REFUSED, "read positions", "Positionen lesen"),
-    ("#HANDWHEEL", REFUSED, "handwheel", "Handrad"),
-    ("#HSC", SIMULATED, "high-speed cutting", "HSC-Bearbeitung"),
-    ("#IDENT", REFUSED, "parameters of drives", "Parameter der Antriebe"),
-    ("#IF", SIMULATED, "condition of preprocessing", "Bedingung vor der Dekodierung"),
-    ("#INFO", REFUSED, "information", "Information"),
-    ("#INIT", REFUSED, "set to initial values", "auf Anfangswerte setzen"),
-    ("#INIT MACRO TAB", REFUSED, "forget all macros", "alle Makros vergessen"),
-    ("#JOG", REFUSED, "jogging", "Tippbetrieb"),
-    ("#KIN", REFUSED, "kinematics", "Kinematik"),
-    (
-        "#KIN DATA",
-        REFUSED,
-        "locked axes of coupling kinematics (type 210)",
-        "gesperrte Achsen von Koppelkinematiken (Typ 210)",
-    ),
-    ("#KIN ID", SIMULATED, "choice of the kinematic", "Wahl der Kinematik"),
-    (
-        "#LAH",
-        REFUSED,
-        "smoothing of the path's speed, whose method is not published",
-        "Glättung der Bahngeschwindigkeit, deren Verfahren nicht veröffentlicht ist",
-        Text(
-            "SMOOTH_PATH_VEL=0 is accepted; #VECTOR LIMIT limits speed and acceleration.",
-            "SMOOTH_PATH_VEL=0 ist erlaubt; #VECTOR LIMIT begrenzt Geschwindigkeit und "
-            "Beschleunigung.",
-        ),
-    ),
-    ("#LOAD CONFIG", REFUSED, "load a stored configuration", "gespeicherte Konfiguration laden"),
-    ("#MACHINE DATA", REFUSED, "parameters of axes", "Achsparameter"),
-    ("#MAIN SPINDLE", SIMULATED, "change of the main spindle", "Wechsel der Hauptspindel"),
-    ("#MANUAL LIMITS", REFUSED, "limits of manual mode", "Grenzen des Handbetriebs"),
-    ("#MARK", REFUSED, "mark", "Marke"),
-    ("#MCS", SIMULATED, "machine coordinates", "Maschinenkoordinaten"),
-    (
-        "#MCS TO WCS",
-        SIMULATED,
-        "positions of the program from those of the machine",
-        "Programmpositionen aus denen der Maschine",
-    ),
-    ("#MC_", REFUSED, "function block of single axes", "Funktionsbaustein einzelner Achsen"),
-    ("#MEAS", SIMULATED, "measuring: type, signal", "Messen: Typ, Signal"),
-    ("#MICROJOINT", REFUSED, "micro joint", "Mikrosteg"),
-    ("#NIBBLE", REFUSED, "nibbling", "Nibbeln"),
-    (
-        "#OPTIONAL EXECUTION",
-        SIMULATED,
-        "part that backward motion leaves out",
-        "Teil, den die Rückwärtsfahrt auslässt",
-    ),
-    (
-        "#ORI MODE",
-        SIMULATED,
-        "direction of the tool by angles or a vector",
-        "Richtung des Werkzeugs durch Winkel oder einen Vektor",
-    ),
-    ("#ORIMODE", REFUSED, "orientation", "Orientierung"),
-    ("#OTC", REFUSED, "online tool compensation", "Online-Werkzeugkorrektur"),
-    ("#OVERRIDE", SIMULATED, "override of the program", "Override des Programms"),
-    ("#PRESET", SIMULATED, "presets of positions taken back", "gesetzte Istwerte zurücknehmen"),
-    ("#PSET", SIMULATED, "preset of positions", "Istwerte setzen"),
-    ("#PTP", SIMULATED, "point to point", "Punkt zu Punkt"),
-    ("#PUNCH", REFUSED, "punching", "Stanzen"),
-    ("#PUT AX", SIMULATED, "give axes away", "Achsen abgeben"),
-    ("#ROTATION", SIMULATED, "rotation of the contour", "Konturdrehung"),
-    ("#RTCP", SIMULATED, "rotation about the tool centre point", "Drehung um die Werkzeugspitze"),
-    ("#SAVE CONFIG", REFUSED, "store a configuration", "Konfiguration speichern"),
-    ("#SCALE", SIMULATED, "scaling of the contour", "Kontur skalieren"),
-    ("#SCENE", REFUSED, "scene of a visualisation", "Szene einer Visualisierung"),
-    ("#SEGMENTATION", REFUSED, "division of blocks", "Teilung von Sätzen"),
-    ("#SET", REFUSED, "old settings", "alte Einstellungen"),
-    ("#SET DEC LR SOLL", SIMULATED, "take over positions", "Positionen übernehmen"),
-    ("#SET AX", SIMULATED, "the axes of the channel", "die Achsen des Kanals"),
-    ("#SET AX LINK", SIMULATED, "coupling of axes", "Achskopplung"),
-    ("#SET SLOPE PROFIL", SIMULATED, "profile of acceleration", "Beschleunigungsprofil"),
-    ("#SHIFT", REFUSED, "shift", "Verschiebung"),
-    ("#SIGNAL", SIMULATED, "signal between channels", "Signal zwischen Kanälen"),
-    (
-        "#SIGNAL READ",
-        SIMULATED,
-        "take a signal that is there, into V.G.SIGNAL_READ",
-        "vorhandenes Signal abholen, in V.G.SIGNAL_READ",
-    ),
-    ("#SIGNAL REMOVE", SIMULATED, "clear signals", "Signale löschen"),
-    ("#SINGLE STEP", SIMULATED, "where single block stops", "wo der Einzelsatz anhält"),
-    ("#SLOPE", SIMULATED, "profile of acceleration", "Beschleunigungsprofil"),
-    ("#SPLINE TYPE", SIMULATED, "kind of splines", "Art der Splines"),
-    ("#SET SPLINETYPE", SIMULATED, "kind of splines", "Art der Splines"),
-    ("#SET ASPLINE MODE", SIMULATED, "ends of Akima splines", "Enden von Akima-Splines"),
-    ("#STOP REVERSIBLE", REFUSED, "limit of backward motion", "Grenze der Rückwärtsfahrt"),
-    ("#STROKE DEF", REFUSED, "definition of strokes", "Hubdefinition"),
-    (
-        "#SUPPRESS OFFSETS",
-        SIMULATED,
-        "offsets off for one block",
-        "Verschiebungen für einen Satz aus",
-    ),
-    ("#TANGFEED", REFUSED, "feed on curves", "Vorschub auf Bögen"),
-    ("#TGC", REFUSED, "tool grinding correction", "Schleifkorrektur"),
-    ("#TIMER", SIMULATED, "timer of the program", "Zeitmessung des Dekoders"),
-    ("#TLAX", SIMULATED, "axis of the tool's length", "Achse der Werkzeuglänge"),
-    ("#TLC", SIMULATED, "tool length compensation", "Werkzeuglängenkorrektur"),
-    ("#TOOL", REFUSED, "tools", "Werkzeuge"),
-    ("#TOOL DATA", SIMULATED, "tool offsets by an ID", "Werkzeugkorrektur nach ID"),
-    ("#TOOL LIFE DEF", SIMULATED, "set the tool life", "Standgröße setzen"),
-    ("#TOOL LIFE READ", SIMULATED, "send the tool life", "Standgröße senden"),
-    ("#TOOL LIFE REMOVE", SIMULATED, "clear the tool life", "Standgröße löschen"),
-    ("#TOOL PREP", SIMULATED, "tool by an ID", "Werkzeug nach ID"),
-    ("#TOOL REFRESH", SIMULATED, "data of the active tool anew", "aktives Werkzeug neu lesen"),
-    (
-        "#TOOL ORI CS",
-        SIMULATED,
-        "the tool along an axis of the coordinate system",
-        "das Werkzeug längs einer Achse des Koordinatensystems",
-    ),
-    ("#TRACK CS", REFUSED, "moving coordinate system", "mitbewegtes Koordinatensystem"),
-    ("#TRAFO", SIMULATED, "transformation", "Transformation"),
-    (
-        "#TRAFO PCS",
-        REFUSED,
-        "transformation above coordinate systems, which is user-written code",
-        "Transformation über den Koordinatensystemen, die eigener Code ist",
-    ),
-    (
-        "#TRAFO STACK",
-        REFUSED,
-        "stacks of kinematics and coordinate systems of the channel list",
-        "Stapel aus Kinematiken und Koordinatensystemen der Kanalliste",
-    ),
-    ("#TRANSFORM", REFUSED, "transformation", "Transformation"),
-    ("#TURN", SIMULATED, "feed, dwell and threads by the spindle", "Kopplung an die Spindel"),
-    (
-        "#TRANSVELMIN",
-        REFUSED,
-        "lowest speed at corners, which would take axes beyond their accelerations",
-        "kleinste Geschwindigkeit an Ecken, die Achsen über ihre Beschleunigung führte",
-        Text(
-            "G261 rounds corners and keeps speed there.",
-            "G261 verschleift Ecken und hält dort Geschwindigkeit.",
-        ),
-    ),
-    (
-        "#TRC",
-        REFUSED,
-        "tool radius compensation",
-        "Werkzeugradiuskorrektur",
-        Text(
-            "The ways of compensation are chosen by G25 and G26, G138, G139, G237 … G239, G140 and "
-            "G141.",
-            "Wie korrigiert wird, wählen G25 und G26, G138, G139, G237 … G239, G140 und G141.",
-        ),
-    ),
-    ("#VAR", SIMULATED, "declaration of variables", "Deklaration von Variablen"),
-    ("#VECTOR", REFUSED, "limits and offsets of the path", "Grenzen und Versätze der Bahn"),
-    ("#VECTOR LIMIT", SIMULATED, "limits of the path", "Grenzen der Bahn"),
-    ("#VECTORACC", REFUSED, "acceleration of the path", "Bahnbeschleunigung"),
-    ("#VECTORVEL", REFUSED, "speed of the path", "Bahngeschwindigkeit"),
-    ("#VOLCOMP", REFUSED, "volumetric compensation", "volumetrische Kompensation"),
-    ("#VOLKOMP", REFUSED, "volumetric compensation", "volumetrische Kompensation"),
-    ("#WAIT", SIMULATED, "wait for a signal", "auf ein Signal warten"),
-    ("#WAIT FOR", SIMULATED, "wait for a condition", "auf eine Bedingung warten"),
-    (
-        "#WAIT INDP",
-        SIMULATED,
-        "wait for axes in independent motion",
-        "auf Achsen in unabhängiger Bewegung warten",
-    ),
-    (
-        "#WCS TO MCS",
-        SIMULATED,
-        "positions of the machine from those of the program",
-        "Maschinenpositionen aus denen des Programms",
-    ),
-)
+
+def _read() -> Mapping[str, Entry]:
+    """Return the rows of ``commands.tsv`` by their names."""
+    text = (Path(__file__).parent / "commands.tsv").read_text("utf-8")
+    entries = {}
+    for line in text.splitlines()[2:]:
+        cells = line.split("\t")
+        name, support, effect, forms, en, de, *instead = cells
+        entries[name] = Entry(
+            Kind.COMMAND,
+            name,
+            Support(support),
+            Text(en, de),
+            Text(*instead) if instead else NOTHING_INSTEAD,
+            Effect(effect),
+            tuple(forms.split(" | ")) if forms else (),
+        )
+    return MappingProxyType(entries)
+
+
+COMMANDS = _read()
+
+#: The words of ``#CHANNEL INIT``, and of its old form.
+INIT, OLD_INIT = INITS = (("CHANNEL", "INIT"), ("SET", "DEC", "LR", "SOLL"))
 
 VARIABLES = table(
     Kind.VARIABLE,
@@ -693,3 +396,9 @@ FORMS = table(
         "Kopie einer Struktur, eines Feldes",
     ),
 )
+
+
+def forms_of(*commands: str) -> str:
+    """Return the forms of the first of these commands that has any, as one line."""
+    known = (COMMANDS[name].forms for name in commands if name in COMMANDS)
+    return "  |  ".join(next(filter(None, known), ())) or NOTHING

@@ -60,42 +60,37 @@ _NO_VALUE = Text(
 )
 
 
-#: Refused commands on which neither positions nor times depend.
-WITHOUT_MOTION = frozenset(
-    {
-        *("#MSG INFO", "#FILE DELETE", "#FILE RENAME", "#INIT MACRO TAB", "#CACHE", "#SCENE"),
-        *("#DB INFO", "#DIAGNOSIS", "#EXPORT VE", "#SAVE CONFIG", "#CLEAR CONFIG", "#INFO"),
-    }
-)
-#: Refused commands of which it depends on their words, or is not published, what they do.
-OF_UNKNOWN_EFFECT = frozenset(
-    {
-        *("#ADD", "#AX LOCK", "#AX UNLOCK", "#CHANNEL INTERFACE", "#CHANNEL SET", "#COMMAND"),
-        *("#CYL 2ROT", "#CYL ORI", "#DISTANCE PROG START", "#DRIVE", "#FACE 2ROT", "#FF", "#FILE"),
-        *("#GEO", "#GET", "#IDENT", "#INIT", "#LAH", "#LOAD CONFIG", "#MACHINE DATA"),
-        *("#MANUAL LIMITS", "#MARK", "#MSG SYN", "#SEGMENTATION", "#SET", "#STROKE DEF"),
-        *("#STOP REVERSIBLE", "#TRAFO PCS", "#TRAFO STACK", "X[…]"),
-    }
-)
+class Effect(enum.Enum):
+    """What a refused name would change on a machine."""
+
+    MOTION = ""
+    WITHOUT_MOTION = "without motion"
+    #: It depends on its words, or is not published.
+    NOT_KNOWN = "not known"
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One row; ``instead``: what to use in place of a refused name, empty for nothing."""
+    """One row; ``instead``: what to use in place of a refused name, empty for nothing.
+
+    ``forms``: examples of how a ``#`` command is written, each a line that a program may have.
+    """
 
     kind: Kind
     name: str
     support: Support
     meaning: Text
     instead: Text = NOTHING_INSTEAD
+    effect: Effect = Effect.MOTION
+    forms: tuple[str, ...] = ()
 
     @property
     def advice(self) -> Text:
         """What to do about a refused name."""
         first = _NO_VALUE if self.kind is Kind.VARIABLE else _MOVES
-        if self.name in WITHOUT_MOTION:
+        if self.effect is Effect.WITHOUT_MOTION:
             first = _QUIET
-        elif self.name in OF_UNKNOWN_EFFECT:
+        elif self.effect is Effect.NOT_KNOWN or self.kind is Kind.FORM:
             first = _UNKNOWN
         if self.kind is Kind.FORM and self.instead.en:
             return self.instead
@@ -111,5 +106,7 @@ def table(kind: Kind, *rows: Row) -> Mapping[str, Entry]:
     """Return the entries of one kind by name."""
     entries = {}
     for name, support, en, de, *instead in rows:
-        entries[name] = Entry(kind, name, support, Text(en, de), *instead)
+        entries[name] = Entry(
+            kind, name, support, Text(en, de), instead[0] if instead else NOTHING_INSTEAD
+        )
     return MappingProxyType(entries)

@@ -78,7 +78,7 @@ def hash_command(words: Sequence[str]) -> Entry | None:
         entry = COMMANDS.get("#" + " ".join(words[:count]))
         if entry is not None:
             return entry
-    return COMMANDS["#MC_"] if words[0].startswith("MC_") else None
+    return COMMANDS["#MC_"] if words and words[0].startswith("MC_") else None
 
 
 def variable_family(family: str) -> Entry | None:

@@ -119,6 +119,7 @@ def test_a_label_changes_at_all_its_places(folder: Folder) -> None:
         .replace("[Loop]", "[AGAIN]")
         .replace("$GOTO[LOOP]", "$GOTO[AGAIN]")
     )
+    assert "[Z1]" in folder.renamed(LABELS, "N10 [L", "Z1")  # no block number
     assert folder.renamed(LABELS, "$GOTO N0", "N7") == (
         LABELS.replace("$GOTO N030", "$GOTO N7").replace("N30:", "N7:")
     )

@@ -287,8 +287,8 @@ def _new_symbol(
     if match is None or (kind == "cycle" and int(match[1]) > HIGHEST_ID):
         raise Failure(diagnostic(NEW_NAME_INVALID, new=new or NOTHING, form=form))
     if kind == "label":
-        is_number = text[1:].isdigit() or text.isdigit()
-        return Symbol(kind, number_label(text.lstrip("Nn")) if is_number else text.upper())
+        number = text.upper().removeprefix("N")
+        return Symbol(kind, number_label(number) if number.isdigit() else text.upper())
     if kind == "parameter":
         return Symbol(kind, f"P{int(match[1])}")
     if kind == "cycle":

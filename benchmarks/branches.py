@@ -23,6 +23,7 @@ from nctakt.studies.branch_distance import distances
 from nctakt.studies.coordinates import Coordinates, PlanCoordinates
 from nctakt.studies.cover import covered, reach
 from nctakt.studies.dimension import chance
+from nctakt.studies.search_runs import SearchRuns
 from nctakt.studies.study import Study
 
 RUNS = 2_000
@@ -153,7 +154,7 @@ CASES = (
 
 def by_search(case: Case, runs: int) -> tuple[int, int]:
     """Return how many branches guided search leaves, and how many runs it makes."""
-    reached = reach(case.study.bench, runs)
+    reached = reach(SearchRuns(case.study.bench, covers=True), runs)
     return reached.coverage.branches - reached.coverage.ran, reached.coverage.runs
 
 
@@ -185,8 +186,8 @@ def _ran(case: Case, points: Iterator[Coordinates]) -> tuple[int, int]:
 
 
 def by_hypothesis(case: Case, runs: int) -> tuple[int, int]:
-    """Return how many branches Hypothesis leaves with ``target``, and how many runs it makes."""
-    study, made = case.study, 0
+    """Return how many branches Hypothesis leaves with ``target``, and after how many runs."""
+    study, made, needed = case.study, 0, runs
     space = PlanCoordinates(study.plan)
     left: dict[object, bool] = {}
 
@@ -197,7 +198,7 @@ def by_hypothesis(case: Case, runs: int) -> tuple[int, int]:
     )  # fmt: skip
     @hypothesis.given(strategies.tuples(*(strategies.integers(0, n - 1) for n in space.sizes)))
     def run(coordinates: Sequence[int]) -> None:
-        nonlocal made
+        nonlocal made, needed
         if made >= runs:
             return
         made += 1
@@ -205,9 +206,11 @@ def by_hypothesis(case: Case, runs: int) -> tuple[int, int]:
             left[key] = left.get(key, True) and bool(distance.levels)
             if left[key]:
                 hypothesis.target(-(distance.levels + distance.rest / 10), label=str(key))
+        if not any(left.values()):
+            needed = min(needed, made)
 
     run()
-    return sum(left.values()), made
+    return sum(left.values()), needed
 
 
 def main() -> None:

@@ -13,6 +13,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.studies.bench import Bench, Row
 from nctakt.studies.dimension import Value
+from nctakt.studies.row_store import RowStore
 from nctakt.studies.search_runs import Point, SearchRuns
 from nctakt.studies.study import Study
 
@@ -65,12 +66,12 @@ def test_a_search_goes_on(plan: Path, capsys: Captured, monkeypatch: pytest.Monk
     whole = out.read_bytes()
     row_of = Bench.row_of
 
-    def noted(bench: Bench, index: int, point: Sequence[Value]) -> Row:
+    def noted(bench: Bench, index: int, point: Sequence[Value], *, covers: bool) -> Row:
         if index == 6 and 6 not in runs:
             runs.append(index)
             raise KeyboardInterrupt
         runs.append(index)
-        return row_of(bench, index, point)
+        return row_of(bench, index, point, covers=covers)
 
     monkeypatch.setattr(Bench, "row_of", noted)
     assert main(words) == 1
@@ -108,3 +109,116 @@ def test_a_cluster_makes_the_runs_of_a_search(plan: Path) -> None:
         assert study.find(SearchRuns(study.bench, make=make)) == study.find()
     with pytest.raises(Failure, match="901316"), points_of_cluster(study.plan, "tcp://127.0.0.1:1"):
         pass
+
+
+COVER = """\
+program = "part.nc"
+expect = ["end < 4.5"]
+[measure]
+end = "X at end"
+[[vary]]
+variable = "V.E.VALUE"
+from = 0
+to = 999
+step = 1
+"""
+CYCLE = """\
+#RT CYCLE [ID=1 SCOPE=PROG]
+$IF V.E.VALUE == 7
+V.E.COUNT = 1
+$ENDIF
+$IF V.E.VALUE == 777
+V.E.COUNT = 2
+$ENDIF
+#RT CYCLE END
+G01 X[V.E.VALUE / 100] F6000
+M30
+"""
+
+
+@pytest.fixture
+def cover(tmp_path: Path) -> Path:
+    """X goes to a hundredth of V.E.VALUE, 0 to 999; two of these values have branches."""
+    (tmp_path / "part.nc").write_text(CYCLE)
+    path = tmp_path / "plan.toml"
+    path.write_text(COVER)
+    return path
+
+
+def test_a_search_for_branches_writes_its_runs(cover: Path, capsys: Captured) -> None:
+    """The rows are those of the same points in a study; the page has its pictures."""
+    out, page = cover.with_name("out.jsonl"), cover.with_name("page.html")
+    words = ["study", str(cover), "--cover", "--quiet", "--out", str(out), "--report", str(page)]
+    assert main(words) == 0
+    rows = list(map(json.loads, out.read_text().splitlines()))
+    assert [row["run"] for row in rows] == list(range(len(rows)))
+    assert {7, 777} <= {row["V.E.VALUE"] for row in rows}
+    assert len({row["V.E.VALUE"] for row in rows}) == len(rows) < 100
+    bench = Study(cover).bench
+    assert rows == [bench.row_of(row["run"], [row["V.E.VALUE"]]) for row in rows]
+    assert not cover.with_name("out.jsonl.rows").exists()
+    assert "--set V.E.VALUE=777" in page.read_text()
+
+
+def test_a_search_for_branches_goes_on(
+    cover: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After Ctrl-C only the missing runs are made, and the output is the same in each letter."""
+    out = cover.with_name("out.jsonl")
+    words = ["study", str(cover), "--cover", "--quiet", "--out", str(out)]
+    assert main(words) == 0
+    whole, shown = out.read_bytes(), capsys.readouterr().out
+    made, last, row_of = list[int](), [20], Bench.row_of
+
+    def noted(bench: Bench, index: int, point: Sequence[Value], *, covers: bool) -> Row:
+        if index == last[0]:
+            raise KeyboardInterrupt
+        made.append(index)
+        return row_of(bench, index, point, covers=covers)
+
+    monkeypatch.setattr(Bench, "row_of", noted)
+    assert main(words) == 1
+    assert "20 of 1000 runs" in capsys.readouterr().err
+    assert main(["study", str(cover), "--quiet", "--out", str(out), "--resume"]) == 2
+    last[0] = -1
+    assert main([*words, "--resume"]) == 0
+    assert made == list(range(len(whole.splitlines())))
+    assert (out.read_bytes(), capsys.readouterr().out) == (whole, shown)
+
+
+def test_rows_of_other_points_are_made_again(cover: Path) -> None:
+    """A corpus that another search has changed since: no row stands for other inputs."""
+    study = Study(cover)
+    store = RowStore(cover.with_name("rows"), study.plan, resumes=False)
+    SearchRuns(study.bench, store, covers=True).add([(3,), (4,)])
+    rows = SearchRuns(study.bench, store, covers=True).add([(3,), (5,)])
+    store.close()
+    assert [(row["run"], row["V.E.VALUE"]) for row in rows] == [(0, 3), (1, 5)]
+
+
+@pytest.mark.parametrize("option", ["--part=1/2", "--shrink"])
+def test_what_a_search_for_branches_cannot_do(cover: Path, option: str, capsys: Captured) -> None:
+    """Each run decides about the next: no parts of them; a folder of parts is one of numbers."""
+    words = ["study", str(cover), "--cover", "--out", str(cover.with_name("out"))]
+    assert main([*words, option]) == 2
+    assert main(["study", str(cover), "--cover", "--out", f"{cover.parent}/folder/"]) == 2
+    assert "--out FILE" in capsys.readouterr().err
+
+
+@pytest.mark.nightly
+def test_a_cluster_makes_the_runs_of_a_search_for_branches(cover: Path) -> None:
+    """Those that do not depend on each other at once; the same rows and answers as here."""
+    distributed = pytest.importorskip("distributed")
+    from nctakt.studies.cluster import points_of_cluster  # noqa: PLC0415 - an extra
+
+    study = Study(cover)
+    here = SearchRuns(study.bench, covers=True)
+    with (
+        distributed.LocalCluster(
+            n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+        ) as cluster,
+        points_of_cluster(study.plan, cluster, covers=True) as make,
+    ):
+        there = SearchRuns(study.bench, make=make, covers=True)
+        assert study.cover(searched=there) == study.cover(searched=here)
+    assert there.rows == here.rows

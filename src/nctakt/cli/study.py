@@ -11,9 +11,9 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -30,7 +30,10 @@ if TYPE_CHECKING:
     from nctakt.studies.parts import Part
     from nctakt.studies.results import StreamedRows
     from nctakt.studies.row_store import RowStore
+    from nctakt.studies.search_runs import SearchRuns
     from nctakt.studies.study import Study, StudyResult
+
+_T = TypeVar("_T")
 
 #: Endings of files with rows.
 SUFFIXES = (".parquet", ".csv", ".jsonl")
@@ -231,12 +234,12 @@ def _study(file: str, words: dict[str, Any]) -> int:
         raise click.UsageError("--cover needs a program: a schedule has no realtime cycles")
     finds = bool(study.plan.goals) and words["only"] is None
     if words["cover"]:
-        _refuse(words, "--cover makes no rows", ("part", "out", "report", "shrink", "scheduler"))
+        _refuse(words, "--cover searches", ("part", "shrink"))
     elif finds:
         _refuse(words, "a plan with find searches", ("part", "shrink"))
     if part is not None:
         _make_folder(Path(words["out"]).parent)
-    _check_files(study, file, words, finds=finds)
+    _check_files(study, file, words, searches=finds or words["cover"])
     _tell_unchanged(study, words)
     if words["cover"]:
         return _cover(study, words)
@@ -387,13 +390,13 @@ def _refuse(words: dict[str, Any], reason: str, names: Sequence[str]) -> None:
             raise click.UsageError(f"{reason}: --{name} would have no effect")
 
 
-def _check_files(study: Study, file: str, words: dict[str, Any], *, finds: bool) -> None:
+def _check_files(study: Study, file: str, words: dict[str, Any], *, searches: bool) -> None:
     """Check the outputs; raises ``click.UsageError``, and as ``_check_outputs``."""
     outputs = {name: words[name] for name in ("out", "report", "corpus")}
     if _is_folder(words):
         outputs["out"] = None  # its parts have names of their own
-        if finds:
-            raise click.UsageError("a plan with find writes a file: --out FILE")
+        if searches:
+            raise click.UsageError("a search (find, --cover) writes a file: --out FILE")
     _check_outputs(study, [file], outputs)
 
 
@@ -469,7 +472,10 @@ def _cover(study: Study, words: dict[str, Any]) -> int:
     from nctakt.messages import diagnostic  # noqa: PLC0415
     from nctakt.messages.studies import IMPOSSIBLE_RUNS  # noqa: PLC0415
 
-    reached = study.cover(words["sample"], words["corpus"])
+    budget = words["sample"] or len(study)
+    reached = _search(study, words, budget, lambda runs: study.cover(budget, words["corpus"], runs))
+    if isinstance(reached, int):
+        return reached
     for line in cover_lines(study, reached, words["record"], words["language"]):
         click.echo(line)
     if reached.failed:
@@ -480,17 +486,12 @@ def _cover(study: Study, words: dict[str, Any]) -> int:
 
 def _find(study: Study, file: str, words: dict[str, Any]) -> int:
     """Answer the goals of a plan; exit code 1 if one of them has no answer."""
-    from nctakt.cli.study_search import find_with_rows  # noqa: PLC0415 - as above
-    from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415
+    from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415 - as above
 
-    store = None if words["out"] is None else _store(study, words)
-    try:
-        answers = find_with_rows(study, store, words)
-    except (KeyboardInterrupt, Failure) as error:
-        budget = sum(max(goal.budget, 1) for goal in study.plan.goals)
-        return _interrupted(error, budget, store, words)
-    if store is not None:
-        store.remove()
+    budget = sum(max(goal.budget, 1) for goal in study.plan.goals)
+    answers = _search(study, words, budget, study.find)
+    if isinstance(answers, int):
+        return answers
     for answer in answers:
         for line in answer_lines(study, answer, file, words["record"], words["language"]):
             click.echo(line)
@@ -498,6 +499,25 @@ def _find(study: Study, file: str, words: dict[str, Any]) -> int:
             print_diagnostics([answer.finding], words["language"])
         _tell_without_effect(answer.without_effect, words)
     return EXIT_NC_ERROR if any(answer.finding for answer in answers) else EXIT_RAN
+
+
+def _search(
+    study: Study, words: dict[str, Any], budget: int, search: Callable[[SearchRuns], _T]
+) -> _T | int:
+    """Return what a search finds in at most ``budget`` runs, or the exit code of a broken-off one.
+
+    Raises ``Failure`` as ``search_with_rows`` if no rows are kept.
+    """
+    from nctakt.cli.study_search import search_with_rows  # noqa: PLC0415 - as above
+
+    store = None if words["out"] is None else _store(study, words)
+    try:
+        found = search_with_rows(study, store, words, search)
+    except (KeyboardInterrupt, Failure) as error:
+        return _interrupted(error, budget, store, words)
+    if store is not None:
+        store.remove()
+    return found
 
 
 def _executor(words: dict[str, Any], store: RowStore | FolderStore | None) -> Any:
@@ -558,7 +578,8 @@ def _store(study: Study, words: dict[str, Any]) -> RowStore:
 
     check_target(Path(words["out"]))
     path = Path(words["out"] + ROWS)
-    return RowStore(path, study.plan, resumes=words["resume"])
+    purpose = "cover" if words["cover"] else ""
+    return RowStore(path, study.plan, resumes=words["resume"], purpose=purpose)
 
 
 def _entry(row: RunOption, words: Any) -> Any:

@@ -4,30 +4,35 @@
 from __future__ import annotations
 
 import contextlib
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from nctakt.studies.row_store import RowStore
-from nctakt.studies.search import Answer
 from nctakt.studies.search_runs import SearchRuns
 from nctakt.studies.study import Study, StudyResult
 
+_T = TypeVar("_T")
 
-def find_with_rows(study: Study, store: RowStore | None, words: dict[str, Any]) -> list[Answer]:
-    """Return the answers; write the rows of all runs with ``--out``, the page with ``--report``.
 
-    Raises ``Failure`` as ``Study.find``, and for files that cannot be written.
+def search_with_rows(
+    study: Study, store: RowStore | None, words: dict[str, Any], search: Callable[[SearchRuns], _T]
+) -> _T:
+    """Return what a search finds; write the rows of its runs with ``--out``, with ``--report`` too.
+
+    Raises ``Failure`` as the search, and for files that cannot be written.
     """
+    covers = words["cover"]
     with contextlib.ExitStack() as at_the_end:
         make = None
         if words["scheduler"] is not None:
             from nctakt.studies.cluster import points_of_cluster  # noqa: PLC0415 - an extra
 
             uploads = [Path(name) for name in words["upload"]]
-            cluster = points_of_cluster(study.plan, words["scheduler"], uploads)
+            cluster = points_of_cluster(study.plan, words["scheduler"], uploads, covers=covers)
             make = at_the_end.enter_context(cluster)
-        searched = SearchRuns(study.bench, store, make)
-        answers = study.find(searched)
+        searched = SearchRuns(study.bench, store, make, covers=covers)
+        found = search(searched)
     result = StudyResult(study.plan, searched.rows, study.nominal, study.bench.units)
     if words["out"] is not None:
         result.save(words["out"])
@@ -36,7 +41,7 @@ def find_with_rows(study: Study, store: RowStore | None, words: dict[str, Any]) 
 
         page = result.report(words["language"], lambda number: _command(study, searched, number))
         write_file(words["report"], page)
-    return answers
+    return found
 
 
 def _command(study: Study, searched: SearchRuns, number: int) -> str:

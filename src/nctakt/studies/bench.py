@@ -23,6 +23,8 @@ from nctakt.messages import diagnostic
 from nctakt.messages.studies import FAULTS_OF_STRUCTURED_PLC, UNKNOWN_PROGRAM_VARIABLE
 from nctakt.nc.parse.lexer import without_comments
 from nctakt.plc.loading import plc_file
+from nctakt.results.coverage import Coverage
+from nctakt.results.coverage_files import as_json
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords, merged
 from nctakt.run.plc_view import AnyPlc
@@ -40,7 +42,7 @@ from nctakt.studies.inputs import RunInputs, inputs_of
 from nctakt.studies.measure_nodes import reaction_time
 from nctakt.studies.measures import Expectation
 from nctakt.studies.outcome import Outcome
-from nctakt.studies.plan import Plan
+from nctakt.studies.plan import COVERAGE, Plan
 from nctakt.studies.python_measure import PythonMeasure
 from nctakt.studies.schedule_measures import problems_of_numbers
 from nctakt.studies.units import REACTION, units_of
@@ -167,16 +169,21 @@ class Bench:
         point = self.plan.point(index)
         return self.row_of(index, point)
 
-    def row_of(self, index: int, point: Sequence[Value]) -> Row:
-        """Return the row of a run with these values."""
+    def row_of(self, index: int, point: Sequence[Value], *, covers: bool = False) -> Row:
+        """Return the row of a run with these values.
+
+        ``covers``: of the whole run, with the counts of its branches (``COVERAGE``).
+        """
         row = self.row_head(index, point)
         try:
-            finished = self.make(point)
+            finished = self.cover(point) if covers else self.make(point)
         except Failure as failure:
             row |= {measure.name: None for measure in self.plan.measures}
             heads = (_without_folder(one).headline().splitlines() for one in failure.diagnostics)
             texts = "; ".join(dict.fromkeys(head[0] for head in heads))
             return row | {"verdict": REFUSED, "broken": texts, "seed": self.plan.seed, "digest": ""}
+        if covers:
+            row[COVERAGE] = as_json(finished.outcome.run.coverage or Coverage())
         return row | self.judge(finished)
 
     def row_head(self, index: int, point: Sequence[Value]) -> Row:
@@ -214,6 +221,13 @@ class Bench:
         injected_us = self.plan.injection_us(point)
         begun = self.begin(inputs_of(self.plan, point, self.cycle_time_us))
         return begun.finish(injected_us, self.injection(injected_us))
+
+    def cover(self, point: Sequence[Value]) -> FinishedRun:
+        """Make the run with these values to its end, with its coverage; raises ``Failure``."""
+        injected_us = self.plan.injection_us(point)
+        return self.begin(inputs_of(self.plan, point, self.cycle_time_us), why=True).finish(
+            injected_us
+        )
 
     def injection(self, injected_us: int | None) -> Injection | None:
         """Return the injection at a time; ``None`` if its run is decided only at its end."""

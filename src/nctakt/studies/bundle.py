@@ -37,6 +37,7 @@ _LIBRARIES = ("purelib", "platlib")
 class Bundle:
     """``files``: absolute path -> content; ``built_in``: the name of a built-in machine, if any.
 
+    ``shown``: absolute path -> its name in messages.
     ``packed``: the plan, which may name functions of the modules. ``modules``: the first parts of
     their names; ``folders``: where they are found; ``wheels``: name -> content. ``version``: of the
     nctakt that has made it.
@@ -48,6 +49,7 @@ class Bundle:
     modules: tuple[str, ...]
     folders: tuple[str, ...]
     wheels: tuple[tuple[str, bytes], ...]
+    shown: tuple[tuple[str, str], ...]
     version: str = __version__
 
     @property
@@ -65,6 +67,10 @@ class Bundle:
         for name, content in self.wheels:
             found += _install(content, folder / "wheels" / name)
         return found
+
+    def shown_names(self, folder: Path) -> dict[str, str]:
+        """Return the names in messages of the files below a folder, by their names there."""
+        return {_below(folder, Path(name)).as_posix(): shown for name, shown in self.shown}
 
     def plan(self, folder: Path) -> Plan:
         """Return the plan with the paths of its files below a folder."""
@@ -154,6 +160,7 @@ def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
         tuple(dict.fromkeys(names)),
         tuple(dict.fromkeys(map(str, folders))),
         tuple(wheels),
+        tuple(zip(map(str, needed.files), needed.shown, strict=True)),
     )
 
 

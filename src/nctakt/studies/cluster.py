@@ -27,11 +27,12 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER_UNFIT
+from nctakt.results.coverage_files import as_json, from_json
 from nctakt.studies.bench import Row, crashed_row
 from nctakt.studies.blocks import Block, Blocks, MadeBlock, RowWriter, make_runs
 from nctakt.studies.bundle import Bundle, bundle
 from nctakt.studies.dimension import Value
-from nctakt.studies.plan import Plan
+from nctakt.studies.plan import COVERAGE, Plan
 from nctakt.studies.row_block import RowBlock
 from nctakt.studies.schedule_bench import bench_of
 from nctakt.studies.search_runs import Point, RowsOfPoints
@@ -76,10 +77,12 @@ def make_block(
         return _station(packed, key).make(block, writer)
 
 
-def make_point(packed: Bundle, key: str, number: int, point: Sequence[Value]) -> Row:
+def make_point(
+    packed: Bundle, key: str, number: int, point: Sequence[Value], *, covers: bool
+) -> Row:
     """Make a run of a search, on a worker; raises as ``make_block``."""
     with _lock:
-        return _station(packed, key).row_of(number, point)
+        return _station(packed, key).row_of(number, point, covers=covers)
 
 
 def _station(packed: Bundle, key: str) -> Station:
@@ -107,6 +110,7 @@ class Station:
         folder = Path(self._folder.name)
         self._names = packed.modules
         self._folders = packed.write(folder)
+        self._shown = packed.shown_names(folder)
         self._modules: dict[str, ModuleType] = {}
         self._enter()
         try:
@@ -124,10 +128,14 @@ class Station:
         self._enter()
         return make_runs(self._maker, block, writer)
 
-    def row_of(self, number: int, point: Sequence[Value]) -> Row:
-        """Return the row of a run with these values."""
+    def row_of(self, number: int, point: Sequence[Value], *, covers: bool) -> Row:
+        """Return the row of a run with these values, as ``Bench.row_of`` does elsewhere."""
         self._enter()
-        return self._bench.row_of(number, point)
+        row = self._bench.row_of(number, point, covers=covers)
+        if COVERAGE in row:
+            coverage = from_json(COVERAGE, str(row[COVERAGE]))
+            row[COVERAGE] = as_json(coverage.renamed(lambda name: self._shown.get(name, name)))
+        return row
 
     def close(self) -> None:
         """Remove its files, and let its memory be found as garbage."""
@@ -189,9 +197,12 @@ def rows_of_cluster(
 
 @contextlib.contextmanager
 def points_of_cluster(
-    plan: Plan, address: str | Any, uploads: Sequence[Path] = ()
+    plan: Plan, address: str | Any, uploads: Sequence[Path] = (), *, covers: bool = False
 ) -> Iterator[RowsOfPoints]:
-    """Return what makes the runs of a search on a cluster; arguments and failures as above."""
+    """Return what makes the runs of a search on a cluster; arguments and failures as above.
+
+    ``covers``: runs of ``--cover``, as ``Bench.row_of`` makes them.
+    """
     packed = bundle(plan, uploads)
     with _connected(address) as client:
         bundle_on_workers = _sent(client, packed)
@@ -200,7 +211,13 @@ def points_of_cluster(
         def make(points: Sequence[Point]) -> Iterator[Row]:
             futures = [
                 client.submit(
-                    make_point, bundle_on_workers, packed.key, *one, pure=False, retries=0
+                    make_point,
+                    bundle_on_workers,
+                    packed.key,
+                    *one,
+                    covers=covers,
+                    pure=False,
+                    retries=0,
                 )
                 for one in points
             ]

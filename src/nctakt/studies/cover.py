@@ -1,29 +1,36 @@
 # SPDX-License-Identifier: MIT
 """Looks for runs of a study that reach the branches of realtime cycles, and says which do.
 
-In: a bench, how many runs it may take, points that were good before. Out: ``Reached``. Points are
-spread over the whole range first; then each branch that has not run is approached from the run that
-came nearest to it, dimension by dimension, until its comparisons hold. The distances are those
-that the realtime part keeps anyway (``branch_distance.py``).
+In: what makes runs, how many it may take, points that were good before. Out: ``Reached``. Points
+are spread over the whole range first; then each branch that has not run is approached from the
+run that came nearest to it, dimension by dimension, until its comparisons hold. The distances are
+those that the realtime part keeps anyway (``branch_distance.py``). Runs that do not depend on each
+other are asked for at once, whoever makes them.
 """
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Generator, Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.results.coverage import Coverage
-from nctakt.studies.bench import Bench
+from nctakt.results.coverage_files import from_json
+from nctakt.studies.bench import REFUSED, Bench
 from nctakt.studies.branch_distance import NOT_THERE, BranchDistance, BranchKey, distances
 from nctakt.studies.coordinates import Coordinates, PlanCoordinates
 from nctakt.studies.dimension import Value, chance
-from nctakt.studies.inputs import inputs_of
+from nctakt.studies.plan import COVERAGE
+from nctakt.studies.search_runs import SearchRuns
 from nctakt.studies.unreachable import Proofs, unreachable
 
 #: Bounds of the spread runs before the first approach: their number, their part of the budget.
 _FIRST_RUNS, _FIRST_PART = 16, 8
+
+#: The most points that are asked for at once before any branch is approached.
+_AT_ONCE = 16
 
 #: Known points that an approach may ask for in a row before another one has its turn.
 _MAX_KNOWN = 64
@@ -71,14 +78,14 @@ class Reached:
         return self.coverage.ran == self.coverage.branches
 
 
-def reach(bench: Bench, budget: int, earlier: Sequence[Sequence[Value]] = ()) -> Reached:
+def reach(searched: SearchRuns, budget: int, earlier: Sequence[Sequence[Value]] = ()) -> Reached:
     """Make up to ``budget`` runs until every branch has run; return what they reached.
 
-    ``earlier``: points to begin with.
+    ``searched``: makes them, with ``covers``; ``earlier``: points to begin with.
     """
-    search = _Search(bench)
-    for coordinates in search.order(budget, earlier):
-        search.make(coordinates)
+    search = _Search(searched)
+    for several in search.order(budget, earlier):
+        search.make(several[: budget - search.runs])
         if search.is_over or search.runs == budget:
             break
     return search.result()
@@ -86,8 +93,7 @@ def reach(bench: Bench, budget: int, earlier: Sequence[Sequence[Value]] = ()) ->
 
 def covered(bench: Bench, point: Sequence[Value]) -> Coverage:
     """Return the coverage of the run with these values; raises ``Failure`` for a wrong one."""
-    inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
-    coverage = bench.begin(inputs, why=True).finish().outcome.run.coverage
+    coverage = bench.cover(point).outcome.run.coverage
     assert coverage is not None
     return coverage
 
@@ -95,14 +101,16 @@ def covered(bench: Bench, point: Sequence[Value]) -> Coverage:
 class _Search:
     """The runs so far, and the nearest one to each branch."""
 
-    def __init__(self, bench: Bench) -> None:
-        self._bench = bench
+    def __init__(self, searched: SearchRuns) -> None:
+        self._searched = searched
+        self._bench = bench = searched.bench
         self._space = PlanCoordinates(bench.plan)
         self.coverage = Coverage()
         self._known: dict[Coordinates, _Distances] = {}
         self._nearest: dict[BranchKey, tuple[Coordinates, BranchDistance]] = {}
         self._first: list[FirstRun] = []
-        self._failures: list[Failure] = []
+        self._failed = 0
+        self._refused: tuple[Value, ...] | None = None
         self._good: list[Coordinates] = []
         self._reached: set[BranchKey] = set()
         self._proofs = unreachable(bench)
@@ -119,15 +127,22 @@ class _Search:
         """Whether every branch has run, or is proven not to."""
         return bool(self._nearest) and self._reached | self._proofs.keys() >= self._nearest.keys()
 
-    def make(self, coordinates: Coordinates) -> None:
-        """Make the run with these coordinates."""
-        point = self._space.point(coordinates)
-        self._known[coordinates] = {}
-        try:
-            coverage = covered(self._bench, point)
-        except Failure as failure:
-            self._failures.append(failure)
-            return
+    def make(self, several: Sequence[Coordinates]) -> None:
+        """Make the runs with these coordinates."""
+        points = [self._space.point(coordinates) for coordinates in several]
+        rows = self._searched.add(points)
+        for coordinates, point, row in zip(several, points, rows, strict=True):
+            self._known[coordinates] = {}
+            counts = row.pop(COVERAGE, None)
+            if counts is None:
+                self._failed += 1
+                if self._refused is None and row["verdict"] == REFUSED:
+                    self._refused = point
+            else:
+                self._note(coordinates, point, from_json("--cover", str(counts)))
+
+    def _note(self, coordinates: Coordinates, point: tuple[Value, ...], coverage: Coverage) -> None:
+        """Note what a run has reached, and how near it came to what it has not."""
         self.coverage = self.coverage.plus(coverage)
         lines = {
             (cycle.file, cycle.line, index): branch.line
@@ -146,32 +161,35 @@ class _Search:
                 self._first.append(FirstRun(key[0], lines[key], point, number))
         self._known[coordinates] = found
 
-    def order(self, budget: int, earlier: Sequence[Sequence[Value]]) -> Iterator[Coordinates]:
-        """Yield the coordinates of the runs, each once, in the order in which they are made."""
-        first = [self._space.of_point(point) for point in earlier]
+    def order(
+        self, budget: int, earlier: Sequence[Sequence[Value]]
+    ) -> Iterator[Sequence[Coordinates]]:
+        """Yield the coordinates of the runs, each once, those together that are made at once."""
         rest = [dimension.rest_value for dimension in self._bench.plan.dimensions]
-        for coordinates in (*first, self._space.of_point(rest)):
-            if coordinates is not None and coordinates not in self._known:
-                yield coordinates
+        found = (self._space.of_point(point) for point in (*earlier, rest))
+        first = [*dict.fromkeys(one for one in found if one is not None)]
+        for begin in range(0, len(first), _AT_ONCE):
+            yield first[begin : begin + _AT_ONCE]
         spread = (one for one in self._space.spread() if one not in self._known)
-        for number, coordinates in enumerate(spread):
-            if number >= min(_FIRST_RUNS, budget // _FIRST_PART):
-                yield from self._approaches()
+        yield list(itertools.islice(spread, min(_FIRST_RUNS, budget // _FIRST_PART)))
+        for coordinates in spread:
+            yield from self._approaches()
             if coordinates not in self._known:
-                yield coordinates
+                yield [coordinates]
 
-    def _approaches(self) -> Iterator[Coordinates]:
-        """Approach the branches in turn, until only known points are asked for."""
-        asked = True
-        while asked:
-            asked = False
+    def _approaches(self) -> Iterator[Sequence[Coordinates]]:
+        """Approach the branches, each by a run at a time, until only known points are asked for."""
+        while True:
             closed = self._reached | self._proofs.keys()
+            asked: dict[Coordinates, None] = {}
             for key in [key for key in self._nearest if key not in closed]:
                 turn = self._turns.setdefault(key, _Turn(self._approach(key)))
                 coordinates = turn.next_unknown(key, self._known)
                 if coordinates is not None:
-                    asked = True
-                    yield coordinates
+                    asked[coordinates] = None
+            if not asked:
+                return
+            yield list(asked)
 
     # --- one branch -----------------------------------------------------------------------------
 
@@ -257,16 +275,24 @@ class _Search:
         best = dict.fromkeys(
             [*reached, *(self._space.point(coordinates) for coordinates, _ in left)]
         )
-        failure = self._failures[0].diagnostics if self._failures else ()
         return Reached(
             self.coverage,
             tuple(self._first),
             tuple(best),
             self._space.count - self.runs,
-            len(self._failures),
-            tuple(failure),
+            self._failed,
+            self._failure(),
             {key: proof for key, proof in self._proofs.items() if key not in self._reached},
         )
+
+    def _failure(self) -> tuple[Diagnostic, ...]:
+        """Return what the first run that was not possible reports, begun once more for that."""
+        try:
+            if self._refused is not None:
+                covered(self._bench, self._refused)
+        except Failure as failure:
+            return tuple(failure.diagnostics)
+        return ()
 
 
 class _Turn:

@@ -32,9 +32,13 @@ METHODS: tuple[Method, ...] = ("grid", "list", "random", "latin", "sobol")
 DESIGNS: tuple[Method, ...] = ("latin", "sobol")
 MAX_DESIGN = 10_000_000
 
-#: The columns of each row that are neither inputs nor measures.
+#: Where the row of a run of ``--cover`` has the counts of its branches, which no results have.
+COVERAGE = "--coverage"
+
+#: The names of each row that are neither inputs nor measures.
 RESERVED = (
     "run", "reaction_time", "state", "ticks", "verdict", "broken", "seed", "digest",
+    COVERAGE,
 )  # fmt: skip
 
 

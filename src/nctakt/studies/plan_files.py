@@ -20,10 +20,11 @@ from nctakt.studies.user_modules import UserModules
 
 @dataclass(frozen=True, slots=True)
 class PlanFiles:
-    """``files``: without those of ``modules``."""
+    """``files``: without those of ``modules``; ``shown``: their names in messages."""
 
     files: tuple[Path, ...]
     modules: UserModules
+    shown: tuple[str, ...]
 
 
 def files_of(plan: Plan) -> PlanFiles:
@@ -42,4 +43,7 @@ def files_of(plan: Plan) -> PlanFiles:
     for one in functions:
         if one.function is not None:
             modules.add(one.function.__module__.partition(".")[0])
-    return PlanFiles(tuple(dict.fromkeys(path.resolve() for path in files)), modules)
+    shown: dict[Path, str] = {}
+    for path in files:
+        shown.setdefault(path.resolve(), path.as_posix())
+    return PlanFiles(tuple(shown), modules, tuple(shown.values()))

@@ -48,22 +48,26 @@ MAX_KEPT = 16 << 20
 MAX_SORTED, MAX_PARTS = 64 << 20, 500
 
 
-def fingerprint(plan: Plan) -> str:
-    """Return digits that change with the plan and with all files that its runs depend on."""
+def fingerprint(plan: Plan, purpose: str = "") -> str:
+    """Return digits that change with the plan and with all files that its runs depend on.
+
+    ``purpose``: what else says which runs they are.
+    """
     needed = files_of(plan)
     files = [*needed.files, *needed.modules.files]
     digests = [digest_of(path) for path in files]
-    return hashlib.sha256(f"{plan!r}{digests}".encode()).hexdigest()
+    return hashlib.sha256(f"{plan!r}{digests}{purpose}".encode()).hexdigest()
 
 
 class RowStore:
     """The rows of a study in a file, line by line; ``done`` are the numbers of finished runs.
 
-    ``resumes``: go on with the rows that are there. Raises ``Failure``: rows of another plan
-    (901309), a file that is there and has no rows (902023), or cannot be written (900507).
+    ``resumes``: go on with the rows that are there; ``purpose``: what they are rows of, beyond the
+    plan. Raises ``Failure``: rows of another plan or purpose (901309), a file that is there and has
+    no rows (902023), or cannot be written (900507).
     """
 
-    def __init__(self, path: Path, plan: Plan, *, resumes: bool) -> None:
+    def __init__(self, path: Path, plan: Plan, *, resumes: bool, purpose: str = "") -> None:
         self.path = path
         self.name = path.as_posix()
         self.folder = None
@@ -71,7 +75,7 @@ class RowStore:
         self._is_sorted = True
         self._last = -1
         self._sorted: Path | None = None
-        head = json.dumps({"study": fingerprint(plan)})
+        head = json.dumps({"study": fingerprint(plan, purpose)})
         flags = os.O_RDWR | getattr(os, "O_BINARY", 0)
         try:
             try:

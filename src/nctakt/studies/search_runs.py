@@ -26,13 +26,19 @@ class SearchRuns:
     """The runs of all searches of a plan; ``points`` and ``rows`` by their numbers.
 
     ``make``: makes rows elsewhere, by default the bench does. ``store`` keeps each new row and has
-    those of an earlier call.
+    those of an earlier call. ``covers``: runs of ``--cover``, as ``Bench.row_of`` makes them.
     """
 
     def __init__(
-        self, bench: Bench, store: RowStore | None = None, make: RowsOfPoints | None = None
+        self,
+        bench: Bench,
+        store: RowStore | None = None,
+        make: RowsOfPoints | None = None,
+        *,
+        covers: bool = False,
     ) -> None:
         self.bench = bench
+        self._covers = covers
         self.points: list[tuple[Value, ...]] = []
         self.rows: list[Row] = []
         self._store = store
@@ -42,15 +48,15 @@ class SearchRuns:
 
     def _rows_of_bench(self, points: Sequence[Point]) -> Iterator[Row]:
         for number, point in points:
-            yield self.bench.row_of(number, point)
+            yield self.bench.row_of(number, point, covers=self._covers)
 
     def add(self, points: Sequence[tuple[Value, ...]]) -> list[Row]:
         """Make the runs of these points; return their rows."""
         first = len(self.points)
         self.points += points
         numbered = list(enumerate(points, first))
-        missing = [one for one in numbered if one[0] not in self._earlier]
-        by_number = {number: self._earlier.get(number) for number, _ in numbered}
+        by_number = {number: self._stored(number, point) for number, point in numbered}
+        missing = [one for one in numbered if by_number[one[0]] is None]
         for row in self._make(missing) if missing else ():
             if self._store is not None:
                 self._store.add(RowBlock([row]))
@@ -58,6 +64,12 @@ class SearchRuns:
         rows = [row for row in by_number.values() if row is not None]
         self.rows += rows
         return rows
+
+    def _stored(self, number: int, point: tuple[Value, ...]) -> Row | None:
+        """Return the row of an earlier call; ``None`` if it has none of a run with these values."""
+        row = self._earlier.get(number)
+        head = self.bench.row_head(number, point)
+        return row if row is not None and head.items() <= row.items() else None
 
 
 class Runs:

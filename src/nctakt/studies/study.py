@@ -293,16 +293,23 @@ class Study:
         searched = searched or SearchRuns(self.bench)
         return [search(searched, goal) for goal in self.plan.goals]
 
-    def cover(self, budget: int | None = None, corpus: str | Path | None = None) -> Reached:
+    def cover(
+        self,
+        budget: int | None = None,
+        corpus: str | Path | None = None,
+        searched: SearchRuns | None = None,
+    ) -> Reached:
         """Look for runs that reach every branch of the realtime cycles; return what they reached.
 
         ``budget``: how many runs it may take, by default as many as the plan has. ``corpus``: a
-        file with points to begin with, to which those that were good are added. Raises ``Failure``
+        file with points to begin with, to which those that were good are added. ``searched``: makes
+        the runs (``covers=True``) and keeps their rows, by default this process. Raises ``Failure``
         as ``run``, and for a file that is no corpus or cannot be written.
         """
         kept = None if corpus is None else Corpus(Path(corpus))
         earlier = () if kept is None else kept.points(self.plan)
-        reached = reach(self.bench, len(self) if budget is None else budget, earlier)
+        searched = searched or SearchRuns(self.bench, covers=True)
+        reached = reach(searched, len(self) if budget is None else budget, earlier)
         if kept is not None:
             kept.add(self.plan, reached.best)
         return reached

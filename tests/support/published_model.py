@@ -54,6 +54,11 @@ def node_set(folder: Path) -> dict[str, PublishedNode]:
     return _read(installed(PACKAGE, folder) / FILE)
 
 
+def machine_tool_node_set(folder: Path) -> dict[str, PublishedNode]:
+    """Return the published nodes of OPC 40501-1 in the same way."""
+    return _read(installed(PACKAGE, folder) / FILE.replace("CNC.NodeSet", "MachineTool.NodeSet2"))
+
+
 def _read(path: Path) -> dict[str, PublishedNode]:
     nodes = {}
     for element in ET.parse(path).getroot():

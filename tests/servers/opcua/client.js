@@ -39,6 +39,15 @@ async function main() {
   const unit = await value("ns=3;s=CncAxisList.X.PosDirect.EngineeringUnits");
   told.unit = unit.displayName.text;
 
+  const tool = "ns=3;s=MachineTool";
+  const browsed = await session.browse(tool);
+  told.machine = browsed.references.map((one) => one.browseName.name).sort();
+  const state = `${tool}.Production.ActiveProgram.State.CurrentState`;
+  told.state = [(await value(state)).text, await value(`${state}.Number`)];
+  told.feedUnit = (
+    await value(`${tool}.Monitoring.Channel_1.FeedOverride.EngineeringUnits`)
+  ).displayName.text;
+
   const subscription = await session.createSubscription2({
     requestedPublishingInterval: 50,
     requestedLifetimeCount: 100,
@@ -69,6 +78,13 @@ async function main() {
     opcua.TimestampsToReturn.Both,
   );
   alarms.on("changed", (found) => events.push(found.map((one) => one.value)));
+  const alerts = [];
+  const messages = await subscription.monitor(
+    { nodeId: `${tool}.Notification.Messages`, attributeId: opcua.AttributeIds.EventNotifier },
+    { queueSize: 100, filter: opcua.constructEventFilter(["Severity", "6:ErrorCode"]) },
+    opcua.TimestampsToReturn.Both,
+  );
+  messages.on("changed", (found) => alerts.push(found.map((one) => one.value)));
   told.reset = (await call("Reset")).statusCode.name;
   const select = () => call("SelectProgram", [{ dataType: opcua.DataType.String, value: program }]);
   await until("the selection", async () => (await select()).statusCode.isGood());
@@ -76,6 +92,7 @@ async function main() {
   told.start = (await call("Start")).statusCode.name;
   const alarm = await until("the alarm", () => events.find((one) => one[5] && one[3] === true));
   told.alarm = alarm[5];
+  told.alert = await until("the alert", () => alerts.find((one) => one[1]));
   told.acknowledge = (await session.acknowledgeCondition(alarm[1], alarm[0], "seen")).name;
   await until("its acknowledgement", () => events.find((one) => one[4] === true));
 

@@ -54,6 +54,11 @@ def check(found):
     assert found["seen"][-1] == 2.5
     assert (found["reset"], found["start"], found["acknowledge"]) == ("Good",) * 3
     assert (found["alarm"], found["past"]) == ("120002", 50)
+    parts = ["Equipment", "Identification", "Messages", "Monitoring", "Notification", "Production"]
+    assert [name for name in found["machine"] if name in parts] == parts
+    assert found["state"] in (["Initializing", 0], ["Running", 1])
+    assert found["feedUnit"] == "%"
+    assert found["alert"] == [800, "120002"]
 
 
 @pytest.mark.nightly

@@ -2,14 +2,14 @@
 """Messages and alarms: what a program says, and what went wrong, until somebody acknowledges it.
 
 In: notices of the host, the error of each channel. Out: events of CncMessageType and CncAlarmType
-to all that subscribe. An alarm is active until its channel stands with that error no longer; it
-stays until somebody has acknowledged it, too.
+to all that subscribe, and the same as messages and alerts of the machine tool. An alarm is active
+until its channel stands with that error no longer; it stays until somebody has acknowledged it.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from datetime import datetime
 from typing import Any
 
@@ -24,6 +24,7 @@ from nctakt.servers.notices import ServerNotice
 from nctakt.servers.opcua.client import Client
 from nctakt.servers.opcua.events import Event, EventTypes, Field, SeenEvent, base_fields
 from nctakt.servers.opcua.machine_space import MachineSpace
+from nctakt.servers.opcua.machine_tool_space import MachineToolSpace
 from nctakt.servers.opcua.nodes import standard
 from nctakt.servers.opcua.subscriptions import Subscriptions
 from nctakt.servers.opcua.types import CompanionTypes
@@ -101,7 +102,9 @@ class Alarms:
         subscriptions: Subscriptions,
         clock: MachineClock,
         event_types: EventTypes,
+        tool: MachineToolSpace,
     ) -> None:
+        self._tool = tool
         self._host = host
         self._types = types
         self._machine = machine
@@ -110,6 +113,7 @@ class Alarms:
         self._event_types = event_types
         self._alarms: dict[ua.NodeId, Alarm] = {}
         self._errors: dict[int, int] = {}
+        self._tool_notifiers = (tool.messages, tool.root)
         self._serial = 0
         several = len(machine.channels) > 1
         self.error_names = {
@@ -139,7 +143,7 @@ class Alarms:
         severity, time = _SEVERITIES[found.severity], self._clock.time(tick)
         if found.severity is not Severity.ERROR:
             text = Text(f"{found.id}: {found.text('en')}", f"{found.id}: {found.text('de')}")
-            self._tell_event(0, text, time, severity)
+            self._tell_event(0, text, time, severity, found)
             return
         self._serial += 1
         node = self._machine.id(f"Alarm.{found.id}.{self._serial}")
@@ -191,14 +195,47 @@ class Alarms:
         self._serial += 1
         return hashlib.sha256(f"{self._clock.unix_us(0)} {self._serial}".encode()).digest()[:16]
 
-    def _tell_event(self, channel: int, text: Text, time: datetime, severity: int) -> None:
+    def _tell_event(
+        self,
+        channel: int,
+        text: Text,
+        time: datetime,
+        severity: int,
+        found: Diagnostic | None = None,
+    ) -> None:
         type_, event_id = self._types.type("CncMessageType"), self._event_id()
         source, name = self._source(channel)
         values = base_fields(type_, event_id, source, name, time, text, severity)
-        self._tell(Event(type_, event_id, values), channel)
+        self._send(Event(type_, event_id, values), self._notifiers(channel))
+        if found is not None and found.severity is Severity.WARNING:
+            passing = Alarm(ua.NodeId(), found, channel, time, is_active=False, is_acked=True)
+            self._send_alert(self._event_of(passing, time))
+            return
+        identifier = "" if found is None else str(found.id)
+        fields = self._as_the_tools(values, self._tool.message_type)
+        fields["Identifier"] = identifier, _KINDS.String
+        self._send(Event(self._tool.message_type, event_id, fields), self._tool_notifiers)
+
+    def _as_the_tools(self, values: Mapping[str, Field], type_: ua.NodeId) -> dict[str, Field]:
+        """Return the fields of an event as one of the machine tool."""
+        return {
+            **values,
+            "EventType": (type_, _KINDS.NodeId),
+            "SourceNode": (self._tool.messages, _KINDS.NodeId),
+            "SourceName": ("Messages", _KINDS.String),
+        }
+
+    def _send_alert(self, event: Event) -> None:
+        """Tell an alarm as an alert of the machine tool."""
+        type_ = self._tool.type("AlertType")
+        fields = self._as_the_tools(event.values, type_)
+        fields["ErrorCode"] = event.values["AlarmIdentifier"]
+        self._send(Event(type_, event.id, fields), self._tool_notifiers)
 
     def _tell_alarm(self, alarm: Alarm, time: datetime) -> None:
-        self._tell(self._event_of(alarm, time), alarm.channel)
+        event = self._event_of(alarm, time)
+        self._send(event, self._notifiers(alarm.channel))
+        self._send_alert(event)
         if not alarm.is_retained:
             self._alarms.pop(alarm.node, None)
 
@@ -235,8 +272,7 @@ class Alarms:
         }
         return Event(type_, event_id, values)
 
-    def _tell(self, event: Event, channel: int) -> None:
-        notifiers = self._notifiers(channel)
+    def _send(self, event: Event, notifiers: Sequence[ua.NodeId]) -> None:
         for subscription in self._subscriptions.subscriptions.values():
             language = self._subscriptions.language_of(subscription)
             seen = SeenEvent(event, language, self._event_types)

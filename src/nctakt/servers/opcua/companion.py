@@ -18,6 +18,8 @@ MANDATORY, OPTIONAL, PLACEHOLDER = 78, 80, 11508
 
 #: Types of variables and of base objects, as numbers of their nodes in namespace 0.
 BASE_OBJECT, BASE_VARIABLE, PROPERTY, DATA_ITEM, ANALOG_ITEM = 58, 63, 68, 2365, 2368
+#: An analog item that must have a unit; one that must have a range, too.
+ANALOG_UNIT, ANALOG_RANGE = 17497, 17570
 
 #: The type of a position, its data type, the encodings of that, and their dictionaries.
 POSITION_VARIABLE, POSITION, POSITION_BINARY, POSITION_XML = 2001, 3007, 5001, 5007
@@ -31,7 +33,8 @@ POSITION_FIELDS = ("ActPos", "CmdPos", "RemDist")
 class Enumeration(NamedTuple):
     """A data type whose values are ``names``, from 0.
 
-    ``values_number``: its EnumValues, or where it ``has_strings`` its EnumStrings.
+    ``values_number``: its EnumValues, or where it ``has_strings`` its EnumStrings; ``rule``: that
+    of these, 0 for none.
     """
 
     name: str
@@ -39,6 +42,7 @@ class Enumeration(NamedTuple):
     values_number: int
     names: tuple[str, ...]
     has_strings: bool = False
+    rule: int = MANDATORY
 
 
 class Component(NamedTuple):
@@ -48,6 +52,7 @@ class Component(NamedTuple):
     any length is allowed; empty for a scalar. ``below``: numbers of the nodes below it.
     ``units_rule``: that of an analog item's EngineeringUnits. ``surplus``: further components.
     ``events``: what it generates, as in its type. ``rights``: 1 read, 3 write, too.
+    ``is_standard``: its name is one of namespace 0.
     """
 
     name: str
@@ -61,6 +66,7 @@ class Component(NamedTuple):
     surplus: tuple[Component, ...] = ()
     events: tuple[int | str, ...] = ()
     rights: int = 3
+    is_standard: bool = False
 
 
 class ObjectType(NamedTuple):

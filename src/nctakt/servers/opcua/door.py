@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The door of OPC UA: a machine's session for HMIs, control systems and other clients.
 
-In: the host of all doors, an address. Out: a server with the companion model for CNC, its values,
-events, methods and past.
+In: the host of all doors, an address. Out: a server with the companion models for CNC and machine
+tools, their values, events, methods and past.
 """
 
 from __future__ import annotations
@@ -29,6 +29,8 @@ from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.machine_services import MachineServices
 from nctakt.servers.opcua.machine_space import OWN_URI, MachineSpace
+from nctakt.servers.opcua.machine_tool import DI_URI, MACHINE_TOOL_URI, MACHINERY_URI
+from nctakt.servers.opcua.machine_tool_space import Indices, MachineToolSpace
 from nctakt.servers.opcua.methods import Methods
 from nctakt.servers.opcua.nodes import Nodes, standard
 from nctakt.servers.opcua.position import register_position
@@ -65,7 +67,8 @@ class OpcuaDoor:
         host, limits = self._host, self._limits
         self._server = server = CncServer(limits, host.log, self._security)
         await server.init()
-        cnc, own = [await server.register_namespace(uri) for uri in (CNC_URI, OWN_URI)]
+        uris = (CNC_URI, OWN_URI, DI_URI, MACHINERY_URI, MACHINE_TOOL_URI)
+        cnc, own, *others = [await server.register_namespace(uri) for uri in uris]
         register_position(cnc)
         internal = server.iserver
         nodes = Nodes(internal.aspace)
@@ -77,8 +80,10 @@ class OpcuaDoor:
         machine = MachineSpace(nodes, types, space, host, own)
         machine.add_all(ProgramTexts(_known_texts(host), self._read_text))
         self._cycles = CycleSpace(nodes, machine, space)
+        self._tool = tool = MachineToolSpace(nodes, space, host, machine, Indices(*others))
+        tool.add_all()
         self._alarms = Alarms(
-            host, types, machine, self._subscriptions, host.clock, EventTypes(internal.aspace)
+            host, types, machine, self._subscriptions, host.clock, EventTypes(internal.aspace), tool
         )
         nodes.refer(standard(ua.ObjectIds.Server), refs.HAS_NOTIFIER, machine.interface)
         for channel in machine.channels.values():
@@ -87,7 +92,8 @@ class OpcuaDoor:
         history = History(space, host, limits)
         internal.services = MachineServices(host, space, methods, history, limits)
         await server.publish_limits()
-        await host.store.subscribe(self._alarms.error_names.values())
+        await host.store.subscribe((*self._alarms.error_names.values(), *tool.states.names))
+        host.want_events()
 
     async def open(self) -> str:
         """Serve clients from now on; return the address. Raises ``Failure``."""
@@ -97,6 +103,7 @@ class OpcuaDoor:
         self._unlisten = [
             host.notices.listen(self._alarms.take),
             host.store.listen(lambda _: self._alarms.look()),
+            host.store.listen(self._tool.states.take),
         ]
         if self._security is not None and self._security.made_password:
             host.log.note("first user", door="opcua", folder=str(self._security.folder))

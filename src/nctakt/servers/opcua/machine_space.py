@@ -20,6 +20,7 @@ from nctakt.servers.host import Host
 from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.companion import (
     ANALOG_ITEM,
+    ANALOG_UNIT,
     BASE_VARIABLE,
     DATA_ITEM,
     MANDATORY,
@@ -38,7 +39,7 @@ from nctakt.servers.opcua.components import (
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.nodes import ARRAY, HISTORY, READ, SCALAR, WRITE, Nodes, standard
 from nctakt.servers.opcua.position import CncPositionDataType
-from nctakt.servers.opcua.types import CompanionTypes, all_components
+from nctakt.servers.opcua.types import ANALOG_PROPERTIES, CompanionTypes, all_components
 from nctakt.servers.opcua.units import is_unit, unit
 from nctakt.servers.opcua.values import Live, Moment, NotSupported, Value
 
@@ -47,6 +48,9 @@ OWN_URI = "urn:nctakt"
 
 #: How fast a client can have a value, in ms, as nodes tell it.
 _INTERVAL_MS = 10.0
+
+#: The properties with a value's unit and range -> their data types.
+_UNIT_TYPES = dict(ANALOG_PROPERTIES)
 
 #: Types of variables lists -> types of OPC UA.
 KINDS = {
@@ -73,7 +77,10 @@ _VARIANTS = {
 
 
 class MachineSpace:
-    """The nodes of a machine; ``interface``: the object above them, ``channels``: by number."""
+    """The nodes of a machine; ``interface``: the object above them, ``channels``: by number.
+
+    ``shown``: what the components of axes, spindles and channels show, by their paths.
+    """
 
     def __init__(
         self, nodes: Nodes, types: CompanionTypes, live: LiveSpace, host: Host, index: int
@@ -85,6 +92,7 @@ class MachineSpace:
         self.index = index
         self.interface = self.id("CncInterface")
         self.channels: dict[int, ua.NodeId] = {}
+        self.shown: dict[str, Mapping[str, Shown | ShownPosition]] = {}
 
     def id(self, path: str) -> ua.NodeId:
         """Return the ID of a node by its path."""
@@ -184,6 +192,7 @@ class MachineSpace:
         self, path: str, type_: str, shown: Mapping[str, Shown | ShownPosition]
     ) -> None:
         """Add the components of an object; one without a value belongs to an optional one."""
+        self.shown[path] = shown
         for component in all_components(type_):
             own = shown.get(component.name)
             if own is None:
@@ -212,7 +221,7 @@ class MachineSpace:
         self._add_variable(node, component, live)
         if component.type == ANALOG_ITEM:
             is_named = bool(component.below[1]) or bool(own.unit)
-            self._add_unit(node, own.unit, own.low, own.high, 0, is_named=is_named)
+            self.add_unit(node, own.unit, own.low, own.high, 0, is_named=is_named)
 
     def _add_variable(self, node: str, component: Component, live: Live) -> None:
         rights = READ | (WRITE if live.write_name else 0) | (HISTORY if live.signal else 0)
@@ -260,25 +269,29 @@ class MachineSpace:
             )
             part = Component(field, 0, BASE_VARIABLE, "Double")
             self._add_variable(f"{node}.{field}", part, live)
-        self._add_unit(node, own.unit, own.low, own.high, self._types.index)
+        self.add_unit(node, own.unit, own.low, own.high, self._types.index)
 
-    def _add_unit(
+    def add_unit(
         self, node: str, sign: str, low: float, high: float, index: int, *, is_named: bool = True
     ) -> None:
         """Add EURange and EngineeringUnits to a variable, names of namespace ``index``."""
-        values: list[tuple[str, str, Any]] = [("EURange", "Range", ua.Range(Low=low, High=high))]
+        values: list[tuple[str, Any]] = [("EURange", ua.Range(Low=low, High=high))]
         if is_named:
             shown = unit(sign) if is_unit(sign) else ua.EUInformation()
-            values.append(("EngineeringUnits", "EUInformation", shown))
-        for name, data_type, value in values:
-            self._nodes.add_variable(
-                self.id(f"{node}.{name}"),
-                ua.QualifiedName(name, index),
-                standard(PROPERTY),
-                self._types.data_type(data_type),
-                ua.DataValue(ua.Variant(value, ua.VariantType.ExtensionObject)),
-            )
-            self._nodes.refer(self.id(node), refs.HAS_PROPERTY, self.id(f"{node}.{name}"))
+            values.append(("EngineeringUnits", shown))
+        for name, value in values:
+            self._add_fixed_property(node, name, value, index)
+
+    def _add_fixed_property(self, node: str, name: str, value: Any, index: int) -> None:
+        """Add EURange or EngineeringUnits to a variable, a name of namespace ``index``."""
+        self._nodes.add_variable(
+            self.id(f"{node}.{name}"),
+            ua.QualifiedName(name, index),
+            standard(PROPERTY),
+            self._types.data_type(_UNIT_TYPES[name]),
+            ua.DataValue(ua.Variant(value, ua.VariantType.ExtensionObject)),
+        )
+        self._nodes.refer(self.id(node), refs.HAS_PROPERTY, self.id(f"{node}.{name}"))
 
     # --- values by name -------------------------------------------------------------------------
 
@@ -319,15 +332,16 @@ class MachineSpace:
         self._nodes.add_variable(
             node,
             self.name(name),
-            standard(DATA_ITEM),
+            standard(ANALOG_UNIT if has_unit else DATA_ITEM),
             standard(int(kind)),
             ua.DataValue(StatusCode=ua.StatusCode(ua.StatusCodes.BadWaitingForInitialData)),
             rights=rights,
             interval_ms=_INTERVAL_MS,
-            description=value.unit if has_unit else "",
         )
         self._nodes.refer(self.id(folder), refs.HAS_COMPONENT, node)
         self._live.add(node, live)
+        if has_unit:
+            self._add_fixed_property(f"{folder}.{name}", "EngineeringUnits", unit(value.unit), 0)
 
 
 def bool_to_number(value: Value) -> float:

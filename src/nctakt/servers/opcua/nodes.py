@@ -16,7 +16,7 @@ from nctakt.servers.opcua.library import AddressSpace, AttributeValue, NodeData
 #: Kinds of references, as numbers of namespace 0.
 ORGANIZES, HAS_ENCODING, HAS_DESCRIPTION, HAS_TYPE, GENERATES = 35, 38, 39, 40, 41
 HAS_RULE, HAS_SUBTYPE, HAS_PROPERTY, HAS_COMPONENT = 37, 45, 46, 47
-HAS_CONDITION, HAS_EVENT_SOURCE, HAS_NOTIFIER = 9006, 36, 48
+HAS_CONDITION, HAS_EVENT_SOURCE, HAS_NOTIFIER, HAS_ADD_IN = 9006, 36, 48, 17604
 
 #: A rank of a value: a scalar, an array of one dimension.
 SCALAR, ARRAY = -1, 1

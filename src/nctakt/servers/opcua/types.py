@@ -1,20 +1,23 @@
 # SPDX-License-Identifier: MIT
-"""The types of the companion model as nodes of an address space.
+"""The types of companion models as nodes of an address space.
 
-In: the facts of ``companion.py``. Out: nodes with the numbers of the published model: types, data
-types, the components of types with their rules.
+In: the facts of ``companion.py`` and ``machine_tool.py``. Out: nodes with the numbers of the
+published models: types, data types, the components of types with their rules.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from asyncua import ua
 
 from nctakt.base.dataclass import dataclass
+from nctakt.servers.opcua import machine_tool
 from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.companion import (
     ANALOG_ITEM,
+    ANALOG_RANGE,
     BINARY_DESCRIPTION,
     BINARY_NAMESPACE,
     BINARY_SCHEMA,
@@ -43,6 +46,7 @@ from nctakt.servers.opcua.schemas import TYPES_XSD, binary_schema, xml_schema
 DATA_TYPES = {
     "Boolean": 1,
     "Int32": 6,
+    "UInt16": 5,
     "UInt32": 7,
     "Double": 11,
     "String": 12,
@@ -61,7 +65,7 @@ _ENCODING_TYPE, _DESCRIPTION, _DICTIONARY, _ENUM_VALUE, _TEXT = 76, 69, 72, 7594
 #: The properties of an analog item: name, data type.
 ANALOG_PROPERTIES = (("EURange", "Range"), ("EngineeringUnits", "EUInformation"))
 
-_TYPES = {known.name: known for known in OBJECT_TYPES}
+_TYPES = {known.name: known for known in (*OBJECT_TYPES, *machine_tool.TYPES)}
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,16 +112,28 @@ def all_components(name: str) -> list[Component]:
 
 
 class CompanionTypes:
-    """The types of the model in the namespace ``index``."""
+    """The types of a model in the namespace ``index``.
 
-    def __init__(self, nodes: Nodes, index: int) -> None:
+    ``foreign``: types of other models by their names.
+    """
+
+    def __init__(
+        self,
+        nodes: Nodes,
+        index: int,
+        objects: Sequence[ObjectType] = OBJECT_TYPES,
+        enumerations: Sequence[Enumeration] = ENUMERATIONS,
+        foreign: Mapping[str, ua.NodeId] = MappingProxyType({}),
+    ) -> None:
         self._nodes = nodes
         self.index = index
-        self._numbers = {known.name: known.number for known in (*OBJECT_TYPES, *ENUMERATIONS)}
-        self._numbers |= {
-            "CncPositionVariableType": POSITION_VARIABLE,
-            "CncPositionDataType": POSITION,
-        }
+        self._objects, self._enumerations = objects, enumerations
+        self._known = dict(foreign)
+        self._known |= {known.name: self.id(known.number) for known in objects}
+        self._known |= {known.name: self.id(known.number) for known in enumerations}
+        if objects is OBJECT_TYPES:
+            self._known["CncPositionVariableType"] = self.id(POSITION_VARIABLE)
+            self._known["CncPositionDataType"] = self.id(POSITION)
 
     def id(self, number: int) -> ua.NodeId:
         """Return the ID of a node of the model."""
@@ -125,7 +141,7 @@ class CompanionTypes:
 
     def type(self, name: int | str) -> ua.NodeId:
         """Return the ID of a type, by its number in namespace 0 or its name here."""
-        return standard(name) if isinstance(name, int) else self.id(self._numbers[name])
+        return standard(name) if isinstance(name, int) else self._known[name]
 
     def data_type(self, name: str) -> ua.NodeId:
         """Return the ID of a data type."""
@@ -137,12 +153,13 @@ class CompanionTypes:
 
     def add_all(self) -> None:
         """Add all nodes of the model."""
-        for enumeration in ENUMERATIONS:
+        for enumeration in self._enumerations:
             self._add_enumeration(enumeration)
-        self._add_position()
-        for known in OBJECT_TYPES:
+        if "CncPositionDataType" in self._known:
+            self._add_position()
+        for known in self._objects:
             self._add_object_type(known)
-        for known in OBJECT_TYPES:
+        for known in self._objects:
             owners = [(known.number, known.events)]
             owners += [(component.number, component.events) for component in known.components]
             for number, events in owners:
@@ -185,7 +202,9 @@ class CompanionTypes:
             rank=ARRAY,
             dimensions=(len(words),),
         )
-        self._hang(enumeration.number, enumeration.values_number, refs.HAS_PROPERTY, MANDATORY)
+        self._hang(
+            enumeration.number, enumeration.values_number, refs.HAS_PROPERTY, enumeration.rule
+        )
 
     def _add_position(self) -> None:
         """Add the structure of a position, its encodings, and the type of its variables."""
@@ -288,7 +307,7 @@ class CompanionTypes:
             return
         self._nodes.add_variable(
             self.id(number),
-            self.name(component.name),
+            self.name(component.name, is_standard=component.is_standard),
             self.type(component.type),
             self.data_type(component.data_type),
             ua.DataValue(),
@@ -298,7 +317,7 @@ class CompanionTypes:
         )
         kind = refs.HAS_PROPERTY if component.type == PROPERTY else refs.HAS_COMPONENT
         self._hang(parent, number, kind, component.rule)
-        if component.type == ANALOG_ITEM:
+        if component.type in (ANALOG_ITEM, ANALOG_RANGE):
             self._add_analog_parts(number, component, below)
         elif component.data_type == "CncPositionDataType":
             self._add_position_parts(number, below)

@@ -15,6 +15,7 @@ _UNITS = {
     "mm/min": ("H81", "millimetre per minute"),
     "mm/s": ("C16", "millimetre per second"),
     "1/min": ("RPM", "revolutions per minute"),
+    "s": ("SEC", "second [unit of time]"),
     "ms": ("C26", "millisecond"),
     "µs": ("B98", "microsecond"),
     "N·m": ("NU", "newton metre"),

@@ -609,6 +609,17 @@ def test_imports_go_in_one_direction() -> None:
     assert wrong == []
 
 
+def test_the_decoder_knows_no_checker() -> None:
+    """What both read in a statement is in ``nc/meaning``; a run gives it what checks statements."""
+    found = [
+        f"{own_name(path)} -> {module}"
+        for path in SOURCES
+        for module in sorted(imported_modules(path))
+        if own_name(path).startswith("nctakt.decoder.") and module.startswith("nctakt.nc.check.")
+    ]
+    assert found == []
+
+
 def test_nothing_inside_imports_the_public_names() -> None:
     """``nctakt`` itself stands above all its packages: they import what they need where it is."""
     found = [own_name(path) for path in SOURCES if "nctakt" in imports(path)]

@@ -17,7 +17,7 @@ from support.random_seeds import all_seeds
 
 from nctakt.kernel import codes
 from nctakt.lists.machine.machine import load_machine
-from nctakt.nc.check.signals import MAX_CHANNEL, SIGNAL_VALUES
+from nctakt.nc.meaning.signals import MAX_CHANNEL, SIGNAL_VALUES
 from nctakt.results.run import Run
 from nctakt.results.timeline_events import timeline_of
 from nctakt.run.controller import Controller, NcText

@@ -15,7 +15,7 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.decoder.cycles.builder import CycleDefinition
-from nctakt.nc.check.cost import max_steps
+from nctakt.nc.meaning.cost import max_steps
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.run.controller import Controller, NcText
 

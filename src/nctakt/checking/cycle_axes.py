@@ -11,9 +11,8 @@ from nctakt.base.diagnostics import Text
 from nctakt.checking.path_facts import CommandedAxis, Facts
 from nctakt.messages.axis_exchange import AXIS_NOT_IN_CHANNEL
 from nctakt.messages.axis_motions import AXIS_MOVED_BY_PATH
-from nctakt.nc.check.axis_exchange import GIVING, exchange_command, is_exchange
-from nctakt.nc.check.c_axis import is_c_axis
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.axes import GIVING, exchange_command, is_c_axis, is_exchange
 from nctakt.nc.tree import (
     AxisWord,
     Block,

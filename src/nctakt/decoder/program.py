@@ -62,10 +62,9 @@ from nctakt.messages.decoder import (
     TOO_MANY_BLOCKS_WITHOUT_TIME,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.axis_exchange import is_exchange
-from nctakt.nc.check.c_axis import is_c_axis
-from nctakt.nc.check.path_commands import FORMS, command_name
-from nctakt.nc.check.realtime_cycles import HIGHEST_ID
+from nctakt.nc.meaning.axes import is_c_axis, is_exchange
+from nctakt.nc.meaning.path import PATH_COMMANDS, command_name
+from nctakt.nc.meaning.words import HIGHEST_CYCLE_ID
 from nctakt.nc.outline import ProgramText, SectionReader, leads_to
 
 #: Maximum number of consecutive blocks that take no time (a loop that never moves).
@@ -419,7 +418,7 @@ class ProgramDecoder:
                 yield from self._block_decoder.technology.explicit_synchronisation()
             case tree.HashCommand() if statement.words[0].name == "FGROUP":
                 yield from self._block_decoder.path.feed_rate.groups.select(statement, number)
-            case tree.HashCommand() if command_name(statement) in FORMS:
+            case tree.HashCommand() if command_name(statement) in PATH_COMMANDS:
                 yield from self._path_settings.command(statement, number)
             case tree.VariableDeclarations():
                 for declaration in statement.declarations:
@@ -498,6 +497,6 @@ class ProgramDecoder:
         if keyword is None or keyword.value is None:
             return None
         value = yield from self._values.evaluate(keyword.value, number)
-        if arithmetic.floor(value) != value or value > HIGHEST_ID:
+        if arithmetic.floor(value) != value or value > HIGHEST_CYCLE_ID:
             self._values.fail(INVALID_CYCLE_ID, keyword.value.span, id=value)
         return int(value)

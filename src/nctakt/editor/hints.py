@@ -30,7 +30,7 @@ from nctakt.editor.structures import every, structures
 from nctakt.editor.workspace import LoadedMachine
 from nctakt.messages import Collector
 from nctakt.messages.lints import ASYNCHRONOUS_CONDITION, ASYNCHRONOUS_VALUE
-from nctakt.nc.check.cost import max_steps
+from nctakt.nc.meaning.cost import max_steps
 from nctakt.nc.parse.parser import parse_program
 from nctakt.nc.source import Source
 from nctakt.nc.tree import RealtimeCycle

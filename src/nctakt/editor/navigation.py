@@ -37,7 +37,7 @@ from nctakt.messages.editor import (
     NEW_NAME_TAKEN,
     RENAMED_BY_NUMBER,
 )
-from nctakt.nc.check.realtime_cycles import HIGHEST_ID
+from nctakt.nc.meaning.words import HIGHEST_CYCLE_ID
 from nctakt.nc.parse.block_head import number_label
 from nctakt.nc.parse.lexer import without_comments
 from nctakt.run.program_loader import find_program, search_folders
@@ -50,7 +50,10 @@ _LETTERS = Text(
 _FORMS = {
     "cycle": (
         re.compile(r"0*([1-9]\d{0,9})"),
-        Text(f"the ID of a cycle is 1 … {HIGHEST_ID}", f"die ID eines Zyklus ist 1 … {HIGHEST_ID}"),
+        Text(
+            f"the ID of a cycle is 1 … {HIGHEST_CYCLE_ID}",
+            f"die ID eines Zyklus ist 1 … {HIGHEST_CYCLE_ID}",
+        ),
     ),
     "label number": (
         re.compile(r"N?\d{1,10}", re.IGNORECASE),
@@ -284,7 +287,7 @@ def _new_symbol(
         elif text.startswith("[") and text.endswith("]"):
             text = text[1:-1].strip()
     match = pattern.fullmatch(text)
-    if match is None or (kind == "cycle" and int(match[1]) > HIGHEST_ID):
+    if match is None or (kind == "cycle" and int(match[1]) > HIGHEST_CYCLE_ID):
         raise Failure(diagnostic(NEW_NAME_INVALID, new=new or NOTHING, form=form))
     if kind == "label":
         number = text.upper().removeprefix("N")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
@@ -32,6 +32,7 @@ from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.inputs import MISSPELLED_SIGNAL, NAMES_OF_DEMO_MACHINE, UNKNOWN_SIGNAL
 from nctakt.messages.plc import STALE_ACKNOWLEDGEMENT
+from nctakt.nc.check.computed_statements import first_mistake
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.vocabulary.variable_table import NameTable
 from nctakt.run.decoder_signals import SignalsOfChannel
@@ -256,6 +257,7 @@ class AssembledMachine:
             self.configuration.cycle_time_us,
             self.files.number,
             self.files.line_at,
+            partial(first_mistake, names or own.names, own.parameters),
             self.registry.add_user_text,
             self.registry.add_path,
             self.registry.add_modal,

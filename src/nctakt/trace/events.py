@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Severity, Span
 from nctakt.hli.function_codes import function_of
 from nctakt.kernel import codes, rows
 from nctakt.messages.catalogue import messages_of
-from nctakt.nc.check.user_errors import KEYWORDS
+from nctakt.nc.meaning.words import ERROR_KEYWORDS
 from nctakt.nc.vocabulary.strings import decode
 
 _ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
@@ -273,10 +273,10 @@ class EventDecoder:
         return "user_error", f"{int(number)} {int(rc)}"
 
     def _user_value(self, _serial: int, code: float, value: float, _c: float) -> tuple[str, str]:
-        return "user_value", f"{KEYWORDS[int(code)]} {number_text(value)}"
+        return "user_value", f"{ERROR_KEYWORDS[int(code)]} {number_text(value)}"
 
     def _user_text(self, _serial: int, code: float, text: float, _c: float) -> tuple[str, str]:
-        return "user_value", f"{KEYWORDS[int(code)]} {self.names.user_text(int(text))}"
+        return "user_value", f"{ERROR_KEYWORDS[int(code)]} {self.names.user_text(int(text))}"
 
     def _block(self, number: int, decoded: float, _b: float, _c: float) -> tuple[str, str]:
         return "block", f"{number} decoded {int(decoded)}"

@@ -28,7 +28,7 @@ from nctakt.messages.contour_lines import (
 )
 from nctakt.messages.shapes import CORNER_OFF
 from nctakt.nc import tree
-from nctakt.nc.check.contour_lines import ANGLE_WORD
+from nctakt.nc.meaning.path import ANGLE_WORD
 from nctakt.nc.vocabulary.functions import ANY_ARCS
 
 #: The sine of an angle between lines below which they count as parallel.

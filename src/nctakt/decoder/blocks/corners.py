@@ -16,7 +16,7 @@ from nctakt.messages.shapes import (
     CORNER_SIZE_MISSING,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.corners import FEED_WORD, SIZE_WORDS
+from nctakt.nc.meaning.path import CORNER_FEED_WORD, CORNER_SIZE_WORDS
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import FEED_PER_MINUTE, INSERTIONS, members
 
@@ -62,7 +62,7 @@ class CornerWords:
 
     def word(self, name: str, span: Span, value: float) -> bool:
         """Keep a word of this kind for ``take``; return false for any other."""
-        if name not in SIZE_WORDS and name != FEED_WORD:
+        if name not in CORNER_SIZE_WORDS and name != CORNER_FEED_WORD:
             return False
         self._sizes[name] = (span, value)
         return True
@@ -84,7 +84,7 @@ class CornerWords:
             if function in functions:
                 name, size = f"G{function}", self._stored(centre)
                 span = centre.pop("I", (span, 0.0))[0]
-        for word in SIZE_WORDS:
+        for word in CORNER_SIZE_WORDS:
             if word in sizes:
                 name = word
                 span, size = sizes[word]
@@ -97,13 +97,13 @@ class CornerWords:
         if size == 0.0:
             self._values.fail(CORNER_SIZE_MISSING, span, word=name)
         size_mm = size * self._state.length_unit_mm
-        if name not in SIZE_WORDS:
+        if name not in CORNER_SIZE_WORDS:
             self._state.shapes.corner_size = size_mm
-        own = sizes.get(FEED_WORD)
+        own = sizes.get(CORNER_FEED_WORD)
         feed = self._state.feed_mm_s if self._is_per_minute else 0.0
         if own is not None:
             feed = self._own_feed(*own)
-        of_block = name in SIZE_WORDS
+        of_block = name in CORNER_SIZE_WORDS
         return InsertCorner(source, number, span, name, size_mm, feed, own is not None, of_block)
 
     def _stored(self, centre: dict[str, tuple[Span, float]]) -> float:

@@ -39,12 +39,7 @@ from nctakt.messages.coordinate_systems import (
 )
 from nctakt.messages.transformations import COORDINATE_SYSTEM_DURING_PTP
 from nctakt.nc import tree
-from nctakt.nc.check.coordinate_systems import (
-    FIXED_ROTATION,
-    MACHINE_SYSTEM,
-    CsCommand,
-    cs_command,
-)
+from nctakt.nc.meaning.coordinates import FIXED_ROTATION, MACHINE_SYSTEM, CsCommand, cs_command
 
 #: Maximum number of stored systems of a kind, and of systems on the stack.
 MAX_STORED = 5

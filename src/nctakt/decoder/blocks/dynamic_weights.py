@@ -19,7 +19,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.dynamic_weights import OF_FEED, OF_RAPID, WeightRow
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import keywords
+from nctakt.nc.meaning.path import keywords
 
 
 class DynamicWeighting:

@@ -29,7 +29,7 @@ from nctakt.messages.feed import (
     FEED_PER_REVOLUTION_WITHOUT_SPINDLE,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import OVERRIDE_FACTORS
+from nctakt.nc.meaning.path import OVERRIDE_FACTORS
 from nctakt.nc.vocabulary.functions import (
     FEED_PER_MINUTE,
     FEED_PER_REVOLUTION,

@@ -22,7 +22,7 @@ from nctakt.messages.feed import (
     NO_FEED_AXES,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.feed_groups import RADIUS, WEAKEST, axis_and_factor
+from nctakt.nc.meaning.path import FEED_GROUP_RADIUS, FEED_GROUP_WEAKEST, axis_and_factor
 
 _SHORTEST = 1e-6
 
@@ -47,10 +47,10 @@ class FeedGroups:
             if isinstance(argument, tree.Bracket)
             for item in argument.items
         ]
-        if words[-1] == RADIUS:
+        if words[-1] == FEED_GROUP_RADIUS:
             rotary, radius = yield from self._radius(items, number)
             self._choose(FeedGroup(group.axes, group.is_weakest, rotary, radius))
-        elif words[-1] == WEAKEST:
+        elif words[-1] == FEED_GROUP_WEAKEST:
             self._choose(FeedGroup({}, True, group.rotary, group.radius))
         elif items:
             axes = yield from self._axes(items, number)

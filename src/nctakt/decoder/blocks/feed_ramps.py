@@ -21,7 +21,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
 from nctakt.messages.feed import CORNER_FEED_MISSING, CORNER_VALUE_NOT_POSITIVE
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import keywords
+from nctakt.nc.meaning.path import keywords
 from nctakt.nc.vocabulary.functions import CORNER_DECELERATION, FEED_PER_MINUTE, FEED_RAMPS
 
 #: The number of pieces of a ramp, and how many ticks each takes at least.

@@ -24,8 +24,7 @@ from nctakt.messages.frames import (
 )
 from nctakt.messages.motion import PLANE_AXIS_MISSING
 from nctakt.nc import tree
-from nctakt.nc.check.frames import MIRROR_VALUES
-from nctakt.nc.check.path_commands import keywords
+from nctakt.nc.meaning.path import MIRROR_VALUES, keywords
 from nctakt.nc.vocabulary.functions import (
     MIRRORED_BY_PLANE,
     MIRRORING_OF_AXES,

@@ -27,7 +27,7 @@ from nctakt.messages.transformations import (
     POSITION_NOT_REACHED,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.machine_coordinates import MachineCommand, machine_command
+from nctakt.nc.meaning.coordinates import MachineCommand, machine_command
 
 
 class MachineCoordinates:

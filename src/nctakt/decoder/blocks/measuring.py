@@ -45,7 +45,8 @@ from nctakt.messages.measuring import (
     WRONG_MEASURING_AXES,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.measuring import MODE, keywords_of
+from nctakt.nc.meaning.path import keywords
+from nctakt.nc.meaning.words import MEASURING_MODE
 from nctakt.nc.vocabulary.functions import MEASURING_OFFSET_ON
 
 #: Types of G100 beside the usual one: one axis, with G106, main axes, fixed stop.
@@ -90,7 +91,7 @@ class Measuring:
         """Execute ``#MEAS``, ``#MEAS MODE``, ``#MEAS DEFAULT``."""
         words = [word.name for word in command.words]
         state = self._state
-        if words == MODE:
+        if words == MEASURING_MODE:
             state.type = 0
             for value in command.arguments:
                 assert isinstance(value, tree.Bracket)
@@ -102,7 +103,7 @@ class Measuring:
                 state.type, state.needs_signal, state.lead, state.level = 0, None, 0.0, 1
         else:
             state.needs_signal = True
-            for keyword in keywords_of(command):
+            for keyword in keywords(command):
                 yield from self._setting(keyword, number)
 
     def _setting(self, keyword: tree.Keyword, number: int) -> Generator[Command, Answer]:

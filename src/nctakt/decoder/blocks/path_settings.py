@@ -27,7 +27,7 @@ from nctakt.messages.motion import (
     UNKNOWN_SLOPE,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import command_name, is_hsc_value, is_size, keywords
+from nctakt.nc.meaning.path import command_name, is_hsc_value, is_size, keywords
 from nctakt.nc.vocabulary.path_keywords import (
     ACTIONS,
     CONTOUR_MODES,

@@ -27,7 +27,7 @@ from nctakt.messages.rotating_planes import (
     PLANE_NOT_CONFIGURED,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.rotating_planes import PlaneCommand, plane_command
+from nctakt.nc.meaning.coordinates import PlaneCommand, plane_command
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import PLANE_XY, THREADS, group_of
 

@@ -46,7 +46,7 @@ from nctakt.messages.spindles import (
     TOOL_SPEED_RANGE,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.main_spindle import main_spindle_command
+from nctakt.nc.meaning.axes import main_spindle_command
 from nctakt.nc.vocabulary.functions import (
     CLOCKWISE,
     CONSTANT_SPEED,

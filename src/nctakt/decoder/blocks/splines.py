@@ -25,13 +25,7 @@ from nctakt.messages.splines import (
     SPLINE_WITH_CONTOURING,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.splines import (
-    SWITCHES,
-    VECTORS,
-    is_transition,
-    spline_name,
-    transitions,
-)
+from nctakt.nc.meaning.path import SWITCHES, VECTORS, command_name, is_transition, transitions
 from nctakt.nc.vocabulary.functions import SPLINE_ON
 
 
@@ -107,7 +101,7 @@ class SplineWords:
     def settings(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Execute ``#SPLINE TYPE``, ``#AKIMA TRANS`` or one of their old forms."""
         spline = self._state.shapes.spline
-        name = spline_name(command)
+        name = command_name(command)
         if name.endswith((AKIMA, BSPLINE)):
             spline.kind = BSPLINE if name.endswith(BSPLINE) else AKIMA
             source = self._environment.source_id(command.span)

@@ -20,7 +20,7 @@ from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
-from nctakt.nc.check.blocks import MAX_VALUE, MIN_VALUE
+from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
 from nctakt.nc.tree import Word
 
 #: What the lead of a type is that goes out before the path comes to its block.

@@ -15,8 +15,8 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.messages.tools import NEGATIVE_TOOL_LIFE
 from nctakt.nc import tree
-from nctakt.nc.check.path_commands import keywords
-from nctakt.nc.check.tools import numbers_of, signed_axis
+from nctakt.nc.meaning.path import keywords
+from nctakt.nc.meaning.words import numbers_of, signed_axis
 
 
 class ToolCommands:

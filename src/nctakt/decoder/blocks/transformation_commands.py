@@ -31,7 +31,7 @@ from nctakt.messages.transformations import (
     UNKNOWN_KINEMATIC,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.transformations import TransformationCommand, transformation_command
+from nctakt.nc.meaning.coordinates import TransformationCommand, transformation_command
 
 
 class TransformationCommands:

@@ -22,7 +22,7 @@ from nctakt.decoder.state.commands import (
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
 from nctakt.nc import tree
-from nctakt.nc.check.user_errors import KEYWORDS
+from nctakt.nc.meaning.words import ERROR_KEYWORDS
 
 #: Default of RC: an error that a reset clears.
 DEFAULT_REACTION = 2.0
@@ -52,7 +52,7 @@ def parts(statement: tree.UserError) -> UserErrorParts:
         keywords[keyword.name] = keyword.value
     reaction = keywords.get("RC", tree.Number(statement.span, DEFAULT_REACTION))
     names = [name for name in keywords if name not in ("ID", "RC")]
-    values = tuple((KEYWORDS.index(name), keywords[name]) for name in names)
+    values = tuple((ERROR_KEYWORDS.index(name), keywords[name]) for name in names)
     return UserErrorParts(keywords["ID"], reaction, values)
 
 

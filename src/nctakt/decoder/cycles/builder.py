@@ -30,7 +30,7 @@ from nctakt.kernel.cycles.instructions import Statement, Watched
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
 from nctakt.nc import tree
-from nctakt.nc.check.cost import command_steps, condition_steps, max_steps
+from nctakt.nc.meaning.cost import command_steps, condition_steps, max_steps
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.vocabulary.spindle_commands import split
 from nctakt.nc.vocabulary.system_variables import is_decoder_data

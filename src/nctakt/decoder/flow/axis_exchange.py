@@ -37,8 +37,7 @@ from nctakt.messages.axis_exchange import (
 )
 from nctakt.messages.couplings import COUPLED_AXIS_GIVEN, COUPLED_AXIS_MOVED_TO_INDEX
 from nctakt.nc import tree
-from nctakt.nc.check.axis_exchange import GIVING, ExchangeCommand, FetchedAxis, exchange_command
-from nctakt.nc.check.c_axis import is_c_axis
+from nctakt.nc.meaning.axes import GIVING, ExchangeCommand, FetchedAxis, exchange_command, is_c_axis
 
 Decoded = Generator[Command, Answer]
 

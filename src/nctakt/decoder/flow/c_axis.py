@@ -19,7 +19,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.messages.axis_exchange import AXIS_TWICE
 from nctakt.messages.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE
 from nctakt.nc import tree
-from nctakt.nc.check.c_axis import CAxisCommand, c_axis_command
+from nctakt.nc.meaning.axes import CAxisCommand, c_axis_command
 from nctakt.nc.vocabulary.functions import SPINDLE_STOP
 
 

@@ -21,7 +21,7 @@ from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
 from nctakt.messages.decoder import TOO_FEW_OPEN_CALLS
 from nctakt.messages.program_structure import UNKNOWN_LOCAL_SUBPROGRAM
 from nctakt.nc import tree
-from nctakt.nc.check.calls import parameter_number
+from nctakt.nc.meaning.words import parameter_number
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.parse.block_head import number_label
 from nctakt.nc.vocabulary.file_names import names_program, program_key

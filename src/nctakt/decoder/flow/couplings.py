@@ -42,12 +42,7 @@ from nctakt.messages.couplings import (
     UNKNOWN_COUPLING_GROUP,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.couplings import (
-    MAX_GROUP,
-    CouplingAction,
-    WrittenPair,
-    coupling_command,
-)
+from nctakt.nc.meaning.axes import MAX_GROUP, CouplingAction, WrittenPair, coupling_command
 
 #: An axis by its number in the machine, or a spindle by its index in the channel.
 Member = tuple[bool, int]

@@ -44,15 +44,15 @@ from nctakt.messages.motion import FILTER_NOT_SIMULATED
 from nctakt.messages.single_steps import NEGATIVE_RESOLUTION
 from nctakt.messages.transformations import NOT_IN_MACHINE_COORDINATES
 from nctakt.nc import tree
-from nctakt.nc.check import splines
-from nctakt.nc.check.couplings import is_coupling
-from nctakt.nc.check.machine_coordinates import CONVERSIONS, MACHINE_COMMANDS
-from nctakt.nc.check.optional_parts import is_for_simulation
-from nctakt.nc.check.path_commands import keywords
-from nctakt.nc.check.rotating_planes import PLANE_COMMANDS
-from nctakt.nc.check.single_steps import DISABLE
-from nctakt.nc.check.tools import COMMANDS as TOOL_COMMANDS
-from nctakt.nc.check.transformations import COMMANDS
+from nctakt.nc.meaning.axes import is_coupling
+from nctakt.nc.meaning.coordinates import (
+    CONVERSIONS,
+    MACHINE_COMMANDS,
+    PLANE_COMMANDS,
+    TRANSFORMATION_COMMANDS,
+)
+from nctakt.nc.meaning.path import SPLINE_COMMANDS, keywords
+from nctakt.nc.meaning.words import SINGLE_STEP_OFF, TOOL_COMMANDS, is_for_simulation
 from nctakt.nc.vocabulary.commands import INITS
 from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
 from nctakt.nc.vocabulary.system_variables import TIMERS
@@ -135,9 +135,9 @@ class HashCommands:
             yield from self._spindles.choose_main(command, number)
         elif words == ("TOOL", "ORI", "CS"):
             yield from self._tool.command(command.span, number)
-        elif " ".join(words) in COMMANDS:
+        elif " ".join(words) in TRANSFORMATION_COMMANDS:
             yield from self._transformations.command(command, number)
-        elif " ".join(words) in splines.COMMANDS:
+        elif " ".join(words) in SPLINE_COMMANDS:
             yield from self._splines.settings(command, number)
         elif " ".join(words) in PLANE_COMMANDS:
             yield from self._planes.command(command, number)
@@ -165,7 +165,7 @@ class HashCommands:
         source = self._environment.source_id(command.span)
         (item,) = keywords(command)
         if item.value is None:
-            yield SingleStep(source, number, item.name == DISABLE)
+            yield SingleStep(source, number, item.name == SINGLE_STEP_OFF)
             return
         value = yield from self._values.evaluate(item.value, number)
         resolution = arithmetic.round_half_even(value)

@@ -19,7 +19,7 @@ from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.tools import Fail
 from nctakt.messages.decoder import MACRO_TEXT_TOO_LONG, MACROS_NESTED_TOO_DEEP, UNKNOWN_MACRO
 from nctakt.nc import tree
-from nctakt.nc.check.macros import MacroExpander, with_span
+from nctakt.nc.meaning.macros import MacroExpander, with_span
 from nctakt.nc.parse.block_words import parse_content
 from nctakt.nc.parse.expressions import parse_expression, unreadable
 from nctakt.nc.parse.lexer import BlockError, BlockText, Piece
@@ -73,7 +73,7 @@ class Macros:
             if changed is not statement:
                 line = partial(self._environment.line_text, statement.span)
                 span, named = statement.span, self._named
-                check(self._environment, self._fail, [changed], span, line, "either", named)
+                check(self._environment, self._fail, [changed], span, line, named_programs=named)
             if len(self._remembered) == MAX_REMEMBERED:
                 self._remembered.clear()
             pair = self._remembered[id(statement)] = (statement, changed)
@@ -132,7 +132,14 @@ class Macros:
             self._fail(error.message, macro.span, **error.values)
         named = self._named
         environment = self._environment
-        check(environment, self._fail, statements, macro.span, lambda: content, "either", named)
+        check(
+            environment,
+            self._fail,
+            statements,
+            macro.span,
+            lambda: content,
+            named_programs=named,
+        )
         for statement in statements:
             if isinstance(statement, tree.Block) and _first_macro(statement) is not None:
                 yield from self._expanded(statement, macro)

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from nctakt.decoder.state.call_stack import CallFrame, CallStack, ModalCall
 from nctakt.nc import tree
-from nctakt.nc.check.calls import MODAL_BLOCK, MODAL_MOVE
+from nctakt.nc.meaning.words import MODAL_BLOCK, MODAL_MOVE
 
 #: Statements without a call after them: calls themselves, and control flow.
 _WITHOUT_CALL = (

@@ -35,7 +35,7 @@ from nctakt.messages.signals import (
     TOO_MANY_SIGNALS,
 )
 from nctakt.nc import tree
-from nctakt.nc.check.signals import (
+from nctakt.nc.meaning.signals import (
     MAX_CHANNEL,
     MAX_SIGNAL,
     SIGNAL_VALUES,

@@ -6,7 +6,7 @@ Immutable except for the values in memory.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
@@ -23,6 +23,7 @@ from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.nc.outline import ProgramText
+from nctakt.nc.tree import Statement
 from nctakt.nc.vocabulary.variable_table import NameTable
 
 if TYPE_CHECKING:
@@ -36,11 +37,13 @@ class DecoderEnvironment:
     ``tools``: those of the list, by number. ``axis_numbers``: axis name -> index in the path's
     positions. ``cells``: the machine's memory, ``memory``: the same as bytes. ``source_id``:
     returns the number of a span (``base/source_ids.py``). ``line_text``: returns the line of a
-    span. ``spindle_gears``: index -> the gear steps of a spindle that the CNC turns.
-    ``text_id``: returns the number of a text for a user error, ``path_id`` that of the open
-    programs, ``modal_id`` that of what is in force. ``warn``: receives findings that do not
-    stop the program. ``subprogram``: returns the text of a called file, by name, calling file
-    and span; raises ``DecodeError``. ``skip_levels``: blocks of these levels are skipped.
+    span. ``first_mistake``: checks statements that only the run shows, see
+    ``nc/check/computed_statements.py``. ``spindle_gears``: index -> the gear steps of a spindle
+    that the CNC turns. ``text_id``: returns the number of a text for a user error, ``path_id``
+    that of the open programs, ``modal_id`` that of what is in force. ``warn``: receives
+    findings that do not stop the program. ``subprogram``: returns the text of a called file,
+    by name, calling file and span; raises ``DecodeError``. ``skip_levels``: blocks of these
+    levels are skipped.
     ``marks_blocks``: each block is marked. ``controller_data``: data behind V.G and V.S.
     ``living_cycles``: cycles left by earlier programs. ``moving_axes``: returns the names of
     the axes in independent motion. ``history_size``: the number of blocks in the history of the
@@ -60,6 +63,9 @@ class DecoderEnvironment:
     cycle_time_us: int
     source_id: Callable[[Span], int]
     line_text: Callable[[Span], str]
+    first_mistake: Callable[
+        [Sequence[Statement], Span, Callable[[], str], bool, Iterable[str]], Diagnostic | None
+    ]
     text_id: Callable[[str], int]
     path_id: Callable[[tuple[OpenCall, ...]], int]
     modal_id: Callable[[InForce], int]

@@ -2,7 +2,7 @@
 """Fuses nodes with simple operands into one node (``kernel/cycles/fused.py``).
 
 In: operator and operands. Out: the fused node, or ``None``. Fusing changes neither results, to the
-last bit, nor instruction counts, which depend on the tree (``nc/check/cost.py``).
+last bit, nor instruction counts, which depend on the tree (``nc/meaning/cost.py``).
 """
 
 from __future__ import annotations

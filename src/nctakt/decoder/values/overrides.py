@@ -8,7 +8,7 @@ from collections.abc import Generator
 from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
-from nctakt.nc.check.path_commands import OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
+from nctakt.nc.meaning.path import OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.tree import Keyword
 
 

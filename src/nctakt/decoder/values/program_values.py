@@ -18,7 +18,7 @@ from nctakt.decoder.values.text_functions import compute
 from nctakt.messages.checked_values import INVALID_ELEMENT_COUNT
 from nctakt.messages.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
 from nctakt.nc import tree
-from nctakt.nc.check.program_variables import TYPES
+from nctakt.nc.meaning.words import DECLARED_TYPES
 from nctakt.nc.vocabulary.resolution import bare_name, indices_of, name_of, path_text
 
 Evaluate = Callable[[tree.Expression, int], Generator[Command, Answer, float]]
@@ -165,5 +165,5 @@ class ProgramValues:
 def _type(declaration: tree.Declaration, values: Sequence[float | str]) -> str:
     """Return the declared type; without one that of the first value, REAL64 without a value."""
     if declaration.type_name is not None:
-        return TYPES[declaration.type_name]
+        return DECLARED_TYPES[declaration.type_name]
     return "STRING" if values and isinstance(values[0], str) else "REAL64"

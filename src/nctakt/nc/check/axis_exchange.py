@@ -1,48 +1,35 @@
 # SPDX-License-Identifier: MIT
 """``#CALL AX``, ``#PUT AX``, ``#SET AX``, ``#AX REQUEST``, ``#AX RELEASE``, ``#AX DEF``, ``#CAX``.
 
-In: the tree of a command. Out: an ``ExchangeCommand``, shared by checker and decoder, the uses for
-checks across programs, and diagnostics for other forms. The names of fetched axes are known from
-the command on. Values that are not constant are checked when they are decoded.
+In: the tree of a command. Out: the uses for checks across programs, and diagnostics for other
+forms. The names of fetched axes are known from the command on. Values that
+are not constant are checked when they are decoded.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Span, Text
+from nctakt.base.diagnostics import Text
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.axis_exchange import AXIS_OPTION_REFUSED, UNSUITABLE_AXIS_NAME
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.nc.check.c_axis import check_c_axis, is_c_axis
+from nctakt.nc.check.c_axis import check_c_axis
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.signals import axis_name, constant
+from nctakt.nc.check.signals import constant
+from nctakt.nc.meaning.axes import (
+    EXCHANGE_ACTIONS,
+    ExchangeCommand,
+    exchange_command,
+    is_c_axis,
+    is_exchange,
+)
 from nctakt.nc.outline import AxisUse
 from nctakt.nc.parse.block_words import AXIS_LETTERS
-from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword
+from nctakt.nc.tree import Bracket, HashCommand
 from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.variable_table import NameTable
-
-#: The words of the commands, and what they do.
-_ACTIONS = {
-    ("CALL", "AX"): "CALL AX",
-    ("CALL", "AX", "FAST"): "CALL AX",
-    ("AX", "REQUEST"): "AX REQUEST",
-    ("PUT", "AX"): "PUT AX",
-    ("PUT", "AX", "ALL"): "PUT AX",
-    ("AX", "RELEASE"): "AX RELEASE",
-    ("AX", "RELEASE", "ALL"): "AX RELEASE",
-    ("AX", "RELEASE", "NBR"): "AX RELEASE",
-    ("SET", "AX"): "SET AX",
-    ("SET", "AX", "FAST"): "SET AX",
-    ("AX", "DEF"): "AX DEF",
-    ("AX", "DEF", "DEFAULT"): "AX DEF",
-}
-#: Those that fetch axes without giving others away, and those that only give.
-_FETCHING = ("CALL AX", "AX REQUEST")
-GIVING = ("PUT AX", "AX RELEASE")
 
 _MEANING = Text(
     "the command waits until the path and the axes stand and no other channel has the axes; "
@@ -50,79 +37,6 @@ _MEANING = Text(
     "der Befehl wartet, bis Bahn und Achsen stehen und kein anderer Kanal die Achsen hat; "
     "Verschiebungen einer getauschten Achse beginnen bei 0",
 )
-
-
-@dataclass(frozen=True, slots=True)
-class FetchedAxis:
-    """An axis in brackets: its name, the values of its logical number and its index."""
-
-    name: str
-    number: Expression
-    slot: Expression
-    span: Span
-
-
-@dataclass(frozen=True, slots=True)
-class ExchangeCommand:
-    """One command; ``action``: its words without options.
-
-    ``fetched``: the axes with their numbers. ``names`` and ``numbers``: those to be given.
-    ``is_all``: all axes are given. ``from_default``: the configuration of the list, with changes.
-    """
-
-    action: str
-    fetched: tuple[FetchedAxis, ...]
-    names: tuple[str, ...]
-    numbers: tuple[Expression, ...]
-    is_all: bool
-    from_default: bool
-
-    @property
-    def keeps_others(self) -> bool:
-        """Whether axes that are not named stay in the channel."""
-        return self.action in (*_FETCHING, *GIVING)
-
-
-def is_exchange(command: HashCommand) -> bool:
-    """Return whether it is one of these commands."""
-    return tuple(word.name for word in command.words) in _ACTIONS
-
-
-def exchange_command(command: HashCommand) -> ExchangeCommand | None:
-    """Return the parsed command, ``None`` for another form."""
-    words = tuple(word.name for word in command.words)
-    action = _ACTIONS[words]
-    brackets = [one.items for one in command.arguments if isinstance(one, Bracket)]
-    if len(brackets) != len(command.arguments):
-        return None
-    if action not in GIVING:
-        if words[-1] != "FAST" and brackets and [axis_name(i) for i in brackets[0]] == ["FAST"]:
-            brackets = brackets[1:]
-        fetched = [_fetched(items) for items in brackets]
-        axes = tuple(axis for axis in fetched if axis is not None)
-        if len(axes) < len(fetched) or (not axes and words[-1] != "DEFAULT"):
-            return None
-        return ExchangeCommand(action, axes, (), (), False, words[-1] == "DEFAULT")
-    if words[-1] == "ALL":
-        return None if brackets else ExchangeCommand(action, (), (), (), True, False)
-    if len(brackets) != 1 or not brackets[0]:
-        return None
-    if words[-1] == "NBR":
-        numbers = tuple(item for item in brackets[0] if not isinstance(item, Keyword))
-        if len(numbers) < len(brackets[0]):
-            return None
-        return ExchangeCommand(action, (), (), numbers, False, False)
-    names = tuple(axis_name(item) for item in brackets[0])
-    return ExchangeCommand(action, (), names, (), False, False) if all(names) else None
-
-
-def _fetched(items: tuple[Keyword | Expression, ...]) -> FetchedAxis | None:
-    if len(items) < 3 or not axis_name(items[0]):
-        return None
-    number, slot = items[1], items[2]
-    if isinstance(number, Keyword) or isinstance(slot, Keyword):
-        return None
-    return FetchedAxis(axis_name(items[0]), number, slot, items[0].span)
 
 
 class ExchangeChecker:
@@ -168,7 +82,7 @@ class ExchangeChecker:
             return True
         if not is_exchange(command):
             return False
-        name = f"#{_ACTIONS[tuple(word.name for word in command.words)]}"
+        name = f"#{EXCHANGE_ACTIONS[tuple(word.name for word in command.words)]}"
         parsed = exchange_command(command)
         if parsed is None:
             self._findings.report(

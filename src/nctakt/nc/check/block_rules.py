@@ -14,13 +14,20 @@ from nctakt.messages.checked_blocks import G60_WITHOUT_MOTION, INVALID_COMMAND_F
 from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.messages.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
 from nctakt.messages.tools import TANGENTIAL_ALONE
-from nctakt.nc.check.contour_lines import ANGLE_WORD, check_contour_line
-from nctakt.nc.check.corners import FEED_WORD, SIZE_WORDS, check_corners
+from nctakt.nc.check.contour_lines import check_contour_line
+from nctakt.nc.check.corners import check_corners
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.frames import check_mirrored_axes, check_rotation_block
 from nctakt.nc.check.measuring import check_measuring_block
 from nctakt.nc.check.motion_words import RADIUS_WORD, check_arc, check_feed_ramps, functions_of
-from nctakt.nc.check.splines import SWITCHES, VECTORS, check_spline_words
+from nctakt.nc.check.splines import check_spline_words
+from nctakt.nc.meaning.path import (
+    ANGLE_WORD,
+    CORNER_FEED_WORD,
+    CORNER_SIZE_WORDS,
+    SWITCHES,
+    VECTORS,
+)
 from nctakt.nc.tree import AxisWord, Block
 from nctakt.nc.vocabulary.functions import (
     ARC_RADIUS,
@@ -41,7 +48,7 @@ from nctakt.nc.vocabulary.functions import (
     TANGENTIAL_APPROACH,
 )
 
-_CORNER_WORDS = frozenset((*SIZE_WORDS, FEED_WORD))
+_CORNER_WORDS = frozenset((*CORNER_SIZE_WORDS, CORNER_FEED_WORD))
 _CORNER_FUNCTIONS = frozenset(INSERTIONS)
 _SPLINE_WORDS = frozenset((*SWITCHES, *VECTORS))
 _RULED = frozenset(

@@ -61,8 +61,9 @@ from nctakt.nc.check.motion_words import functions_of
 from nctakt.nc.check.path_commands import check_path_axis
 from nctakt.nc.check.returns import check_return
 from nctakt.nc.check.spindle_commands import SpindleChecker
-from nctakt.nc.check.splines import SWITCHES, VECTORS
 from nctakt.nc.check.weights import check_weight, is_neutral
+from nctakt.nc.meaning.path import SWITCHES, VECTORS
+from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
 from nctakt.nc.tree import (
     AxisWord,
     Block,
@@ -99,8 +100,6 @@ OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: Words of axis commands that are known and not simulated.
 _AXIS_FORMS = (*("DIST_CTRL", "LIFT", "LIFT_START", "LIFT_END", "POLY", "COMP", "DYNAMIC", "SYNC"),)
-#: Bounds of the value of an M or H function: signed, 32 bits.
-MIN_VALUE, MAX_VALUE = -(2**31), 2**31 - 1
 
 
 #: The program that M17 or M30 ends: the main program, a subprogram, or a file that may be either.

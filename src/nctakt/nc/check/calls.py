@@ -7,8 +7,6 @@ that the called files can be loaded.
 
 from __future__ import annotations
 
-import re
-
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.misspelling import nearest
 from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
@@ -17,6 +15,7 @@ from nctakt.messages.program_structure import INVALID_CALL_PARAMETER
 from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.words import MODAL_BLOCK, MODAL_MOVE, parameter_number
 from nctakt.nc.tree import (
     Block,
     BlockWord,
@@ -32,21 +31,7 @@ from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.function_rows import Form
 from nctakt.nc.vocabulary.functions import TOOL_CHANGE
 
-#: Maximum number of a parameter of a call.
-CALL_PARAMETERS = 200
-
-_PARAMETER = re.compile(r"@P(\d+)")
-#: Keywords of modal calls: after each block with a motion, after each block.
-MODAL_MOVE = ("MODAL_MOVE", "MODAL")
-MODAL_BLOCK = "MODAL_BLOCK"
 _MODAL = (*MODAL_MOVE, MODAL_BLOCK)
-
-
-def parameter_number(keyword: Keyword) -> int | None:
-    """Return the number of ``@P1 = …``; ``None`` for any other keyword."""
-    match = _PARAMETER.fullmatch(keyword.name)
-    number = 0 if match is None else int(match[1][:4])
-    return number if 1 <= number <= CALL_PARAMETERS else None
 
 
 class CallChecker:

@@ -42,7 +42,6 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
 from nctakt.nc.check.machine_coordinates import check_machine_command
-from nctakt.nc.check.macros import MacroExpander
 from nctakt.nc.check.main_spindle import check_main_spindle
 from nctakt.nc.check.measuring import check_meas
 from nctakt.nc.check.neutral_settings import check_setting
@@ -56,6 +55,7 @@ from nctakt.nc.check.splines import check_spline_command
 from nctakt.nc.check.tools import check_tool_command
 from nctakt.nc.check.transformations import check_transformation
 from nctakt.nc.check.user_errors import UserErrorChecker
+from nctakt.nc.meaning.macros import MacroExpander
 from nctakt.nc.outline import AxisUse, SignalUse, labels_in
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source

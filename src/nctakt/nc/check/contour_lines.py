@@ -9,11 +9,9 @@ from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.contour_lines import ANGLE_DURING_ARC
 from nctakt.messages.shapes import CORNER_OFF
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.path import ANGLE_WORD
 from nctakt.nc.tree import Block, Word
 from nctakt.nc.vocabulary.functions import ANY_ARCS
-
-#: The word of the angle.
-ANGLE_WORD = "#ANG"
 
 
 def check_contour_line(

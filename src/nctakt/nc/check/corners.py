@@ -17,21 +17,17 @@ from nctakt.messages.shapes import (
     CORNER_SIZE_MISSING,
 )
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.path import CORNER_FEED_WORD, CORNER_SIZE_WORDS
 from nctakt.nc.tree import AxisWord, Block, Number, Word
 from nctakt.nc.vocabulary.functions import INSERTIONS
-
-#: Words with the size of a chamfer or rounding at the end of their block.
-SIZE_WORDS = ("#CHR", "#CHF", "#RND")
-#: The feed of that.
-FEED_WORD = "#FRC"
 
 
 def check_corners(block: Block, channel: ChannelParameters, findings: Findings) -> bool:
     """Check these words; return whether the block inserts a chamfer or rounding."""
     words = [word for word in block.words if isinstance(word, Word)]
-    corners = [word for word in words if word.name in SIZE_WORDS or _inserts(word)]
+    corners = [word for word in words if word.name in CORNER_SIZE_WORDS or _inserts(word)]
     for word in words:
-        if word.name != FEED_WORD:
+        if word.name != CORNER_FEED_WORD:
             continue
         if not corners:
             findings.report(CORNER_FEED_WITHOUT_CORNER, word.span)

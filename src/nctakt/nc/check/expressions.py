@@ -41,9 +41,9 @@ from nctakt.messages.memory import (
     TEXT_INSTEAD_OF_NUMBER,
 )
 from nctakt.nc.check.aggregates import AggregateChecker
-from nctakt.nc.check.cost import is_live
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.missing_names import MissingNames
+from nctakt.nc.meaning.cost import is_live
 from nctakt.nc.tree import (
     ArrayLiteral,
     Assignment,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The forms of ``#FGROUP``: axes, a radius of a rotary axis, the weakest axis.
 
-In: the command's tree. Out: diagnostics. Shared by checker and decoder.
+In: the command's tree. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -13,12 +13,11 @@ from nctakt.base.diagnostics import Text
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import Form, check_item, check_repetition, keywords
+from nctakt.nc.check.path_commands import check_item, check_repetition
+from nctakt.nc.meaning.path import FEED_GROUP_RADIUS, FEED_GROUP_WEAKEST, Form, keywords
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name
 from nctakt.nc.vocabulary.commands import forms_of
 
-#: Words behind ``#FGROUP``.
-RADIUS, WEAKEST = "ROT", "WAXIS"
 _ROTARY = Form(numbers=("REF",))
 _FACTORS = Text(
     "F is the speed of the path whose length counts the way of each axis times its factor",
@@ -42,10 +41,10 @@ def check_feed_group(
     bracket = arguments[0] if len(arguments) == 1 else None
     items = bracket.items if isinstance(bracket, Bracket) else ()
     is_right = bool(items) or not arguments
-    if words == ["FGROUP", WEAKEST]:
+    if words == ["FGROUP", FEED_GROUP_WEAKEST]:
         is_right = not arguments
-        findings.report_simplified(f"#FGROUP {WEAKEST}", _WEAKEST, command.span)
-    elif words == ["FGROUP", RADIUS]:
+        findings.report_simplified(f"#FGROUP {FEED_GROUP_WEAKEST}", _WEAKEST, command.span)
+    elif words == ["FGROUP", FEED_GROUP_RADIUS]:
         names = {item.name for item in items if isinstance(item, Keyword)}
         is_right = not arguments or {"AX", "REF"} <= names
     elif words != ["FGROUP"]:
@@ -56,10 +55,10 @@ def check_feed_group(
         findings.report(INVALID_COMMAND_FORM, command.span, command=name, forms=forms)
         return True
     form = Form(tuple(axes), defaults=tuple(axes))
-    if words == ["FGROUP", RADIUS]:
+    if words == ["FGROUP", FEED_GROUP_RADIUS]:
         form = replace(_ROTARY, names={"AX": tuple(axes)})
     for item in items:
-        axis = _named_axis(item, is_radius=words[-1] == RADIUS)
+        axis = _named_axis(item, is_radius=words[-1] == FEED_GROUP_RADIUS)
         if axis is not None and axis.name not in axes:
             findings.report(
                 UNKNOWN_COMMAND_OPTION,
@@ -82,9 +81,3 @@ def _named_axis(item: Keyword | Expression, *, is_radius: bool) -> Keyword | Nam
     if is_radius and isinstance(item, Keyword):
         return item.value if item.name == "AX" and isinstance(item.value, Name) else None
     return item if isinstance(item, Keyword | Name) else None
-
-
-def axis_and_factor(item: Keyword | Expression) -> tuple[str, Expression | None]:
-    """Return name and factor in an item of a checked ``#FGROUP``."""
-    assert isinstance(item, Keyword | Name)
-    return item.name, item.value if isinstance(item, Keyword) else None

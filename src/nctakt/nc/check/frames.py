@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Blocks with G351 and G68, factors of ``#SCALE``.
 
-In: the tree of a block or a command. Out: diagnostics. Shared by checker and decoder.
+In: the tree of a block or a command. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -10,12 +10,10 @@ from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.messages.frames import INVALID_MIRROR_VALUE, INVALID_SCALE_FACTOR
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import CENTRE_WORDS, functions_of
+from nctakt.nc.meaning.path import MIRROR_VALUES
 from nctakt.nc.tree import AxisWord, Block, Number, OffsetCommand, Unary, Word
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import MIRRORING_OF_AXES, ROTATION_ON, members
-
-#: What G351 takes for an axis: mirrored, or not.
-MIRROR_VALUES = (-1.0, 1.0)
 
 
 def check_mirrored_axes(block: Block, findings: Findings) -> None:

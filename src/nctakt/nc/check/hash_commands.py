@@ -15,8 +15,9 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.feed_groups import check_feed_group
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.optional_parts import check_optional
-from nctakt.nc.check.path_commands import Form, check_item
+from nctakt.nc.check.path_commands import check_item
 from nctakt.nc.check.single_steps import check_single_step
+from nctakt.nc.meaning.path import Form
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
 from nctakt.nc.vocabulary.commands import INIT, OLD_INIT, forms_of
 from nctakt.nc.vocabulary.file_names import (

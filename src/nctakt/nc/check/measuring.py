@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``#MEAS``, and the words of measuring blocks (G100, G106).
 
-In: the tree of a command or a block. Out: diagnostics. Shared by checker and decoder.
+In: the tree of a command or a block. Out: diagnostics.
 """
 
 from __future__ import annotations
@@ -16,7 +16,9 @@ from nctakt.messages.measuring import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import Form, check_item, keywords
+from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.meaning.path import Form
+from nctakt.nc.meaning.words import MEASURING_MODE
 from nctakt.nc.tree import (
     Block,
     Bracket,
@@ -36,8 +38,6 @@ from nctakt.nc.vocabulary.functions import (
     THREADS,
 )
 
-#: The words of ``#MEAS MODE``.
-MODE = ["MEAS", "MODE"]
 #: Second words of ``#MEAS`` that stand alone.
 _ALONE = ("DEFAULT", "PREPARE")
 #: Sources and edges of the signal (P-AXIS-00516, P-AXIS-00518).
@@ -70,7 +70,7 @@ def check_meas(
     arguments = command.arguments
     bracket = arguments[0] if len(arguments) == 1 else None
     items = bracket.items if isinstance(bracket, Bracket) else ()
-    if words == MODE:
+    if words == MEASURING_MODE:
         is_right = not arguments or (len(items) == 1 and isinstance(items[0], Expression))
     elif len(words) == 1:
         is_right = bool(items)
@@ -84,7 +84,7 @@ def check_meas(
         return True
     form = replace(_FORM, names={**_FORM.names, "AX": tuple(axes)})
     for item in items:
-        if words == MODE:
+        if words == MEASURING_MODE:
             assert isinstance(item, Expression)
             values.value(item)
         else:
@@ -92,11 +92,6 @@ def check_meas(
             if isinstance(item, Keyword) and item.name in _CHOICES:
                 findings.report_each(PROBE_CHOICE_WITHOUT_EFFECT, item.span, word=item.name)
     return True
-
-
-def keywords_of(command: HashCommand) -> tuple[Keyword, ...]:
-    """Return the keywords of a checked ``#MEAS``."""
-    return keywords(command)
 
 
 def check_measuring_block(block: Block, findings: Findings) -> None:

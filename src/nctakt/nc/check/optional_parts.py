@@ -9,7 +9,8 @@ from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import Form, check_item, keywords
+from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.meaning.path import Form, keywords
 from nctakt.nc.tree import Bracket, HashCommand
 from nctakt.nc.vocabulary.commands import forms_of
 
@@ -24,11 +25,6 @@ _NEVER_LEFT_OUT = Text(
     "the part is always executed, for no motion is simulated",
     "der Teil wird immer ausgeführt, denn keine Bewegung wird simuliert",
 )
-
-
-def is_for_simulation(command: HashCommand) -> bool:
-    """Return whether a checked command marks a part that only simulated motion leaves out."""
-    return any(item.name == "SIMULATE" for item in keywords(command))
 
 
 def check_optional(command: HashCommand, values: ValueChecker, findings: Findings) -> None:

@@ -9,10 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.base.misspelling import nearest, resembles
-from nctakt.base.whole_numbers import is_whole
 from nctakt.messages.checked_blocks import (
     EXCLUSIVE_WORDS,
     INVALID_COMMAND_FORM,
@@ -31,6 +29,17 @@ from nctakt.messages.motion import (
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.path_notes import check_old_slope, tell_curve, tell_simplified
+from nctakt.nc.meaning.path import (
+    CONTOURING_FORM,
+    CORNER_NUMBERS,
+    OVERRIDE_FACTORS,
+    PATH_COMMANDS,
+    Form,
+    command_name,
+    is_hsc_value,
+    is_size,
+    keywords,
+)
 from nctakt.nc.tree import (
     Bracket,
     BracketCommand,
@@ -44,90 +53,13 @@ from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.path_keywords import (
     ACTIONS,
     CONTOUR_MODES,
-    CONTOUR_NUMBERS,
     CONTOUR_SHARES,
     HSC_CURVES,
-    HSC_NUMBERS,
     REFUSED_MODES,
-    SLOPES,
-    VECTOR_BLOCKS,
     VECTOR_LIMITS,
 )
 
-#: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
-OVERRIDE_MIN_PCT, OVERRIDE_MAX_PCT = 0.1, 200.0
-OVERRIDE_FACTORS = ("FEED_FACT", "RAPID_FACT")
 SPINDLE_FACTOR = "SPEED_FACT"
-#: Keywords of ``#TURN``.
-TURN_KEYWORDS = (
-    "ROT_FEED_CPL",
-    "TIME_IN_REV_CPL",
-    "TAPPING_ACT_POS",
-    "TAPPING_N_CYCLES",
-    "THREAD_CUT_ACT_SPEED",
-    "THREAD_CUT_N_CYCLES",
-    "THREAD_CUT_IGNORE_OV",
-    "THREAD_CHAIN",
-)
-
-
-@dataclass(frozen=True, slots=True)
-class Form:
-    """The form of a command: words in brackets, keywords with a number, keywords with a word.
-
-    ``defaults``: keywords with a number that may be left out.
-    """
-
-    words: tuple[str, ...] = ()
-    numbers: tuple[str, ...] = ()
-    names: dict[str, tuple[str, ...]] = field(default_factory=dict)
-    defaults: tuple[str, ...] = ()
-    needs_bracket: bool = True
-
-    @property
-    def keywords(self) -> tuple[str, ...]:
-        """The items that may appear in its bracket."""
-        every = (*self.words, *self.numbers, *self.defaults, *self.names)
-        return tuple(dict.fromkeys(every))
-
-
-#: The highest OPMODE of ``#HSC``; the lowest is 1.
-HIGHEST_HSC_MODE = 2
-#: Words of ``#DYNAMIC WEIGHT``: by the length of a motion, by the radius of an arc.
-DYNAMIC_WEIGHTS = ("PATH", "CURVE")
-#: Keywords of ``#CORNER PARAM`` with a number; all of them and UNIT are needed.
-CORNER_NUMBERS = ("DIST", "FEED")
-_CONTOURING = Form(
-    (*CONTOUR_MODES, *ACTIONS, "CHECK_JERK", "CONST_VEL"),
-    (*(name for mode in CONTOUR_MODES.values() for name in mode), *CONTOUR_NUMBERS),
-)
-
-_HSC = Form(HSC_CURVES, HSC_NUMBERS)
-
-#: The commands by their words.
-FORMS = {
-    "HSC": _HSC,
-    "HSC ON": Form(_HSC.words, _HSC.numbers, needs_bracket=False),
-    "HSC OFF": Form(_HSC.words, _HSC.numbers, needs_bracket=False),
-    "CONTOUR MODE": _CONTOURING,
-    "CONTOUR MODE ON": Form(_CONTOURING.words, _CONTOURING.numbers, needs_bracket=False),
-    "CONTOUR MODE OFF": Form(needs_bracket=False),
-    "CORNER PARAM": Form(numbers=CORNER_NUMBERS, names={"UNIT": ("FWORD", "PERCENT")}),
-    "DYNAMIC WEIGHT ON": Form(DYNAMIC_WEIGHTS),
-    "DYNAMIC WEIGHT OFF": Form(DYNAMIC_WEIGHTS),
-    "ROTATION ON": Form(numbers=("ANGLE", "CENTER1", "CENTER2"), needs_bracket=False),
-    "ROTATION OFF": Form(needs_bracket=False),
-    "SCALE OFF": Form(needs_bracket=False),
-    "SET SLOPE PROFIL": Form(needs_bracket=False),
-    "SLOPE": Form(numbers=("NO_OPT",), names={"TYPE": SLOPES}),
-    "SLOPE DEFAULT": Form(needs_bracket=False),
-    "OVERRIDE": Form(numbers=OVERRIDE_FACTORS),
-    "TURN": Form(numbers=TURN_KEYWORDS),
-    "VECTOR LIMIT ON": Form(VECTOR_BLOCKS, defaults=VECTOR_LIMITS),
-    "VECTOR LIMIT ON ALL": Form(needs_bracket=False),
-    "VECTOR LIMIT OFF": Form((*VECTOR_BLOCKS, *VECTOR_LIMITS), needs_bracket=False),
-    "VECTOR LIMIT OFF ALL": Form(needs_bracket=False),
-}
 
 
 #: ``X[OVERRIDE FEED_FACT=50]``.
@@ -153,22 +85,6 @@ _AXIS_FORMS = {"OVERRIDE": _AXIS_OVERRIDE, "FIXED_STOP": _FIXED_STOP}
 _AXIS_EXAMPLES = {"OVERRIDE": "FEED_FACT=50", "FIXED_STOP": "ON"}
 
 
-def command_name(command: HashCommand) -> str:
-    """Return the words of a command."""
-    return " ".join(word.name for word in command.words)
-
-
-def keywords(command: HashCommand) -> tuple[Keyword, ...]:
-    """Return the keywords in the brackets of a checked command."""
-    return tuple(
-        item
-        for argument in command.arguments
-        if isinstance(argument, Bracket)
-        for item in argument.items
-        if isinstance(item, Keyword)
-    )
-
-
 def _without_switch(name: str) -> str:
     """Return a command's name without what switches it."""
     words = name.split()
@@ -182,10 +98,10 @@ def check_path_command(
 ) -> bool:
     """Check one of these commands; return false for any other."""
     name = command_name(command)
-    form = FORMS.get(name)
+    form = PATH_COMMANDS.get(name)
     if form is None:
         return False
-    if form.words == _CONTOURING.words:
+    if form.words == CONTOURING_FORM.words:
         modes = [item.name for item in keywords(command) if item.name in CONTOUR_MODES]
         point = main_axes if modes in ([], ["POS"]) else ()
         form = Form(form.words, (*form.numbers, *point), needs_bracket=form.needs_bracket)
@@ -295,20 +211,6 @@ def _check_number(command: str, item: Keyword, findings: Findings) -> None:
         return
     if not any(is_size(item.name, value.value, mode) for mode in CONTOUR_MODES):
         findings.report(INVALID_CONTOUR_DEVIATION, value.span, value=value.value)
-
-
-def is_hsc_value(keyword: str, value: float) -> bool:
-    """Return whether a keyword of ``#HSC`` may have this value."""
-    if keyword == "OPMODE":
-        return is_whole(value, 1, HIGHEST_HSC_MODE)
-    return value >= 0.0
-
-
-def is_size(keyword: str, value: float, mode: str) -> bool:
-    """Return whether a keyword of ``#CONTOUR MODE`` may have this value in a mode."""
-    if keyword in ("PATH_DIST", "SYM_DIST") and value == -1.0:
-        return True
-    return value > 0.0 or (value == 0.0 and mode == "POS" and keyword in CONTOUR_MODES["POS"])
 
 
 def _refuse(name: str, word: str, allowed: Sequence[str], span: Span, findings: Findings) -> None:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import NOTHING, number_text
 from nctakt.base.misspelling import nearest
-from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.checked_values import (
     INVALID_ELEMENT_COUNT,
@@ -17,6 +16,7 @@ from nctakt.messages.checked_values import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.words import DECLARED_TYPES
 from nctakt.nc.tree import (
     ArrayLiteral,
     Declaration,
@@ -33,13 +33,6 @@ from nctakt.nc.vocabulary.resolution import (
     is_program_variable,
     path_text,
 )
-
-#: Types in declarations: name -> type. REAL is short for REAL64.
-TYPES = {
-    **{name: name for name, scalar in SCALARS.items() if scalar.is_numeric},
-    "REAL": "REAL64",
-    "STRING": "STRING",
-}
 
 
 class ProgramVariableChecker:
@@ -66,9 +59,9 @@ class ProgramVariableChecker:
                 self._findings.report(
                     INVALID_ELEMENT_COUNT, index.span, name=name, count=number_text(index.value)
                 )
-        if declaration.type_name is not None and declaration.type_name not in TYPES:
+        if declaration.type_name is not None and declaration.type_name not in DECLARED_TYPES:
             word = declaration.type_name
-            near = nearest(word, TYPES) or NOTHING
+            near = nearest(word, DECLARED_TYPES) or NOTHING
             self._findings.report(UNKNOWN_TYPE, declaration.span, word=word, nearest=near)
         if declaration.size is not None:
             self._values.value(declaration.size)

@@ -47,6 +47,7 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.spindle_commands import SpindleChecker
 from nctakt.nc.check.user_errors import UserErrorChecker
+from nctakt.nc.meaning.words import HIGHEST_CYCLE_ID
 from nctakt.nc.tree import (
     Assignment,
     Block,
@@ -80,9 +81,6 @@ _KEYWORDS_IN_COMMENT = re.compile(
     r"^[A-Z ]*(?P<found>\((?P<inner>\s*(?:DEF\s+)?(?:ID|SCOPE|END_ACTION)\s*=[^()]*)\))",
     re.IGNORECASE,
 )
-
-#: The highest ID of a realtime cycle.
-HIGHEST_ID = 2147483647
 
 
 class CycleChecker:
@@ -211,7 +209,7 @@ class CycleChecker:
             self._findings.report(
                 INVALID_GLOBAL_CYCLE_ID, value.span, id=self._findings.written(value.span)
             )
-        elif not is_whole(value.value, 1, HIGHEST_ID):
+        elif not is_whole(value.value, 1, HIGHEST_CYCLE_ID):
             self._findings.report(
                 INVALID_CYCLE_ID, value.span, id=self._findings.written(value.span)
             )

@@ -15,7 +15,7 @@ from nctakt.messages.backward import NOT_ALLOWED_IN_RT_WHILE, RT_WHILE_NESTED
 from nctakt.messages.checked_cycles import REALTIME_CYCLES_OFF
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.signals import is_in_block_order
-from nctakt.nc.check.splines import SWITCHES
+from nctakt.nc.meaning.path import SWITCHES
 from nctakt.nc.tree import (
     Assignment,
     AxisWord,

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: MIT
 """``#SIGNAL`` and ``#WAIT``: signals between channels, waits of the decoder.
 
-In: the tree of a command. Out: a ``SignalCommand``, shared by checker and decoder, and diagnostics
-for other forms. Values that are not constant are checked when they are decoded.
+In: the tree of a command. Out: diagnostics for other forms. Values that are not constant
+are checked when they are decoded.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
-from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.base.misspelling import nearest_first
 from nctakt.base.whole_numbers import is_whole
@@ -30,25 +29,25 @@ from nctakt.messages.signals import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.signals import (
+    MAX_CHANNEL,
+    MAX_SIGNAL,
+    action_of,
+    axis_name,
+    items_of,
+    signal_command,
+)
 from nctakt.nc.outline import SignalUse
 from nctakt.nc.tree import (
     Bracket,
     Expression,
     HashCommand,
     Keyword,
-    Name,
     Number,
     Parameter,
     Variable,
 )
 from nctakt.nc.vocabulary.commands import forms_of
-
-#: Highest number of a signal.
-MAX_SIGNAL = 2_147_483_647
-#: Highest number of a channel that signals can name.
-MAX_CHANNEL = 30
-#: Number of values that a signal can carry: P[0] … P[11].
-SIGNAL_VALUES = 12
 
 _END_OF_BLOCK = Text("the end of the block", "das Satzende")
 
@@ -62,72 +61,9 @@ _KEYWORDS = {
 _ONCE = ("ID", "COUNT", "IDMIN", "IDMAX")
 
 
-@dataclass(frozen=True, slots=True)
-class SignalCommand:
-    """One command; ``action``: SIGNAL, WAIT, SIGNAL READ or SIGNAL REMOVE.
-
-    ``numbers``: the values of ID, IDMIN, IDMAX, COUNT; ``channels``: those of CH; ``parameters``:
-    index and value, or target, of each P.
-    """
-
-    action: str
-    is_synchronous: bool
-    numbers: dict[str, Expression]
-    channels: tuple[Expression, ...]
-    parameters: tuple[tuple[Expression, Expression], ...]
-    overtakes: bool
-    span: Span
-
-
-def action_of(command: HashCommand) -> str | None:
-    """Return the action of a command with signals; ``None`` for any other command."""
-    words = [word.name for word in command.words]
-    if words[:1] not in (["SIGNAL"], ["WAIT"]) or words[1:2] in (["FOR"], ["INDP"]):
-        return None
-    return " ".join(words[:2]) if words[1:2] in (["READ"], ["REMOVE"]) else words[0]
-
-
 def is_in_block_order(command: HashCommand) -> bool:
     """Return whether it is ``#SIGNAL SYN`` or ``#WAIT SYN``."""
     return action_of(command) in ("SIGNAL", "WAIT") and command.words[-1].name == "SYN"
-
-
-def signal_command(command: HashCommand) -> SignalCommand:
-    """Return the parsed command, whose form has been checked."""
-    action = action_of(command)
-    assert action is not None
-    numbers: dict[str, Expression] = {}
-    channels: list[Expression] = []
-    parameters: list[tuple[Expression, Expression]] = []
-    overtakes = False
-    for item in _items(command):
-        if not isinstance(item, Keyword):
-            continue
-        if item.name == "AHEAD":
-            overtakes = True
-        elif item.name == "CH" and item.value is not None:
-            channels.append(item.value)
-        elif item.name == "P" and item.value is not None and item.arguments:
-            index = item.arguments[0]
-            assert isinstance(index, Expression)
-            parameters.append((index, item.value))
-        elif item.value is not None:
-            numbers[item.name] = item.value
-    return SignalCommand(
-        action,
-        command.words[-1].name == "SYN",
-        numbers,
-        tuple(channels),
-        tuple(parameters),
-        overtakes,
-        command.span,
-    )
-
-
-def _items(command: HashCommand) -> Iterator[Keyword | Expression]:
-    for argument in command.arguments:
-        if isinstance(argument, Bracket):
-            yield from argument.items
 
 
 def constant(expression: Expression | None) -> int | None:
@@ -175,7 +111,7 @@ class SignalChecker:
         """Check ``#WAIT INDP [X, Y]`` and ``#WAIT INDP ALL``."""
         if words == ["WAIT", "INDP", "ALL"] and not command.arguments:
             return
-        items = list(_items(command))
+        items = list(items_of(command))
         if words != ["WAIT", "INDP"] or len(command.arguments) != 1 or not items:
             self._misformed(command, "#WAIT INDP")
             return
@@ -214,7 +150,7 @@ class SignalChecker:
         """Check each item in the brackets; return whether all are in order."""
         seen: dict[str, None] = {}
         is_right = True
-        for item in _items(command):
+        for item in items_of(command):
             if not isinstance(item, Keyword) or item.name not in _KEYWORDS[action]:
                 written = self._findings.written(item.span)
                 self._option(name, written, _KEYWORDS[action], item.span)
@@ -304,10 +240,3 @@ class SignalChecker:
         self._findings.report(
             UNKNOWN_COMMAND_OPTION, span, command=command, word=word, names=listed
         )
-
-
-def axis_name(item: Keyword | Expression) -> str:
-    """Return the name of an axis that stands in brackets by itself, else an empty text."""
-    if isinstance(item, Keyword):
-        return "" if item.value is not None or item.arguments else item.name
-    return item.name if isinstance(item, Name) else ""

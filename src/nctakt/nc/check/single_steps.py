@@ -7,14 +7,15 @@ from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import Form, check_item, keywords
+from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.meaning.path import Form, keywords
+from nctakt.nc.meaning.words import SINGLE_STEP_OFF
 from nctakt.nc.tree import Bracket, HashCommand, Number
 from nctakt.nc.vocabulary.commands import forms_of
 
 NAME = "#SINGLE STEP"
 RESOLUTION = "RESOLUTION"
-DISABLE = "DISABLE"
-_FORM = Form((DISABLE, "ENABLE"), (RESOLUTION,))
+_FORM = Form((SINGLE_STEP_OFF, "ENABLE"), (RESOLUTION,))
 
 
 def check_single_step(command: HashCommand, values: ValueChecker, findings: Findings) -> None:

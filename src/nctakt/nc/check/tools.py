@@ -9,43 +9,14 @@ from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.messages.tools import NEGATIVE_TOOL_LIFE
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import Form, check_item, keywords
-from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Number
+from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.meaning.path import Form, keywords
+from nctakt.nc.meaning.words import TOOL_COMMANDS, numbers_of, signed_axis
+from nctakt.nc.tree import Bracket, HashCommand, Number
 from nctakt.nc.vocabulary.commands import forms_of
 
 _MAIN_AXES = 3
-_SIGNS = {"+": 1, "-": -1}
-#: The commands, with the largest number of values in their bracket.
-COMMANDS = {
-    "TOOL DATA": 3,
-    "TOOL PREP": 3,
-    "TOOL REFRESH": 0,
-    "TOOL LIFE READ": 3,
-    "TOOL LIFE REMOVE": 0,
-    "TOOL LIFE DEF": 0,
-}
 _LIFE = Form(numbers=("DIST", "TIME"))
-
-
-def numbers_of(command: HashCommand) -> tuple[Expression, ...] | None:
-    """Return the numbers of an ID in the bracket of a command; ``None`` for another form."""
-    highest = COMMANDS[" ".join(word.name for word in command.words)]
-    if highest == 0:
-        return None if command.arguments else ()
-    bracket = command.arguments[0] if len(command.arguments) == 1 else None
-    if not isinstance(bracket, Bracket) or not 0 < len(bracket.items) <= highest:
-        return None
-    numbers = tuple(item for item in bracket.items if isinstance(item, Expression))
-    return numbers if len(numbers) == len(bracket.items) else None
-
-
-def signed_axis(command: HashCommand) -> tuple[str, int] | None:
-    """Return the axis of ``#TLAX [Z-]`` with its sign; ``None`` for another form."""
-    bracket = command.arguments[0] if len(command.arguments) == 1 else None
-    item = bracket.items[0] if isinstance(bracket, Bracket) and len(bracket.items) == 1 else None
-    if not isinstance(item, Keyword) or item.name[-1] not in _SIGNS:
-        return None
-    return item.name[:-1], _SIGNS[item.name[-1]]
 
 
 def _check_length_axis(
@@ -85,7 +56,7 @@ def check_tool_command(
     if command.words[0].name == "TLAX":
         _check_length_axis(command, name, axes[:_MAIN_AXES], findings)
         return True
-    if name not in COMMANDS:
+    if name not in TOOL_COMMANDS:
         return False
     if name == "TOOL LIFE DEF":
         _check_life(command, values, findings)

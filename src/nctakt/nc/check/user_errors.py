@@ -19,14 +19,9 @@ from nctakt.messages.user_errors import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.meaning.words import ERROR_KEYWORDS
 from nctakt.nc.tree import Expression, Keyword, Number, StringLiteral, UserError
 
-KEYWORDS = (
-    "ID",
-    "RC",
-    "MID",
-    *(f"{kind}{number}" for number in range(1, 6) for kind in ("PV", "PM", "PIV")),
-)
 #: Maximum length of a text reported with an error.
 LONGEST_TEXT = 23
 
@@ -55,14 +50,14 @@ class UserErrorChecker:
                 lost = False
                 continue
             lost = isinstance(item, Keyword) and item.value is None
-            if not isinstance(item, Keyword) or item.name not in KEYWORDS or item.arguments:
+            if not isinstance(item, Keyword) or item.name not in ERROR_KEYWORDS or item.arguments:
                 written = self._findings.written(item.span)
                 if self._in_cycle:
                     self._findings.report(
                         UNKNOWN_KEYWORD_IN_CYCLE, item.span, command="#ERROR", word=written
                     )
                 else:
-                    names = ", ".join(KEYWORDS)
+                    names = ", ".join(ERROR_KEYWORDS)
                     self._findings.report(
                         UNKNOWN_COMMAND_OPTION,
                         item.span,

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages.lints import COMPARISON_OUTSIDE_TYPE_RANGE
-from nctakt.nc.check.cost import is_live
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.constants import constant
 from nctakt.nc.lint.reach import ALWAYS_TRUE, NEVER_TRUE, check_comparison
 from nctakt.nc.lint.uses import always, comparisons_in
+from nctakt.nc.meaning.cost import is_live
 from nctakt.nc.tree import Binary, Expression, Number, Variable
 from nctakt.nc.vocabulary.resolution import resolve
 from nctakt.nc.vocabulary.variable_table import Location, NameTable

@@ -37,7 +37,6 @@ from nctakt.messages.tools import (
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
-from nctakt.nc.check.path_commands import command_name, keywords
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.conditions import check_condition
 from nctakt.nc.lint.constants import check_constant, check_value, constant
@@ -45,6 +44,7 @@ from nctakt.nc.lint.cycle_uses import CycleUse
 from nctakt.nc.lint.overrides import check_overrides
 from nctakt.nc.lint.realtime_cycles import CycleLinter, KnownValue, StepLimits
 from nctakt.nc.lint.uses import element_name, integer_value, operand_key
+from nctakt.nc.meaning.path import command_name, keywords
 from nctakt.nc.parse.open_structures import is_false
 from nctakt.nc.source import Source
 from nctakt.nc.tree import (

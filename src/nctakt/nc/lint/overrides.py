@@ -13,13 +13,9 @@ from collections.abc import Iterable
 from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
 from nctakt.messages.lints import OVERRIDE_IS_PERCENT
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import (
-    OVERRIDE_FACTORS,
-    OVERRIDE_MAX_PCT,
-    OVERRIDE_MIN_PCT,
-    SPINDLE_FACTOR,
-)
+from nctakt.nc.check.path_commands import SPINDLE_FACTOR
 from nctakt.nc.lint.constants import constant
+from nctakt.nc.meaning.path import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.tree import Keyword, Node
 
 #: Overrides up to this one are taken for shares: 1 for all, 0.5 for one half.

@@ -30,7 +30,6 @@ from nctakt.messages.lints import (
     OVERRIDE_FOR_ONE_TICK,
     POSITION_COMPARED_IN_INCH,
 )
-from nctakt.nc.check.cost import is_live, max_steps
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.conditions import check_bounds
 from nctakt.nc.lint.constants import check_constant
@@ -44,6 +43,7 @@ from nctakt.nc.lint.uses import (
     operands_of,
     targets,
 )
+from nctakt.nc.meaning.cost import is_live, max_steps
 from nctakt.nc.tree import (
     Assignment,
     Binary,

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from math import isfinite
 
 from nctakt.base.diagnostics import number_text
-from nctakt.nc.check.cost import is_live
+from nctakt.nc.meaning.cost import is_live
 from nctakt.nc.tree import (
     Assignment,
     Binary,

@@ -16,9 +16,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nctakt.base.diagnostics import Text
-from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.help import described, option
+from nctakt.cli.log_options import LogWords, log_options, opened_log
 from nctakt.cli.options import FORMAT_OPTION
 from nctakt.cli.request import Options, Request, read_request
 from nctakt.cli.running import (
@@ -37,11 +37,10 @@ from nctakt.files.access import FileAccess
 from nctakt.files.new_folder import check_new_folder, write_new_folder
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import SHARE_NOT_WRITTEN, TOLERANCE_UNREADABLE
+from nctakt.messages.comparison import SHARE_NOT_WRITTEN
 
 if TYPE_CHECKING:
     from nctakt.comparison.comparison import Comparison
-    from nctakt.comparison.mapping import MappingFile
     from nctakt.lists.machine.machine import Machine
     from nctakt.proposals.changes import Change
     from nctakt.proposals.nearer import Proposals
@@ -82,30 +81,7 @@ _CODES = (
 @click.argument("log")
 @run_options("compare")
 @FORMAT_OPTION
-@option(
-    "--map",
-    "mapping",
-    metavar="FILE.toml",
-    text=Text("Which column belongs to which signal.", "Welche Spalte zu welchem Signal gehört."),
-)
-@option(
-    "--tolerance",
-    "tolerances",
-    metavar="[NAME=]VALUE",
-    multiple=True,
-    text=Text(
-        "How far a signal, or each, may be off, in its unit; may be repeated.",
-        "Wie weit ein Signal oder jedes abweichen darf, in seiner Einheit; mehrfach möglich.",
-    ),
-)
-@option(
-    "--offset",
-    metavar="TIME",
-    text=Text(
-        "When the run begins in the log [default: found by correlation].",
-        "Wann der Lauf in der Aufzeichnung beginnt [Vorgabe: über Korrelation gesucht].",
-    ),
-)
+@log_options
 @option(
     "--plot",
     "picture",
@@ -143,19 +119,16 @@ _CODES = (
 )
 def command(log: str, picture: str | None, **words: Any) -> int:
     """Compare."""
-    names = ("mapping", "tolerances", "offset", "proposes", "share", "yes")
-    said = {name: words.pop(name) for name in names}
-    return carry_out(words, lambda options, access: _compare(options, access, log, picture, **said))
+    own = LogWords(log, *(words.pop(name) for name in ("mapping", "tolerances", "offset")))
+    said = {name: words.pop(name) for name in ("proposes", "share", "yes")}
+    return carry_out(words, lambda options, access: _compare(options, access, own, picture, **said))
 
 
 def _compare(
     options: Options,
     access: FileAccess,
-    name: str,
+    words: LogWords,
     picture: str | None,
-    mapping: str | None,
-    tolerances: tuple[str, ...],
-    offset: str | None,
     proposes: bool,
     share: str | None,
     yes: bool,
@@ -163,26 +136,15 @@ def _compare(
     """Run, compare and report; raises ``Failure`` for invalid options and logs."""
     choose_mode(options)
     from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
-    from nctakt.comparison.log_file import open_log  # noqa: PLC0415
-    from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
-    from nctakt.lists.format.times import read_time  # noqa: PLC0415
     from nctakt.proposals.changes import OVERRIDE  # noqa: PLC0415
     from nctakt.proposals.nearer import Search  # noqa: PLC0415
 
     _check_outputs(picture, share)
-    limits = dict(_tolerance(text) for text in tolerances)
-    said: MappingFile = MappingFile() if mapping is None else read_mapping(mapping, access)
-    log = open_log(name, access, said.log)
+    words.read_limits()
     request = read_request(options, access)
     controller = start_controller(options, access)
-    offset_us = None if offset is None else read_time(offset).us(controller.cycle_time_us)
-    signals = {one.name: one for one in controller.signals()}
-    for wished in (*said.wishes, *filter(None, limits)):
-        if wished not in signals:
-            controller.signal(wished)  # raises with the nearest name
-    axes = [axis.name for axis in controller.machine.axes]
-    pairs = pairs_of(log, list(signals.values()), axes, said.wishes)
-    recorded = tuple(dict.fromkeys(pair.signal.name for pair in pairs))
+    log = opened_log(words, controller, access)
+    recorded = log.signals
     with contextlib.ExitStack() as files:
         file = (
             None if picture is None else files.enter_context(OutputFile(picture, "--plot", access))
@@ -192,7 +154,7 @@ def _compare(
             return EXIT_NC_ERROR
         print_diagnostics(run.diagnostics, options.language, shown_from(options))
         is_drawn = file is not None or share is not None
-        comparison = compare(log, run, pairs, limits, offset_us, is_drawn=is_drawn)
+        comparison = compare(log.log, run, log.pairs, log.limits, log.offset_us, is_drawn=is_drawn)
         if file is not None:
             _draw(file, comparison, options)
     print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
@@ -200,7 +162,7 @@ def _compare(
     if proposes:
         again = partial(_run_again, options, access, controller.machine, recorded)
         override = float((request.options["set"] or {}).get(OVERRIDE, 100.0))
-        search = Search(comparison, pairs, offset_us, again)
+        search = Search(comparison, log.pairs, log.offset_us, again)
         proposals = search.proposals(controller.machine, override)
     _show(options, comparison, proposals)
     if share is not None:
@@ -265,18 +227,6 @@ def _draw(file: OutputFile, comparison: Comparison, options: Options) -> None:
     )
 
     file.fill(lambda path: write_comparison_picture(comparison, path, options.language))
-
-
-def _tolerance(text: str) -> tuple[str, float]:
-    """Return signal ("" for all) and tolerance; raises ``Failure`` (902529)."""
-    name, _, value = text.rpartition("=")
-    try:
-        number = float(value)
-    except ValueError:
-        number = -1.0
-    if not 0.0 <= number < float("inf"):
-        raise Failure(diagnostic(TOLERANCE_UNREADABLE, text=text))
-    return name.strip(), number
 
 
 def _show(options: Options, comparison: Comparison, proposals: Proposals | None) -> None:

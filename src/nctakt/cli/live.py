@@ -11,6 +11,7 @@ import contextlib
 import threading
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -21,18 +22,21 @@ from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
 from nctakt.cli.help import described, option
+from nctakt.cli.log_options import LogWords, log_options, opened_log
 from nctakt.cli.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
 from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
-from nctakt.cli.running import choose_mode
+from nctakt.cli.running import choose_mode, run_programs, shown_from, start_controller
 from nctakt.cli.settings import carry_out
 from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
+from nctakt.messages.comparison import LOG_NOT_SHOWN
 from nctakt.messages.live import PAGE_HAS_REFUSED, PAGE_NEEDS_FILES
 
 if TYPE_CHECKING:
+    from nctakt.comparison.overlay import LoggedCurve
     from nctakt.debugger.server import PortServer
     from nctakt.live.document import Document
     from nctakt.live.shared import SharedSession
@@ -63,6 +67,7 @@ _LONGEST = "24 h"
         "nctakt live part.nc --open",
         "nctakt live part.nc --machine lists --plc cell.py --lang de",
         "nctakt live part.nc --host 0.0.0.0 --port 9000",
+        "nctakt live part.nc --log scope.csv --tolerance 0.05",
     ),
 )
 @table_options("live")
@@ -78,6 +83,15 @@ _LONGEST = "24 h"
         "Die Eingaben des letzten Laufs für nctakt replay aufzeichnen.",
     ),
 )
+@option(
+    "--log",
+    metavar="FILE",
+    text=Text(
+        "Lay a machine's log over the run, as nctakt compare does.",
+        "Eine Aufzeichnung der Maschine über den Lauf legen, wie nctakt compare.",
+    ),
+)
+@log_options
 @option(
     "--host",
     default="127.0.0.1",
@@ -130,11 +144,16 @@ def command(
     acknowledge: bool,
     pace: str,
     tape: str | None,
+    log: str | None,
+    mapping: str | None,
+    tolerances: tuple[str, ...],
+    offset: str | None,
     **words: Any,
 ) -> int:
     """Show a run on a page."""
     shown = is_embedded, opens_browser
-    own = _Words((host, port), debug_port, *shown, acknowledge, pace, tape)
+    read = None if log is None else LogWords(log, mapping, tolerances, offset)
+    own = _Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
 
     def show(options: Options, access: FileAccess) -> int:
         return _show(options, access, own)
@@ -153,6 +172,7 @@ class _Words:
     acknowledge: bool
     pace: str
     tape: str | None
+    log: LogWords | None
 
 
 def _show(options: Options, access: FileAccess, own: _Words) -> int:
@@ -182,11 +202,14 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
         if programs
     }
 
+    curves = [] if own.log is None else _laid_over(options, access, own.log)
     refused: Counter[Text] = Counter()
     channel = next(iter(documents))
     file = documents[channel][0].file
     open_session = _session_opener(options, request, own, documents, folders)
-    shared = SharedSession(open_session, file, acknowledges=not own.acknowledge, channel=channel)
+    shared = SharedSession(
+        open_session, file, acknowledges=not own.acknowledge, channel=channel, logged=curves
+    )
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)
         if own.debug_port is not None:
@@ -209,6 +232,34 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
         if own.tape is not None:
             shared.session.save(own.tape)
     return EXIT_RAN
+
+
+def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[LoggedCurve]:
+    """Return the curves of a log beside those of a run as it begins; raises ``Failure``.
+
+    The run ends with the log at the latest.
+    """
+    from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.comparison.overlay import logged_curves  # noqa: PLC0415 - as above
+
+    quiet = replace(options, machine_note=None)
+    controller = start_controller(quiet, access)
+    opened = opened_log(words, controller, access)
+    samples = opened.log.read([pair.column for pair in opened.pairs])
+    begin, end = (pick(one.times[at] for one in samples) for pick, at in ((min, 0), (max, -1)))
+    request = replace(read_request(quiet, access), signals=opened.signals)  # a PLC of its own
+    if request.options["until"] is None:
+        request.options["until"] = f"{int(end - begin) + 1}us"
+    run = run_programs(quiet, request, controller, is_drawn=True)
+    if run is None or run.trace is None or run.errors:
+        number = run.errors[0].number if run is not None and run.errors else ""
+        print_diagnostics(
+            [diagnostic(LOG_NOT_SHOWN, log=words.log, number=number)], options.language
+        )
+        return []
+    found = compare(opened.log, run, opened.pairs, opened.limits, opened.offset_us, is_drawn=True)
+    print_diagnostics(found.diagnostics, options.language, shown_from(options))
+    return logged_curves(found)
 
 
 def _session_opener(

@@ -73,7 +73,7 @@ def deviation_of(
     at = int(size.argmax())
     first, beyond = None, 0
     if tolerance is not None:
-        is_beyond = ~_is_single(size > tolerance) & (size > tolerance)
+        is_beyond = ~single_samples(size > tolerance) & (size > tolerance)
         beyond = int(is_beyond.sum())
         first = _whole_us(inside[int(is_beyond.argmax())]) if beyond else None
     return Deviation(
@@ -91,7 +91,7 @@ def deviation_of(
     )
 
 
-def _is_single(is_beyond: NDArray[numpy.bool_]) -> NDArray[numpy.bool_]:
+def single_samples(is_beyond: NDArray[numpy.bool_]) -> NDArray[numpy.bool_]:
     """Return which samples have neighbours that are not beyond."""
     padded = numpy.concatenate(([False], is_beyond, [False]))
     single: NDArray[numpy.bool_] = ~(padded[:-2] | padded[2:])
@@ -103,7 +103,7 @@ def _is_jitter(
 ) -> NDArray[numpy.bool_]:
     """Return which differences last a single sample."""
     differs = difference != 0.0
-    found: NDArray[numpy.bool_] = differs & _is_single(differs)
+    found: NDArray[numpy.bool_] = differs & single_samples(differs)
     return found
 
 

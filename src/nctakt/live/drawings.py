@@ -52,6 +52,7 @@ class Drawings:
         self._texts = commander.texts
         self._seen: dict[str, Seen] = {}
         self._sent: dict[str, Any] = {}
+        self._has_sent_log = False
         self._stretches = Newest(self._send_stretch)
         self._build_scope()
         self._build_path()
@@ -89,7 +90,11 @@ class Drawings:
                 )
                 named(self._signals, texts["signals"])
             self._scope = Scope().props("data-testid=scope")
-            self._scope.props["words"] = {"line": texts["line"], "ticks": texts["delay"]}
+            self._scope.props["words"] = {
+                "line": texts["line"],
+                "ticks": texts["delay"],
+                "log": texts["logged"],
+            }
             self._scope.props["name"] = texts["scope_name"]
             self._scope.on("travel", self._travel)
             self._scope.on("stretch", self._wish_stretch)
@@ -153,6 +158,9 @@ class Drawings:
             self._signals.set_value(list(shared.scope))  # another browser has chosen
         news |= {name: value for name, value in now.items() if self._sent.get(name) != value}
         self._sent = now
+        if not self._has_sent_log:  # it never changes
+            self._has_sent_log = True
+            news["logged"] = shared.logged
         if news:
             self._scope.run_method("take", news)
 

@@ -200,12 +200,11 @@ export default {
       let low = Infinity, high = -Infinity;
       const begin = Math.max(0, indexAt(shown.ticks, run.from));
       const end = Math.min(shown.ticks.length - 1, indexAt(shown.ticks, run.to) + 1);
+      const include = (value) => { low = Math.min(low, value ?? low); high = Math.max(high, value ?? high); };
       for (const index of indices) {
-        for (let i = begin; i <= end; i += 1) {
-          const value = shown.columns[index][i];
-          if (value < low) low = value;
-          if (value > high) high = value;
-        }
+        for (let i = begin; i <= end; i += 1) include(shown.columns[index][i]);
+        const logged = this.loggedIn(index);
+        if (logged) for (let i = logged.begin; i <= logged.end; i += 1) include(logged.values[i]);
       }
       if (!(low <= high)) { low = 0; high = 1; }
       const margin = high > low ? 0.06 * (high - low) : Math.max(1, Math.abs(high)) * 0.5;
@@ -224,6 +223,7 @@ export default {
       }
       pen.save();
       pen.beginPath(); pen.rect(LEFT, top, this.inner(), height + 2); pen.clip();
+      indices.forEach((index, place) => this.drawLogged(pen, shown, index, tints[place], unit === "", yOf, top + height));
       indices.forEach((index, place) => this.drawCurve(pen, shown, index, tints[place], begin, end, unit === "", yOf));
       pen.restore();
       this.drawLegend(pen, shown, unit, indices, tints, top, width);
@@ -239,6 +239,54 @@ export default {
       }
       pen.stroke();
     },
+    // The part of a machine's log that is shown, null without one.
+    loggedIn(index) {
+      const logged = run.logged[run.names[index]];
+      if (!logged) return null;
+      const begin = Math.max(0, indexAt(logged.ticks, run.from));
+      return { ...logged, begin, end: Math.min(logged.ticks.length - 1, indexAt(logged.ticks, run.to) + 1) };
+    },
+    // The log as a second, pale curve; red between both, and a bar where it is beyond its tolerance.
+    drawLogged(pen, shown, index, tint, isStep, yOf, bottom) {
+      const logged = this.loggedIn(index);
+      if (!logged) return;
+      const line = new Path2D(), area = new Path2D(), back = [];
+      let last = null;
+      for (let i = logged.begin; i <= logged.end; i += 1) {
+        const tick = logged.ticks[i], x = this.xOf(tick), y = yOf(logged.values[i]);
+        if (isStep && last !== null) line.lineTo(x, last);
+        line[last === null ? "moveTo" : "lineTo"](x, y);
+        last = y;
+        const own = this.valueAt(shown, index, tick);
+        if (own === null) continue;
+        area[back.length ? "lineTo" : "moveTo"](x, y);
+        back.push([x, yOf(own)]);
+      }
+      for (const [x, y] of back.reverse()) area.lineTo(x, y);
+      pen.fillStyle = MARKS.error; pen.globalAlpha = 0.3;
+      if (!isStep) pen.fill(area);
+      pen.strokeStyle = tint; pen.globalAlpha = 0.45; pen.lineWidth = 4;
+      pen.stroke(line);
+      pen.globalAlpha = 1;
+      for (const [begin, end] of logged.beyond) {
+        pen.fillRect(this.xOf(begin), bottom - 3, Math.max(2, this.xOf(end) - this.xOf(begin)), 3);
+      }
+    },
+    // The value of a drawn curve at a time between two ticks, null outside of it.
+    valueAt(shown, index, tick) {
+      const at = indexAt(shown.ticks, tick), values = shown.columns[index];
+      if (at < 0 || !Number.isFinite(values[at])) return null;
+      if (at + 1 >= values.length) return tick > shown.ticks[at] ? null : values[at];
+      const share = (tick - shown.ticks[at]) / (shown.ticks[at + 1] - shown.ticks[at]);
+      return values[at] + share * (values[at + 1] - values[at]);
+    },
+    // The log's value at a tick as text, where all of its samples are here.
+    loggedText(index, tick) {
+      const logged = run.logged[run.names[index]];
+      if (!logged || !logged.isWhole) return "";
+      const value = this.valueAt({ ticks: logged.ticks, columns: [logged.values] }, 0, tick);
+      return value === null ? "" : ` ${run.words.log} ${short(value)}`;
+    },
     drawLegend(pen, shown, unit, indices, tints, top, width) {
       const both = compared(), tick = both ? both[1] : run.cursor, isNow = tick === null || tick === run.tick;
       const at = tick === null ? -1 : indexAt(shown.ticks, tick);
@@ -251,7 +299,7 @@ export default {
         const value = isNow ? run.now[index] : at < 0 ? null : shown.columns[index][at];
         const before = from < 0 ? null : shown.columns[index][from];
         const away = Number.isFinite(value) && Number.isFinite(before) ? ` Δ ${short(value - before)}` : "";
-        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}${away}`;
+        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}${away}${this.loggedText(index, tick ?? run.tick)}`;
         const room = width - RIGHT - x - 14;
         if (room < 24) return;
         pen.fillStyle = tints[place]; pen.fillRect(x, top + 4, 9, 4);

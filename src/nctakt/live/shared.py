@@ -16,6 +16,7 @@ from typing import Any
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure, error_text
+from nctakt.comparison.overlay import LoggedCurve
 from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.explaining import Explainer, Moment, why_text
@@ -47,10 +48,27 @@ class SharedSession:
     ``file`` and ``channel``: those that are shown. ``delay``: ticks to an automatic
     acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
     command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
-    those that persons have given to branches.
+    those that persons have given to branches. ``logged``: curves of a machine's log.
     """
 
-    def __init__(self, opener: Opener, file: str, *, acknowledges: bool, channel: int = 1) -> None:
+    def __init__(
+        self,
+        opener: Opener,
+        file: str,
+        *,
+        acknowledges: bool,
+        channel: int = 1,
+        logged: Sequence[LoggedCurve] = (),
+    ) -> None:
+        self.logged = {
+            one.signal: {
+                "ticks": one.ticks,
+                "values": one.values,
+                "isWhole": one.is_whole,
+                "beyond": one.beyond,
+            }
+            for one in logged
+        }
         self._opener = opener
         self.file = file
         self.delay: int | None = 0 if acknowledges else None
@@ -99,7 +117,9 @@ class SharedSession:
 
     def _set_axes(self) -> None:
         self.axes = view.axes_of(self.units, self.prefix)
-        self.scope = view.first_signals(self.units, self.lines, self.prefix)
+        first = view.first_signals(self.units, self.lines, self.prefix)
+        logged = (name for name in self.logged if name in self.units)
+        self.scope = list(dict.fromkeys((*logged, *first)))[: view.MAX_SIGNALS]
         self._show()
 
     @property

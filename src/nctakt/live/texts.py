@@ -189,6 +189,7 @@ _WORDS: dict[str, tuple[str, str]] = {
     "by_hand": ("by hand", "von Hand"),
     "automatic": ("automatic", "automatisch"),
     "delay": ("ticks", "Takte"),
+    "logged": ("log", "Aufz."),
     "delay_help": (
         "Acknowledged so many ticks after it came up",
         "So viele Takte nach ihrem Erscheinen quittiert",

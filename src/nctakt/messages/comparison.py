@@ -205,3 +205,12 @@ SHARE_NOT_WRITTEN = note(
     remedy_en="Repeat the command with --yes to write it; nctakt sends nothing.",
     remedy_de="Den Befehl mit --yes wiederholen, um es zu schreiben; nctakt sendet nichts.",
 )
+LOG_NOT_SHOWN = warning(
+    902744,
+    en="{log} is not laid over the run, which ends with an error: message {number}",
+    de="{log} wird nicht über den Lauf gelegt, der mit einem Fehler endet: Meldung {number}",
+    remedy_en="Correct the program, and start the page again.",
+    remedy_de="Das Programm berichtigen und die Seite neu starten.",
+    log=("the log", "die Aufzeichnung"),
+    number=("the number of the message", "die Nummer der Meldung"),
+)

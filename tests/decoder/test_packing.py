@@ -20,6 +20,7 @@ from nctakt.decoder.state.probe_commands import Touch, TouchEnd
 from nctakt.decoder.state.spindle_commands import (
     AwaitSpindle,
     CuttingSpeed,
+    SpindleAxis,
     SpindleJob,
     SpindleLimits,
 )
@@ -369,6 +370,12 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
             rows.LIMITED_BY_GEAR: 2,
         },
     ),
+    (
+        SpindleAxis,
+        {"spindle": 2, "gives": True},
+        rows.SPINDLE_AXIS,
+        {rows.GIVING_SPINDLE: 2, rows.GIVES_AXIS: 1},
+    ),
     (commands.LoopBegin, {}, rows.LOOP_BEGIN, {}),
     (commands.LoopPass, {}, rows.LOOP_PASS, {}),
     (commands.LoopEnd, {}, rows.LOOP_END, {rows.IS_ANSWERED: 1}),
@@ -448,6 +455,7 @@ def test_each_command_is_packed() -> None:
         SpindleJob,
         AwaitSpindle,
         CuttingSpeed,
+        SpindleAxis,
         SpindleLimits,
         SetToolLife,
         ToolLifeFactors,

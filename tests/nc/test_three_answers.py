@@ -124,8 +124,6 @@ def test_a_refused_word_of_compensation_says_what_to_use(block: str, instead: st
 @pytest.mark.parametrize(
     ("block", "name"),
     [
-        ("S[CALLAX]", "S[CALLAX]"),
-        ("S[PUTAX]", "S[PUTAX]"),
         ("S[G74]", "S[G74]"),
         ("S[M3 REV=200 G74]", "S[G74]"),
         ("G74 S1", "G74 S1"),
@@ -133,7 +131,7 @@ def test_a_refused_word_of_compensation_says_what_to_use(block: str, instead: st
     ],
 )
 def test_what_spindles_do_with_their_axes_is_refused_by_name(block: str, name: str) -> None:
-    """Pages 208235275, 15557191819 (CALLAX, PUTAX), 208221195, 208164107 (G74)."""
+    """Pages 208221195, 208164107 (G74)."""
     ((number, text),) = told(block)
     assert number == REFUSED
     assert f": {name} (" in text

@@ -76,7 +76,8 @@ from __future__ import annotations
     MOVE_ALONE,  # an axis moves beside the path (INDP_SYN, INDP_ASYN)
     OSCILLATE,  # an axis moves to and fro beside the path (OSC ON)
     END_OSCILLATION,  # OSC OFF
-) = range(1, 57)
+    SPINDLE_AXIS,  # a spindle gives its axis, or takes it again (S[PUTAX], S[CALLAX])
+) = range(1, 58)
 
 #: The kinds that take or may take time.
 TIMED_KINDS = frozenset(
@@ -175,6 +176,7 @@ CYCLE_SLOT, CYCLE_STARTS = _arguments(2)  # slot of the cycle manager; 1: starte
 # SPINDLE_LIMITS: index in the channel, least and highest speed, degrees/s; degrees/s², /s³; 0: none
 LIMITED_SPINDLE, LIMITED_LOW, LIMITED_HIGH, LIMITED_ACCELERATION = _arguments(4)
 LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERATION + 3)
+GIVING_SPINDLE, GIVES_AXIS = _arguments(2)  # SPINDLE_AXIS: index in the channel; 1: gives
 (
     MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
     MARK_CALLS,  # number of the open calls (``run/event_registry.py``)

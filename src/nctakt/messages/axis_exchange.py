@@ -82,8 +82,10 @@ AXIS_OF_SPINDLE = error(
     en="axis number {value} turns spindle {spindle} of channel {channel} and cannot be fetched",
     de="die Achse Nummer {value} dreht Spindel {spindle} von Kanal {channel} und kann nicht geholt "
     "werden",
-    remedy_en="Fetch another axis; exchange of spindles (S[PUTAX]) is not simulated.",
-    remedy_de="Eine andere Achse holen; der Tausch von Spindeln (S[PUTAX]) wird nicht simuliert.",
+    remedy_en="Only a main spindle with 0x200 in P-AXIS-00015 can be fetched, by its channel, "
+    "after S[PUTAX].",
+    remedy_de="Nur eine Hauptspindel mit 0x200 in P-AXIS-00015 ist holbar, in ihrem Kanal, nach "
+    "S[PUTAX].",
     value=("the logical number", "die logische Nummer"),
     channel=("its channel", "ihr Kanal"),
     classes=(2, 3),

@@ -34,8 +34,8 @@ SPINDLE_IS_C_AXIS = error(
     901818,
     en="spindle {spindle} is the C axis {axis} of the path here",
     de="die Spindel {spindle} ist hier die C-Achse {axis} der Bahn",
-    remedy_en="Program #CAX OFF before it.",
-    remedy_de="Davor #CAX OFF programmieren.",
+    remedy_en="Program #CAX OFF before it, or #PUT AX if #CALL AX has fetched the axis.",
+    remedy_de="Davor #CAX OFF programmieren, oder #PUT AX, wenn #CALL AX die Achse geholt hat.",
     axis=("name of the C axis", "Name der C-Achse"),
     classes=(2, 3),
 )

@@ -192,3 +192,35 @@ DWELL_WITHOUT_SPINDLE = error(
     cause_en="The dwell time is that of the revolutions at the programmed speed.",
     cause_de="Die Verweilzeit ist die der Umdrehungen bei der programmierten Drehzahl.",
 )
+SPINDLE_TURNS_IN_EXCHANGE = error(
+    60137,
+    en="spindle {spindle} turns and cannot give its axis away",
+    de="Spindel {spindle} dreht und kann ihre Achse nicht abgeben",
+    remedy_en="Stop it by M5 before PUTAX.",
+    remedy_de="Sie vor PUTAX mit M5 anhalten.",
+    classes=(6, 6),
+)
+SPINDLE_WITHOUT_AXIS = error(
+    902720,
+    en="spindle {spindle} has no axis here: PUTAX has given it away",
+    de="Spindel {spindle} hat hier keine Achse: PUTAX hat sie abgegeben",
+    remedy_en="Program CALLAX for the spindle before it.",
+    remedy_de="Davor CALLAX für die Spindel programmieren.",
+    classes=(2, 3),
+)
+SPINDLE_EXCHANGE_NOT_ALONE = error(
+    902721,
+    en="{word} stands alone in the brackets of a spindle",
+    de="{word} steht in den Klammern einer Spindel allein",
+    remedy_en="Write the other words in a block of their own.",
+    remedy_de="Die anderen Wörter in einen eigenen Satz schreiben.",
+    word=("CALLAX or PUTAX", "CALLAX oder PUTAX"),
+)
+SPINDLE_OF_PLC_HAS_NO_AXIS = error(
+    902722,
+    en="{command}: the PLC turns spindle {spindle}, which has no axis of the CNC",
+    de="{command}: die SPS dreht Spindel {spindle}, die keine Achse der CNC hat",
+    remedy_en="Exchange the axis of a spindle that the CNC turns (plc_control 0).",
+    remedy_de="Die Achse einer Spindel tauschen, die die CNC dreht (plc_control 0).",
+    classes=(2, 3),
+)

@@ -281,7 +281,9 @@ class AssembledMachine:
     def begin_program(self, channel: int) -> None:
         """Let the decoder of a channel begin with the axes of its list (P-CHAN-00460)."""
         own = self.assembled[channel]
-        follow_executed(own.spindle_gears, self.channels[channel].executor.context.spindles)
+        spindles = self.channels[channel].executor.context.spindles
+        spindles.begin_program()
+        follow_executed(own.spindle_gears, spindles)
         factors = self.channels[channel].path.life.factors()
         self.controller_data[channel].follow_tool_life(*factors)
         if own.places.is_exchanged:

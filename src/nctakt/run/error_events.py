@@ -68,6 +68,7 @@ from nctakt.messages.spindles import (
     M19_SPEED_ZERO,
     SPINDLE_BUSY,
     SPINDLE_JOB_HELD,
+    SPINDLE_TURNS_IN_EXCHANGE,
 )
 from nctakt.messages.threads import (
     TAP_SPINDLE_TURNING,
@@ -251,6 +252,7 @@ _VALUES: dict[Message, Callable[[_Report], _Values]] = {
     **dict.fromkeys(
         (
             SPINDLE_JOB_HELD,
+            SPINDLE_TURNS_IN_EXCHANGE,
             TAP_SPINDLE_TURNING,
             THREAD_CHAIN_TOO_FAST,
             THREAD_LOST,

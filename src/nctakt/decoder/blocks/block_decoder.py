@@ -337,6 +337,9 @@ class BlockDecoder:
         if commands or self.spindles.is_concerned(numbers):
             yield from self.spindles.speed_functions(numbers, number)
         for command in commands:
+            if command.exchanges:
+                yield from self.spindles.exchange(command, number)
+                continue
             if self._state.motion in TAPPING_FUNCTIONS:
                 yield from self.path.threads.speed(command, number)
                 continue

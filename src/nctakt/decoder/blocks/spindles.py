@@ -20,7 +20,7 @@ from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
 from nctakt.decoder.blocks.gear_changes import GearChanges
 from nctakt.decoder.blocks.technology_output import BlockFunction, process_ticks
 from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
+from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleAxis, SpindleJob
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant
 from nctakt.decoder.values.overrides import override_factor
@@ -28,6 +28,7 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.spindle_commands import CommandSpindle
 from nctakt.lists.machine.channel_configuration import Spindle
+from nctakt.messages.axis_exchange import EXCHANGE_IN_SEARCH
 from nctakt.messages.c_axis import SPINDLE_IS_C_AXIS
 from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, UNKNOWN_VARIABLE
 from nctakt.messages.couplings import (
@@ -42,7 +43,9 @@ from nctakt.messages.spindles import (
     MAIN_SPINDLE_IN_USE,
     NO_SUCH_SPINDLE,
     SPINDLE_AXIS_LIST_MISSING,
+    SPINDLE_OF_PLC_HAS_NO_AXIS,
     SPINDLE_SPEED_LIMITED,
+    SPINDLE_WITHOUT_AXIS,
     TOOL_SPEED_RANGE,
 )
 from nctakt.nc import tree
@@ -59,7 +62,7 @@ from nctakt.nc.vocabulary.functions import (
     SPINDLE_STOP,
 )
 from nctakt.nc.vocabulary.resolution import path_text
-from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
+from nctakt.nc.vocabulary.spindle_commands import PUTAX, SpindleCommand
 from nctakt.nc.vocabulary.spindle_variables import OF_MAIN_SPINDLE
 from nctakt.nc.vocabulary.system_variables import SystemVariable
 
@@ -217,6 +220,26 @@ class SpindleWords:
             if CUTTING_SPEED in found and self.values.state.couplings.spindles(index):
                 self.values.fail(NOT_WHILE_COUPLED, span, command="G96", other="#AX LINK")
             yield from self.cutting.functions(numbers, index, span, number)
+
+    def exchange(self, command: SpindleCommand, number: int) -> Generator[Command, Answer]:
+        """Let a spindle that stands give its axis, or take it again."""
+        (word,) = command.exchanges
+        name, span = f"{command.name}[{word}]", command.span
+        state = self.values.state
+        index, spindle = _listed(self.values, command.name, span)
+        if spindle.plc_controlled:
+            self.values.fail(SPINDLE_OF_PLC_HAS_NO_AXIS, span, command=name, spindle=spindle.name)
+        if state.couplings.spindles(index) or state.couplings.master_of_spindle(index) >= 0:
+            self.values.fail(NOT_WHILE_COUPLED, span, command=name, other="#AX LINK")
+        if state.is_searching:
+            self.values.fail(EXCHANGE_IN_SEARCH, span, command=name)
+        source = self.values.environment.source_id(span)
+        if word == PUTAX:
+            yield AwaitSpindle(source, number, index)
+            state.spindles_without_axis.add(index)
+        else:
+            state.spindles_without_axis.discard(index)
+        yield SpindleAxis(source, number, index, word == PUTAX)
 
     def functions(
         self, command: SpindleCommand, number: int
@@ -394,7 +417,18 @@ def index_of(values: Values, name: str) -> int:
 
 
 def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
-    """Return index and configuration of the spindle with this name; empty: the main spindle."""
+    """Return index and configuration of the spindle with this name; empty: the main spindle.
+
+    It has its axis.
+    """
+    index, spindle = _listed(values, name, span)
+    if index in values.state.spindles_without_axis:
+        values.fail(SPINDLE_WITHOUT_AXIS, span, spindle=spindle.name)
+    return index, spindle
+
+
+def _listed(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
+    """Return index and configuration of a spindle, whose axis the path does not have."""
     index = index_of(values, name)
     assert index >= 0, name
     spindle = values.environment.parameters.spindles[index]

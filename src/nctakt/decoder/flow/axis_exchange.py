@@ -14,6 +14,7 @@ from nctakt.base.diagnostics import Span, Text
 from nctakt.decoder.axis_limits import set_limits
 from nctakt.decoder.blocks.feed_forward import follow_feed_forward
 from nctakt.decoder.blocks.software_limits import limits_of_program_again, listed_limits_again
+from nctakt.decoder.blocks.spindles import main_of
 from nctakt.decoder.flow.c_axis import CAxisCommands
 from nctakt.decoder.state.axis_places import (
     AxisNotInChannelError,
@@ -139,7 +140,10 @@ class AxisExchange:
         """Return number in the machine and place of an axis to be fetched."""
         places = self._places
         value = yield from self._values.evaluate(axis.number, number)
-        if value in places.spindles:
+        main = main_of(self._environment.parameters.spindles)
+        is_given = main in self._values.state.spindles_without_axis and places.c_axis >= 0
+        is_given = is_given and value == places.logical(places.c_axis)
+        if value in places.spindles and not is_given:
             spindle, channel = places.spindles[int(value)]
             self._values.fail(
                 AXIS_OF_SPINDLE,
@@ -148,14 +152,15 @@ class AxisExchange:
                 spindle=spindle,
                 channel=channel,
             )
-        if value not in places.by_number:
+        if value not in places.by_number and not is_given:
             known = ", ".join(map(str, sorted(places.by_number)))
             self._values.fail(UNKNOWN_AXIS_NUMBER, axis.number.span, value=value, numbers=known)
         slot = yield from self._values.evaluate(axis.slot, number)
         if not 0 <= slot < places.room or slot != int(slot):
             highest = places.room - 1
             self._values.fail(INVALID_AXIS_PLACE, axis.slot.span, value=slot, highest=highest)
-        return places.by_number[int(value)], int(slot)
+        index = places.c_axis if is_given else places.by_number[int(value)]
+        return index, int(slot)
 
     def _put(
         self, places: list[AxisPlace | None], axis: FetchedAxis, new: AxisPlace, position: int

@@ -18,6 +18,7 @@ from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.axis_exchange import AXIS_TWICE
 from nctakt.messages.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE
+from nctakt.messages.spindles import SPINDLE_WITHOUT_AXIS
 from nctakt.nc import tree
 from nctakt.nc.meaning.axes import CAxisCommand, c_axis_command
 from nctakt.nc.vocabulary.functions import SPINDLE_STOP
@@ -46,6 +47,9 @@ class CAxisCommands:
         index = main_of(self._environment.parameters.spindles)
         if self._values.state.main_spindle != index:
             self._values.fail(C_AXIS_OF_OTHER_SPINDLE, statement.span)
+        if index in self._values.state.spindles_without_axis:
+            name = self._environment.parameters.spindles[index].name
+            self._values.fail(SPINDLE_WITHOUT_AXIS, statement.span, spindle=name)
         yield SpindleJob(source, number, index, SPINDLE_STOP, 0.0, 0.0, 0, 0)
         yield AwaitSpindle(source, number, index)
         return target

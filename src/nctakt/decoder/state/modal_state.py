@@ -375,7 +375,8 @@ class ModalState:
     ``is_searching``: block search has not come to its start block. ``orientation``: what A, B, C
     are under a transformation. ``wcs``, ``mcs``: V.A.WCS and V.A.MCS by axis, in mm or degrees.
     ``frame``: mirroring, rotation and scaling. ``block_number``: the last N. ``couplings``: axes
-    that follow others. ``feed_forward``: G135 … G137.
+    that follow others. ``feed_forward``: G135 … G137. ``spindles_without_axis``: those whose axis
+    ``S[PUTAX]`` has given away, by their indices in the channel list.
     """
 
     motion: int
@@ -406,6 +407,7 @@ class ModalState:
     frame: ContourFrame = field(default_factory=ContourFrame)
     block_number: int = 0
     main_spindle: int = -1
+    spindles_without_axis: set[int] = field(default_factory=set)
     feed_forward: FeedForwardState = field(default_factory=FeedForwardState)
     couplings: ActiveCouplings = field(default_factory=ActiveCouplings)
 

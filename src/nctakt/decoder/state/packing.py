@@ -66,6 +66,7 @@ from nctakt.decoder.state.probe_commands import Touch, TouchEnd
 from nctakt.decoder.state.spindle_commands import (
     AwaitSpindle,
     CuttingSpeed,
+    SpindleAxis,
     SpindleJob,
     SpindleLimits,
 )
@@ -106,6 +107,7 @@ _KINDS: dict[type[Command], int] = {
     ClearHistory: rows.CLEAR_HISTORY,
     CuttingSpeed: rows.CUTTING_SPEED,
     SpindleLimits: rows.SPINDLE_LIMITS,
+    SpindleAxis: rows.SPINDLE_AXIS,
     EmptyBlock: rows.EMPTY_BLOCK,
     LoopBegin: rows.LOOP_BEGIN,
     LoopPass: rows.LOOP_PASS,

@@ -57,6 +57,14 @@ class SpindleLimits(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class SpindleAxis(Command):
+    """The spindle gives its axis away, or takes it again (``S[PUTAX]``, ``S[CALLAX]``)."""
+
+    spindle: int
+    gives: bool
+
+
+@dataclass(frozen=True, slots=True)
 class AwaitSpindle(Command):
     """Goes on when the spindle has reached its speed or position, or the PLC has acknowledged."""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The main spindle of a channel as an axis of its path (``#CAX``).
+"""The main spindle of a channel as an axis of its path (``#CAX``, ``S[PUTAX]``).
 
 The axis begins at the angle of the spindle, and the spindle turns with it; it takes no job until
 the channel has given the axis away again (``tick/axis_exchange.py``).
@@ -36,7 +36,9 @@ class CAxis:
 
     def can_take(self, axis: int) -> int:
         """Return whether the path can have an axis: the spindle stands."""
-        return 1 if axis != self.axis else self.spindles.is_resting(self.spindle)
+        if axis != self.axis or self.spindles.has_no_axis[self.spindle]:
+            return 1
+        return self.spindles.is_resting(self.spindle)
 
     def take(self, axis: int) -> None:
         """Let the spindle be an axis, if it is this one."""
@@ -50,7 +52,10 @@ class CAxis:
         """Let the spindle be one again, if its axis is this one."""
         if axis == self.axis:
             self.is_active = False
-            self.spindles.uncouple(self.spindle)
+            if self.spindles.has_no_axis[self.spindle]:
+                self.spindles.follow(self.spindle, self.last, 0.0)
+            else:
+                self.spindles.uncouple(self.spindle)
 
     def follow(self) -> None:
         """Turn the spindle with its axis."""

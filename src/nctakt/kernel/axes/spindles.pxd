@@ -39,6 +39,7 @@ cdef class Spindles:
     cdef long long[::1] source
     cdef long long[::1] serial
     cdef long long[::1] taken_tick
+    cdef long long[::1] has_no_axis
     cdef long long[::1] plc_state
     cdef long long[::1] done_tick
     cdef long long[::1] job
@@ -77,6 +78,8 @@ cdef class Spindles:
     cdef int is_at_speed(self, Py_ssize_t spindle) noexcept nogil
     cdef void follow(self, Py_ssize_t spindle, double angle, double speed_v) noexcept nogil
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
+    cdef int give_axis(self, Py_ssize_t spindle) noexcept nogil
+    cdef void take_axis(self, Py_ssize_t spindle) noexcept nogil
     cdef void execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, limit_v=double, factor=double, speed_v=double)
     cdef void follow_axes(self, long long tick) noexcept nogil

@@ -64,6 +64,7 @@ class Spindles:
         self.source = memoryview(bytearray(size)).cast("q")
         self.serial = memoryview(bytearray(size)).cast("q")
         self.taken_tick = memoryview(bytearray(size)).cast("q")
+        self.has_no_axis = memoryview(bytearray(size)).cast("q")
         self.plc_state = memoryview(bytearray(size)).cast("q")
         self.done_tick = memoryview(bytearray(size)).cast("q")
         self.job = memoryview(bytearray(size)).cast("q")
@@ -261,6 +262,28 @@ class Spindles:
         self.speed_v[spindle] = 0.0
         self.acceleration[spindle] = 0.0
         self.publish(spindle)
+
+    # --- its axis -------------------------------------------------------------------------------
+
+    def give_axis(self, spindle: int) -> int:
+        """Give the axis of a spindle away, which takes no job then; 0 if the spindle turns."""
+        if not self.has_no_axis[spindle]:
+            if not self.is_resting(spindle):
+                return 0
+            self.has_no_axis[spindle] = 1
+            self.follow(spindle, self.position[spindle], 0.0)
+        return 1
+
+    def take_axis(self, spindle: int) -> None:
+        """Let a spindle have its axis again."""
+        if self.has_no_axis[spindle]:
+            self.has_no_axis[spindle] = 0
+            self.uncouple(spindle)
+
+    def begin_program(self) -> None:
+        """Let all spindles have their axes, between two ticks."""
+        for spindle in range(self.count):
+            self.take_axis(spindle)
 
     # --- settings of the program ----------------------------------------------------------------
 

@@ -33,6 +33,7 @@ _MIN_LENGTH = {
     rows.USER_STOP: rows.STOP_REACTION + 1,
     rows.SPINDLE: rows.JOB_IGNORES_OVERRIDE + 1,
     rows.AWAIT_SPINDLE: rows.JOB_SPINDLE + 1,
+    rows.SPINDLE_AXIS: rows.GIVES_AXIS + 1,
     rows.BLOCK_MARK: rows.MARK_DEPTH + 1,
     rows.MODAL_MARK: rows.MODAL_NUMBER + 1,
     rows.WAIT_MARK: rows.WAIT_CELL + 1,
@@ -101,6 +102,8 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
         check_index(command[rows.TIMER_NUMBER], cells.TIMERS, "timer")
     elif kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
         check_index(command[rows.JOB_SPINDLE], executor.context.spindles.count, "spindle")
+    elif kind == rows.SPINDLE_AXIS:
+        check_index(command[rows.GIVING_SPINDLE], executor.context.spindles.count, "spindle")
     elif kind == rows.CUTTING_SPEED:
         spindles = executor.context.spindles.count
         check_index(command[rows.CUTTING_SPINDLE], spindles, "spindle")

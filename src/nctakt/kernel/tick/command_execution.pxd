@@ -93,6 +93,8 @@ cdef class CommandExecutor:
     cdef int execute_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
     cdef int execute_control(self, long long tick, Py_ssize_t row) noexcept nogil
+    @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)
+    cdef void execute_spindle_axis(self, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int execute_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)

@@ -193,6 +193,8 @@ class CommandExecutor:
             self.execute_user_error(row, kind)
         elif kind in (rows.CUTTING_SPEED, rows.SPINDLE_LIMITS):
             self.context.spindles.execute(self.queue.rows, row, kind)
+        elif kind == rows.SPINDLE_AXIS:
+            self.execute_spindle_axis(row)
         elif kind == rows.TIMER:
             timer = int(self.queue.rows[row + rows.TIMER_NUMBER])
             self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)
@@ -312,6 +314,15 @@ class CommandExecutor:
         if message != 0:
             self.report(source, message, identity)
         return 1
+
+    def execute_spindle_axis(self, row: int) -> None:
+        """Let a spindle give its axis, or take it again; while it turns that is 60137."""
+        spindle = int(self.queue.rows[row + rows.GIVING_SPINDLE])
+        if self.queue.rows[row + rows.GIVES_AXIS] == 0.0:
+            self.context.spindles.take_axis(spindle)
+        elif not self.context.spindles.give_axis(spindle):
+            number = self.context.spindles.first_number + spindle
+            self.report(int(self.queue.rows[row + rows.SOURCE]), 60137, number)
 
     def execute_spindle(self, tick: int, row: int) -> int:
         """Give a spindle its job; wait until the spindle can take it."""

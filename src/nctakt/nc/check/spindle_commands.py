@@ -15,6 +15,7 @@ from nctakt.messages.spindles import (
     EXCLUSIVE_SPINDLE_WORDS,
     NO_MAIN_SPINDLE,
     NOT_A_SPINDLE_WORD,
+    SPINDLE_EXCHANGE_NOT_ALONE,
     SPINDLE_POSITION_WITHOUT_M19,
     SPINDLE_WORD_COUNT,
 )
@@ -30,10 +31,19 @@ from nctakt.nc.vocabulary.functions import (
     SPINDLE_POSITION,
     SPINDLE_STOP,
 )
-from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
+from nctakt.nc.vocabulary.spindle_commands import CALLAX, PUTAX, SpindleCommand
 
 #: Words of a command to a spindle, for suggestions.
-WORDS = (*(f"M{number}" for number in SPINDLE_FUNCTIONS), "S", "REV", "S.POS", "POS", "G167")
+WORDS = (
+    *(f"M{number}" for number in SPINDLE_FUNCTIONS),
+    "S",
+    "REV",
+    "S.POS",
+    "POS",
+    "G167",
+    CALLAX,
+    PUTAX,
+)
 
 
 class SpindleChecker:
@@ -96,7 +106,9 @@ class SpindleChecker:
         turns = [
             function for function in command.functions if function in (CLOCKWISE, COUNTERCLOCKWISE)
         ]
-        if len(turns) > 1 or (SPINDLE_STOP in command.functions and len(command.functions) > 1):
+        if command.exchanges:
+            self._fit_exchange(command)
+        elif len(turns) > 1 or (SPINDLE_STOP in command.functions and len(command.functions) > 1):
             words = ", ".join(f"M{function}" for function in command.functions)
             self._findings.report(EXCLUSIVE_SPINDLE_WORDS, command.span, words=words)
         elif command.position is not None and SPINDLE_POSITION not in command.functions:
@@ -104,6 +116,15 @@ class SpindleChecker:
         elif not (command.functions or command.speed is not None or command.ignores_override):
             self._findings.report(
                 SPINDLE_WORD_COUNT, command.span, command=self._findings.written(command.span)
+            )
+
+    def _fit_exchange(self, command: SpindleCommand) -> None:
+        """Check that an exchange of the axis is alone in its brackets."""
+        values = (command.speed, command.position)
+        has_others = command.functions or command.ignores_override or any(map(bool, values))
+        if has_others or len(command.exchanges) > 1:
+            self._findings.report(
+                SPINDLE_EXCHANGE_NOT_ALONE, command.span, word=command.exchanges[0]
             )
 
     def _is_job(self, command: SpindleCommand) -> bool:
@@ -124,8 +145,6 @@ def _refused_form(word: BlockWord | Keyword | Expression) -> str:
     """Return the form that a known word of spindle commands stands for; empty for no such word."""
     if not isinstance(word, Keyword):
         return ""
-    if word.name in ("CALLAX", "PUTAX") and word.value is None:
-        return f"S[{word.name}]"
     if word.name == "FEED_LINK":
         return "S[FEED_LINK …]"
     is_homing = isinstance(word.value, Number) and word.value.value == HOMING

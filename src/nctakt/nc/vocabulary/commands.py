@@ -308,26 +308,8 @@ FORMS = table(
     ),
     ("X[…]", REFUSED, "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", SIMULATED, "command for a spindle", "Befehl für eine Spindel"),
-    (
-        "S[CALLAX]",
-        REFUSED,
-        "a spindle fetches its axis",
-        "eine Spindel holt ihre Achse",
-        Text(
-            "`#CAX OFF` gives an axis back to its spindle.",
-            "`#CAX OFF` gibt eine Achse ihrer Spindel zurück.",
-        ),
-    ),
-    (
-        "S[PUTAX]",
-        REFUSED,
-        "a spindle gives its axis",
-        "eine Spindel gibt ihre Achse ab",
-        Text(
-            "`#CAX [S, C]` makes a spindle an axis of the path.",
-            "`#CAX [S, C]` macht eine Spindel zur Achse der Bahn.",
-        ),
-    ),
+    ("S[CALLAX]", SIMULATED, "a spindle fetches its axis", "eine Spindel holt ihre Achse"),
+    ("S[PUTAX]", SIMULATED, "a spindle gives its axis", "eine Spindel gibt ihre Achse ab"),
     (
         "S[G74]",
         REFUSED,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.nc.tree import (
     AxisWord,
@@ -24,6 +24,8 @@ from nctakt.nc.vocabulary.functions import NO_SPINDLE_OVERRIDE, SPINDLE_FUNCTION
 
 _SPEED = ("S", "REV")
 _POSITION = ("S.POS", "POS")
+#: A spindle takes its axis, or gives it away.
+CALLAX, PUTAX = "CALLAX", "PUTAX"
 
 
 @dataclass(slots=True)
@@ -32,7 +34,7 @@ class SpindleCommand:
 
     ``doubled``: duplicate words; ``wrong``: words that a spindle command cannot have. ``override``:
     the factor of ``S[OVERRIDE SPEED_FACT=50]`` in per cent, which has no other words.
-    ``ignores_override``: ``S[G167]``.
+    ``ignores_override``: ``S[G167]``. ``exchanges``: ``CALLAX``, ``PUTAX``.
     """
 
     name: str
@@ -44,6 +46,7 @@ class SpindleCommand:
     wrong: list[BlockWord | Keyword | Expression]
     override: Keyword | None = None
     ignores_override: bool = False
+    exchanges: list[str] = field(default_factory=list)
 
 
 def split(
@@ -116,6 +119,8 @@ def _add(command: SpindleCommand, word: Word | Keyword) -> None:
         if command.ignores_override:
             command.doubled.append(word)
         command.ignores_override = True
+    elif word.value is None and word.name in (CALLAX, PUTAX):
+        command.exchanges.append(word.name)
     elif word.value is None or word.name not in (*_SPEED, *_POSITION):
         command.wrong.append(word)
     elif word.name in _SPEED:

@@ -29,14 +29,19 @@ BROWSER = [
 
 
 @contextlib.contextmanager
-def served(*words: str, errors: Path | None = None) -> Iterator[str]:
-    """``nctakt live`` in a process of its own; its address. What it tells goes to ``errors``."""
+def served(
+    *words: str, errors: Path | None = None, command: tuple[str, ...] = ("live",)
+) -> Iterator[str]:
+    """``nctakt live`` in a process of its own; its address. What it tells goes to ``errors``.
+
+    ``command``: another one that serves the page, such as ``demo``.
+    """
     environment = {name: value for name, value in os.environ.items() if "PYTEST" not in name}
-    command = [sys.executable, "-m", "nctakt", "live", *words, "--port", "0"]
+    call = [sys.executable, "-m", "nctakt", *command, *words, "--port", "0"]
     with (
         (errors or Path(os.devnull)).open("w", encoding="utf-8") as told,
         subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=told, encoding="utf-8", env=environment
+            call, stdout=subprocess.PIPE, stderr=told, encoding="utf-8", env=environment
         ) as process,
     ):
         try:

@@ -40,6 +40,7 @@ _OBJECTS_BETWEEN_SEARCHES = 50_000
 #: Subcommands in groups, in the order of the help, and the modules that hold them as ``command``.
 _GROUPS: Mapping[Text, Mapping[str, str]] = {
     Text("Start", "Beginnen"): {
+        "demo": "nctakt.cli.demo",
         "init": "nctakt.cli.init",
         "new": "nctakt.cli.new",
         "check": "nctakt.cli.check",

@@ -153,17 +153,13 @@ def command(
     """Show a run on a page."""
     shown = is_embedded, opens_browser
     read = None if log is None else LogWords(log, mapping, tolerances, offset)
-    own = _Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
-
-    def show(options: Options, access: FileAccess) -> int:
-        return _show(options, access, own)
-
-    return carry_out(words, show)
+    own = Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
+    return carry_out(words, lambda options, access: show_page(options, access, own))
 
 
 @dataclass(frozen=True, slots=True)
-class _Words:
-    """The words that only this command has."""
+class Words:
+    """The words that only this command has; ``has_tour``: the page has that of the demo cell."""
 
     address: tuple[str, int]
     debug_port: int | None
@@ -172,10 +168,11 @@ class _Words:
     acknowledge: bool
     pace: str
     tape: str | None
-    log: LogWords | None
+    log: LogWords | None = None
+    has_tour: bool = False
 
 
-def _show(options: Options, access: FileAccess, own: _Words) -> int:
+def show_page(options: Options, access: FileAccess, own: Words) -> int:
     """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
     from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
 
@@ -221,6 +218,7 @@ def _show(options: Options, access: FileAccess, own: _Words) -> int:
                 Texts(options.language),
                 (host, port),
                 has_plc=options.plc is not None,
+                has_tour=own.has_tour,
                 opens_browser=own.opens_browser,
                 is_embedded=own.is_embedded,
                 tell=click.echo,
@@ -265,7 +263,7 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
 def _session_opener(
     options: Options,
     request: Request,
-    own: _Words,
+    own: Words,
     documents: Mapping[int, Sequence[Document]],
     folders: Sequence[str],
 ) -> Callable[[str | None, bool], Session]:

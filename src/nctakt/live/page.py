@@ -27,6 +27,7 @@ from nctakt.live.panel import Panel
 from nctakt.live.program_card import ProgramCard
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
+from nctakt.live.tour import Hands, Tour
 from nctakt.live.variables import Variables
 from nctakt.live.view import Snapshot
 from nctakt.session.session import Session
@@ -77,6 +78,7 @@ class Page:
         texts: Texts,
         *,
         has_plc: bool,
+        has_tour: bool = False,
     ) -> None:
         self._shared = shared
         self._texts = texts
@@ -91,7 +93,7 @@ class Page:
         ui.add_css(_CSS)
         self._dark, self._is_dark = ui.dark_mode(None), False
         self._help = build_help(texts)
-        self._build(documents, [one.file for one in documents.get(1, ())], has_plc)
+        self._build(documents, [one.file for one in documents.get(1, ())], has_plc, has_tour)
         keys = json.dumps({name: key.is_everywhere for name, key in KEYS.items()})
         script = _SCRIPT.replace("KEYS", keys).replace("EDITOR", str(self._program.editor_id))
         script = script.replace("PROGRAM_NAME", json.dumps(texts["program"]))
@@ -103,12 +105,19 @@ class Page:
     # --- layout ---------------------------------------------------------------------------------
 
     def _build(
-        self, documents: Mapping[int, list[Document]], programs: Sequence[str], has_plc: bool
+        self,
+        documents: Mapping[int, list[Document]],
+        programs: Sequence[str],
+        has_plc: bool,
+        has_tour: bool,
     ) -> None:
         with ui.element("div").classes("nc-bar"):
             self._build_bar()
         with ui.element("div").classes("nc-body"):
             with ui.element("div").classes("nc-column nc-left"):
+                if has_tour:
+                    hands = Hands(self._play, self._ask_why, self._reveal, self._choose_list)
+                    Tour(self._commander, hands)
                 self._program = ProgramCard(
                     self._commander, documents, self._ask_why, self._show_findings, self._play
                 )
@@ -242,6 +251,12 @@ class Page:
 
     async def _ask_why(self, line: int) -> None:
         await self._lists.ask_why(line)
+
+    def _reveal(self, line: int) -> None:
+        self._program.reveal(line)
+
+    def _choose_list(self, name: str) -> None:
+        self._lists.choose(name)
 
     async def _transport(self, name: str) -> None:
         if not self._commander.may():

@@ -69,6 +69,7 @@ def serve(
     address: tuple[str, int],
     *,
     has_plc: bool,
+    has_tour: bool = False,
     opens_browser: bool = False,
     is_embedded: bool = False,
     tell: Callable[[str], None],
@@ -77,7 +78,8 @@ def serve(
 ) -> None:
     """Serve the page until Ctrl-C.
 
-    ``is_embedded``: an editor shows it in a panel. ``tell`` gets its address once, ``tell_error``
+    ``has_tour``: with the tour of the demo cell. ``is_embedded``: an editor shows it in a panel.
+    ``tell`` gets its address once, ``tell_error``
     what browsers send and nobody understands, ``refused`` whose requests and connections were
     refused, and why.
     """
@@ -95,7 +97,7 @@ def serve(
     @ui.page("/", title="nctakt live")
     def show() -> None:
         places.let_wait(context.client)
-        Page(shared, documents, texts, has_plc=has_plc)
+        Page(shared, documents, texts, has_plc=has_plc, has_tour=has_tour)
 
     shown = f"[{host}]" if ":" in host else host
 

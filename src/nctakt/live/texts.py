@@ -207,6 +207,63 @@ _WORDS: dict[str, tuple[str, str]] = {
         "Of an earlier moment; click again for the tick that is shown.",
         "Von einem anderen Zeitpunkt; für den gezeigten Takt noch einmal klicken.",
     ),
+    # The tour of the demo cell.
+    "tour": ("Guided tour", "Rundgang"),
+    "tour_next": ("Next", "Weiter"),
+    "tour_back": ("Back", "Zurück"),
+    "tour_again": ("Begin again", "Von vorn"),
+    "tour_end": ("End the tour", "Rundgang beenden"),
+    "tour_lost": (
+        "This run is not the one that the tour tells of: somebody has changed a value or the "
+        "program.",
+        "Dieser Lauf ist nicht der des Rundgangs: Jemand hat einen Wert oder das Programm "
+        "geändert.",
+    ),
+    "tour_cell_title": ("A cell", "Eine Zelle"),
+    "tour_cell": (
+        "Channel 1 mills a part with five axes and a spindle. Then a gate opens, and the loader of "
+        "channel 2 brings the next part. A PLC moves the gate. Next (Enter): it runs.",
+        "Kanal 1 fräst ein Teil mit fünf Achsen und einer Spindel. Dann öffnet ein Tor, und der "
+        "Lader in Kanal 2 bringt das nächste Teil. Eine SPS bewegt das Tor. Weiter (Eingabe): es "
+        "läuft.",
+    ),
+    "tour_run_title": ("It runs", "Sie läuft"),
+    "tour_run": (
+        "Once the tool is up, the realtime cycle above N10 asks the PLC to open the gate (M100). "
+        "Go on when nothing moves any more.",
+        "Sobald das Werkzeug oben ist, fordert der Echtzeit-Zyklus über N10 die SPS auf, das Tor "
+        "zu öffnen (M100). Weiter, wenn sich nichts mehr bewegt.",
+    ),
+    "tour_still_title": ("It stands", "Sie steht"),
+    "tour_still": (
+        "The mill waits for M8, which the PLC acknowledges once the gate is open: it is listed on "
+        "the right. The loader waits for the mill. Why did the gate not open?",
+        "Die Fräse wartet auf M8, das die SPS quittiert, sobald das Tor offen ist: Es steht "
+        "rechts in der Liste. Der Lader wartet auf die Fräse. Warum ging das Tor nicht auf?",
+    ),
+    "tour_why_title": ("Why?", "Warum?"),
+    "tour_why": (
+        "The list below answers for line {line}: the condition was evaluated once, in tick {tick}, "
+        "and compared 0 == 1. Just then, somebody stood at the gate, and nobody asked again.",
+        "Die Liste unten antwortet für Zeile {line}: Die Bedingung wurde einmal ausgewertet, in "
+        "Takt {tick}, und verglich 0 == 1. Gerade da stand jemand am Tor, und niemand fragte "
+        "noch einmal.",
+    ),
+    "tour_past_title": ("Back in time", "Zurück in der Zeit"),
+    "tour_past": (
+        "This is tick {tick}: program, positions, scope and path show it as it was. "
+        "V.E.AREA_FREE is off, on the right and in the scope. What if the area had been free?",
+        "Das ist Takt {tick}: Programm, Positionen, Oszilloskop und Bahn zeigen ihn, wie er war. "
+        "V.E.AREA_FREE ist aus, rechts und im Oszilloskop. Und wenn der Bereich frei gewesen wäre?",
+    ),
+    "tour_change_title": ("Another past", "Eine andere Vergangenheit"),
+    "tour_change": (
+        "V.E.AREA_FREE is now 1 in tick {tick}, and a second branch runs from there: the gate "
+        "opens, the loader comes. The first one is still there: compare the two in the list below.",
+        "V.E.AREA_FREE ist jetzt 1 in Takt {tick}, und von dort läuft ein zweiter Zweig: Das Tor "
+        "öffnet, der Lader kommt. Den ersten gibt es noch: In der Liste unten lassen sich beide "
+        "vergleichen.",
+    ),
     # Headings of the help, and lists.
     "keys_run": ("Run", "Lauf"),
     "keys_panel": ("Operator's panel", "Bedientafel"),

@@ -117,3 +117,9 @@ def test_the_next_program_has_the_spindle_again(lathe: Machine) -> None:
     second = controller.run(NcText("b.nc", "M3 S60\nG04 X0.1\nM30"), ticks=2000, signals=SIGNALS)
     assert problems(second) == []
     assert column(second, "S.SPEED")[-1] == 60.0
+
+
+def test_a_block_search_does_not_exchange_axes(lathe: Machine) -> None:
+    """As for ``#CALL AX``."""
+    text = NcText("t.nc", "S[PUTAX]\nS[CALLAX]\nG01 X1 F600\nM30")
+    assert problems(Controller(lathe).run(text, ticks=2000, from_line=3)) == [901809]

@@ -35,6 +35,8 @@ _SETTLED_US = 0.05
 _MIN_SAMPLES = 5
 #: A drift counts from this many standard errors on.
 _SIGNIFICANT = 3.0
+#: A gain and a bias count from this on, as shares of 1 and of the curve's span.
+_MIN_SCALE = 1e-4
 #: Residuals beyond this multiple of their typical size get less weight.
 _HUBER = 1.345
 
@@ -82,6 +84,11 @@ class Alignment:
     bias: float = 0.0
     reason: Text | None = None
 
+    @property
+    def is_scaled(self) -> bool:
+        """Whether the log has a gain or a bias."""
+        return abs(self.gain - 1.0) > _MIN_SCALE or self.bias != 0.0
+
     def run_times(self, stamps: Numbers) -> Numbers:
         """Return the run's times of the log's stamps, in µs."""
         times: Numbers = (stamps - self.offset_us) / (1.0 + self.drift)
@@ -99,6 +106,32 @@ def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
     if second > _SECOND_PEAK:
         return Alignment(0.0, quality=quality, reason=_TWO)
     return _fine(max(moving, key=_energy), offset, quality)
+
+
+def aligned_before(
+    pairs: Sequence[tuple[Samples, Curve]], alignment: Alignment, time_us: float
+) -> Alignment:
+    """Return the alignment by what the log has before a time of the run.
+
+    A log that is late from some place on pulls the best offset of all of it to that side.
+    """
+    early = []
+    for samples, curve in pairs:
+        is_early = alignment.run_times(samples.times) < time_us
+        early.append((Samples(samples.times[is_early], samples.values[is_early]), curve))
+    best = max(early, key=_energy)
+    if _energy(best) <= 0.0 or alignment.drift:
+        return alignment
+    found = _fine(best, alignment.offset_us, alignment.quality, may_drift=False)
+    return found if _is_near(best, found) else alignment
+
+
+def _is_near(pair: tuple[Samples, Curve], found: Alignment) -> bool:
+    """Return whether a fit has found a place within the run, and no other curve."""
+    samples, curve = pair
+    times = found.run_times(samples.times)
+    inside = times[(times >= 0.0) & (times <= curve.end_us)]
+    return len(inside) >= _MIN_SAMPLES and float(numpy.ptp(curve.at(inside))) > 0.0
 
 
 def _little(quality: float) -> Text:
@@ -186,7 +219,8 @@ def _fine(
             break
     if may_drift and abs(drift) < _SIGNIFICANT * error[3]:
         return _fine(pair, coarse_us, quality, may_drift=False)
-    return Alignment(offset, drift, quality, gain, bias)
+    least = max(_SIGNIFICANT * float(error[1]), _MIN_SCALE * float(numpy.ptp(values)))
+    return Alignment(offset, drift, quality, gain, bias if abs(bias) > least else 0.0)
 
 
 def _robust(matrix: Numbers, residual: Numbers) -> tuple[Numbers, Numbers]:

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
-from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.alignment import Alignment, Curve, align, aligned_before
 from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
 from nctakt.comparison.log import Log, Samples
@@ -99,11 +99,17 @@ def compare(
             found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
     else:
         alignment, names = Alignment(offset_us), ""
+    smooth = [
+        (one, curve)
+        for pair, one, curve in zip(pairs, samples, curves, strict=True)
+        if not pair.signal.integral
+    ]
+    delays = _delays(run, smooth, alignment)
+    if offset_us is None and alignment.reason is None and delays:
+        alignment = aligned_before(smooth, alignment, delays[0].time_us)
+        delays = _delays(run, smooth, alignment)
     deviations = []
-    delays = BlockDelays(_events_of(run, "block"))
     for pair, one, curve in zip(pairs, samples, curves, strict=True):
-        if not pair.signal.integral:
-            delays.add(one, curve, alignment)
         limit = pair.tolerance
         if limit is None:
             limit = tolerances.get(pair.signal.name, tolerances.get(""))
@@ -112,9 +118,14 @@ def compare(
             deviations.append(deviation)
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
-    return Comparison(
-        log, run, trace, alignment, names, deviations, delays.found(), [*log.notes, *found]
-    )
+    return Comparison(log, run, trace, alignment, names, deviations, delays, [*log.notes, *found])
+
+
+def _delays(run: Run, pairs: Sequence[tuple[Samples, Curve]], alignment: Alignment) -> list[Delay]:
+    delays = BlockDelays(_events_of(run, "block"))
+    for samples, curve in pairs:
+        delays.add(samples, curve, alignment)
+    return delays.found()
 
 
 def _events_of(run: Run, kind: str) -> list[Event]:

@@ -3,7 +3,8 @@
 
 Within a block the deviation of a moving axis is its speed times the time that the log is late, and
 a rest. Where that time jumps from one block to the next, something took longer on the machine: a
-dwell, a function that waits, a corner.
+dwell, a function that waits, a corner. A log with a gain or a bias is always beside the run: there
+counts how deviation and speed change together within the block.
 """
 
 from __future__ import annotations
@@ -59,10 +60,21 @@ class BlockDelays:
         slope = curve.slope_at(inside) / span
         difference = (samples.values[is_inside] - curve.at(inside)) / span
         number = numpy.searchsorted(self._begins, inside, side="right")
+        if alignment.is_scaled:
+            slope = self._centred(number, slope)
+            difference = self._centred(number, difference)
         self._slopes += self._summed(number, slope**2)
         self._products += self._summed(number, slope * difference)
         self._squares += self._summed(number, difference**2)
         self._counts += self._summed(number, (slope != 0.0) * 1.0)
+
+    def _centred(
+        self, number: NDArray[numpy.int64], values: NDArray[numpy.float64]
+    ) -> NDArray[numpy.float64]:
+        """Return values less their mean in the block."""
+        counts = numpy.maximum(self._summed(number, numpy.ones_like(values)), 1.0)
+        centred: NDArray[numpy.float64] = values - (self._summed(number, values) / counts)[number]
+        return centred
 
     def _summed(
         self, number: NDArray[numpy.int64], values: NDArray[numpy.float64]

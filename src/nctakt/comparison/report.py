@@ -39,6 +39,10 @@ _GAIN = Text(
     "the log is {gain} times the run, {bias} beside it",
     "die Aufzeichnung ist {gain}-mal der Lauf, {bias} daneben",
 )
+_OR_SLOWER = Text(
+    "or slower than it: at a constant speed these are one",
+    "oder langsamer als er: Bei gleichbleibender Geschwindigkeit ist das eins",
+)
 _LEAVES = Text(
     "{signal} leaves its tolerance first at {time} s, with {count} of {samples} samples beyond",
     "{signal} verlässt seine Toleranz zuerst bei {time} s, {count} von {samples} Werten liegen "
@@ -61,8 +65,6 @@ _BEYOND = Text("beyond the tolerances", "außerhalb der Toleranzen")
 
 #: Largest number of blocks that are listed as delays.
 _MAX_DELAYS = 10
-#: A gain is reported if it differs from 1 by more than this.
-_REPORTED_GAIN = 1e-4
 
 
 def comparison_text(comparison: Comparison, program: str, language: Language) -> str:
@@ -92,8 +94,9 @@ def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
             names=comparison.aligned_by,
             quality=f"{found.quality:.3f}",
         )
-        if abs(found.gain - 1.0) > _REPORTED_GAIN:
-            yield _GAIN.get(language).format(gain=f"{found.gain:.5f}", bias=f"{found.bias:.4g}")
+        if found.is_scaled:
+            scale = _GAIN.get(language).format(gain=f"{found.gain:.5f}", bias=f"{found.bias:.4g}")
+            yield f"{scale}, {_OR_SLOWER.get(language)}" if comparison.delays else scale
 
 
 def _row(one: Deviation, language: Language) -> tuple[str, ...]:

@@ -2,7 +2,7 @@
 """The time of a log on the time of a run: offset and drift (LG-701 … LG-704).
 
 First both are differentiated on a coarse grid and correlated; then the deviation at the log's own
-stamps is made small by Huber's min_bias squares over offset, drift, bias and gain. The log is never
+stamps is made small by Huber's least squares over offset, drift, bias and gain. The log is never
 resampled for what is reported, and bias and gain are reported, not removed.
 """
 
@@ -224,7 +224,7 @@ def _fine(
 
 
 def _robust(matrix: Numbers, residual: Numbers) -> tuple[Numbers, Numbers]:
-    """Return the solution of Huber's min_bias squares and its standard errors."""
+    """Return the solution of Huber's least squares and its standard errors."""
     weights = numpy.ones(len(residual))
     solution: Numbers = numpy.zeros(matrix.shape[1])
     left: Numbers = residual

@@ -71,6 +71,7 @@ WRONG = {
         20035,
     ),
 }
+CYCLE = "#RT CYCLE [ID=1 SCOPE=PROG]\n"
 #: A cycle that commands its axis in each tick.
 COMMANDED = "P1 = 1\n#RT CYCLE [ID=1 SCOPE=PROG]\nX[INDP G90 G01 FEED=5000 POS=1]\n#RT CYCLE END\n"
 #: Programs that run, or whose mistake only a run can know.
@@ -143,6 +144,10 @@ def test_nothing_is_said_of_what_is_not_certain(program: str) -> None:
         ("G112 S7000", []),
         ("#MAIN SPINDLE [S2]\nS7000", []),
         ("L CYCLE [NAME=x.nc]\nS7000", []),
+        (f"{CYCLE}S7000 M3\n#RT CYCLE END", [2]),
+        (f"{CYCLE}$IF V.E.COUNT == 0\n$ELSE\nS2[M4 REV=7000]\n$ENDIF\n#RT CYCLE END", [11]),
+        (f"{CYCLE}S2[M3 REV=6000]\nS[M4 REV=V.E.COUNT + 1]\n#RT CYCLE END", []),
+        (f"#MAIN SPINDLE [S2]\n{CYCLE}S7000 M3\n#RT CYCLE END", []),
     ],
 )
 def test_a_speed_beyond_the_spindle_is_a_warning(program: str, columns: list[int]) -> None:

@@ -70,24 +70,30 @@ def check_feed(span: Span, facts: Facts, findings: Findings) -> None:
         findings.report(NO_FEED_ACTIVE, span)
 
 
+def allows_speeds(functions: Collection[int], facts: Facts) -> bool:
+    """Return whether S of a block is certainly a speed that its spindle takes over."""
+    return facts.is_cutting is False and _OTHER_SPEEDS.isdisjoint(functions)
+
+
 def check_speeds(
     block: Block,
-    functions: Collection[int],
-    facts: Facts,
     channel: ChannelParameters,
     limits: Mapping[str, float],
     findings: Findings,
+    *,
+    has_main: bool,
 ) -> None:
-    """Warn of constant speeds beyond ``limits``, the highest speeds of spindles in 1/min."""
-    if facts.is_cutting is not False or not _OTHER_SPEEDS.isdisjoint(functions):
-        return
+    """Warn of constant speeds beyond ``limits``, the highest speeds of spindles in 1/min.
+
+    ``has_main``: the main spindle is certainly that of the channel list.
+    """
     commands, _ = split(block.words, channel.spindle_names)
     for command in commands:
         speed = command.speed
         if not isinstance(speed, Number):
             continue
         for spindle in channel.spindles:
-            is_meant = spindle.is_main if not command.name else False
+            is_meant = has_main and spindle.is_main and not command.name
             if is_meant or command.name in (spindle.name, spindle.list_name):
                 limit = limits.get(spindle.name)
                 if limit is not None and speed.value > limit * (1.0 + 1e-9):

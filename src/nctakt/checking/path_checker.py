@@ -23,7 +23,13 @@ from nctakt.checking.cycle_axes import (
     end_block,
     note_exchange,
 )
-from nctakt.checking.feeds_and_speeds import begin_program, check_feed, check_speeds, note_feed
+from nctakt.checking.feeds_and_speeds import (
+    allows_speeds,
+    begin_program,
+    check_feed,
+    check_speeds,
+    note_feed,
+)
 from nctakt.checking.path_facts import Facts
 from nctakt.decoder.blocks.path_motion import CENTRE_WORDS
 from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
@@ -72,6 +78,7 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary import support_level
+from nctakt.nc.vocabulary.axis_commands import blocks_in
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
@@ -205,6 +212,8 @@ class PathChecker:
                 self._facts = Facts()
             case RealtimeCycle():
                 begin_cycle(statement, self._facts, self._findings)
+                for block in blocks_in(statement.body):
+                    self._speeds(block)
                 self._has_axis_cycles |= _commands_axes(statement.body)
             case CycleControl():
                 self._facts.commanded.clear()
@@ -270,7 +279,8 @@ class PathChecker:
         for function in functions:
             self._function(function)
         note_feed(block, facts)
-        check_speeds(block, functions, facts, self._channel, self._speed_limits, self._findings)
+        if allows_speeds(functions, facts):
+            self._speeds(block)
         if ROTATION_ON not in functions:
             self._radius(block)
         if REFERENCE_OFFSET in functions:
@@ -355,6 +365,10 @@ class PathChecker:
         if not is_diameter:
             return value
         return 0.5 * value if facts.has_diameters else None
+
+    def _speeds(self, block: Block) -> None:
+        is_known = self._facts.is_cutting is not None
+        check_speeds(block, self._channel, self._speed_limits, self._findings, has_main=is_known)
 
     def _feed(self, span: Span, start: Mapping[str, float]) -> None:
         """Check that a block has a feed where an axis certainly moves."""
@@ -486,13 +500,6 @@ def _is_quiet(command: HashCommand) -> bool:
 
 def _commands_axes(statements: Sequence[Statement]) -> bool:
     """Return whether a realtime cycle may move an axis."""
-    for statement in statements:
-        match statement:
-            case Block() if any(isinstance(word, BracketCommand) for word in statement.words):
-                return True
-            case If():
-                bodies = [statement.body, *(branch.body for branch in statement.elseifs)]
-                bodies.append(statement.else_body or ())
-                if any(_commands_axes(body) for body in bodies):
-                    return True
-    return False
+    return any(
+        isinstance(word, BracketCommand) for block in blocks_in(statements) for word in block.words
+    )

@@ -163,19 +163,25 @@ def has_function(command: BracketCommand) -> bool:
     return any(isinstance(item, Keyword) and item.name in ("M", "H") for item in command.items)
 
 
-def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand]:
-    """Yield all single-axis commands of these statements and of those inside them."""
+def blocks_in(statements: Sequence[Statement]) -> Iterator[Block]:
+    """Yield all blocks of these statements of a realtime cycle and of those inside them."""
     for statement in statements:
         match statement:
             case Block():
-                for word in statement.words:
-                    if isinstance(word, BracketCommand) and is_axis_command(word):
-                        yield word
+                yield statement
             case If():
-                yield from axis_commands_in(statement.body)
+                yield from blocks_in(statement.body)
                 for branch in statement.elseifs:
-                    yield from axis_commands_in(branch.body)
-                yield from axis_commands_in(statement.else_body or ())
+                    yield from blocks_in(branch.body)
+                yield from blocks_in(statement.else_body or ())
+
+
+def axis_commands_in(statements: Sequence[Statement]) -> Iterator[BracketCommand]:
+    """Yield all single-axis commands of these statements and of those inside them."""
+    for block in blocks_in(statements):
+        for word in block.words:
+            if isinstance(word, BracketCommand) and is_axis_command(word):
+                yield word
 
 
 def read_axis_command(command: BracketCommand) -> tuple[AxisCommand, list[Finding]]:

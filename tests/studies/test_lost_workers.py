@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 from nctakt.base.failure import Failure
+from nctakt.base.version import __version__
 from nctakt.cli import main, study_progress
 from nctakt.studies import processes, worker_process
 from nctakt.studies.blocks import Blocks
@@ -287,3 +288,28 @@ def test_a_killed_scheduler_keeps_what_is_finished(
     resumed = out.read_bytes()
     assert main([*words, "-j", "2"]) == 0
     assert out.read_bytes() == resumed
+
+
+@pytest.mark.nightly
+def test_a_worker_of_another_version_makes_no_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its rows could be others: 901485 with both versions, for a study and for a search."""
+    distributed = pytest.importorskip("distributed")
+    from nctakt.studies import cluster  # noqa: PLC0415 - an extra
+
+    part = tmp_path / "part.nc"
+    part.write_text("G01 X1 F6000\nM30\n")
+    plan = Study(program=str(part), vary=[{"variable": "V.E.VALUE", "values": [1]}]).plan
+    monkeypatch.setattr(cluster, "__version__", "0.0.1")
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
+    ) as local:
+        with pytest.raises(Failure, match="901485") as raised:
+            list(cluster.rows_of_cluster(plan, [0], local))
+        assert f"nctakt 0.0.1, not {__version__}" in str(raised.value)
+        with (
+            pytest.raises(Failure, match="901485"),
+            cluster.points_of_cluster(plan, local) as make,
+        ):
+            list(make([(0, (1,))]))

@@ -5,7 +5,7 @@ Measured: runs of examples/crossing.nc with fresh inputs in one process, the sam
 into it with windows of 100 ticks; the overhead of Dask against processes; the size of 10^6 rows as
 Parquet; the memory of a process over many runs. Goals: 2,800 runs/s and 10,000 injections/s per
 core, two cores 1.9 times one, Dask within 10 %, 60 MB, memory flat.
-``python -m benchmarks.studies --runs 1000000`` makes so many runs into a folder of parts instead,
+``python -m benchmarks.studies 1000000`` makes so many runs into a folder of parts instead,
 with one worker, and says what they and 10^9 take.
 """
 
@@ -138,8 +138,8 @@ def at_length(count: int) -> None:
 
 def main() -> int:
     """Print one line for each goal."""
-    if "--runs" in sys.argv:
-        at_length(int(sys.argv[sys.argv.index("--runs") + 1]))
+    if sys.argv[1:] and sys.argv[1].isdigit():
+        at_length(int(sys.argv[1]))
         return 0
     print(f"CPython {platform.python_version()}, {platform.machine()}")
     bench = crossing(100_000).bench

@@ -22,6 +22,7 @@ from nctakt.nc.vocabulary.axis_commands import (
     is_axis_command,
     read_axis_command,
     refusal,
+    whole_span,
 )
 from nctakt.nc.vocabulary.variable_table import NameTable
 
@@ -53,7 +54,7 @@ class AxisCommandChecker:
         for finding in findings:
             self._report(finding)
         reported = {finding.span for finding in findings}
-        values = [value for value in command.expressions() if value.span not in reported]
+        values = [value for value in command.expressions() if whole_span(value) not in reported]
         self._values.block(*values)
 
     def _axis(self, bracket: BracketCommand) -> None:

@@ -8,6 +8,7 @@ values. Checker, decoder and listing read commands through this module only.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from types import MappingProxyType
 from typing import Literal
 
@@ -296,9 +297,20 @@ def _has_direction(value: Expression) -> bool:
 
 
 def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Finding:
+    written = whole_span(value)
     return Finding(
-        INVALID_KEYWORD_VALUE, value.span, {"word": word, "names": ", ".join(names)}, "value"
+        INVALID_KEYWORD_VALUE, written, {"word": word, "names": ", ".join(names)}, "value"
     )
+
+
+def whole_span(value: Expression) -> Span:
+    """Return the span of a value from its first operand to its last one."""
+    match value:
+        case Binary():
+            return replace(whole_span(value.left), end_column=whole_span(value.right).end_column)
+        case Unary():
+            return replace(value.span, end_column=whole_span(value.operand).end_column)
+    return value.span
 
 
 def _combination(command: AxisCommand, keywords: dict[str, Keyword]) -> list[int]:

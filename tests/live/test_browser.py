@@ -422,3 +422,25 @@ def test_nothing_is_cut_off(browser: Any, tmp_path: Path, width: int, height: in
         for name in ("editor", "scope", "path"):
             assert page.get_by_test_id(name).bounding_box()["height"] > 140, name
         page.close()
+
+
+def test_all_conditions_have_lanes(browser: Any, tmp_path: Path) -> None:
+    """Of eight conditions, six are shown; wheel, keys and the program's pointer show the others."""
+    branches = "".join(f"  $IF V.E.VALUE > {one}\n    M100\n  $ENDIF\n" for one in range(8))
+    text = f"#RT CYCLE [ID=1 SCOPE=PROG]\n{branches}#RT CYCLE END\nG01 X20 F6000\nM30\n"
+    with served(str(written(tmp_path, text))) as address:
+        page = opened(browser, address)
+        page.wait_for_function("nctaktRun.run.conditions.length === 8")
+        first = "nctaktRun.run.firstLane"
+        assert page.evaluate(first) == 0
+        for key, lane in (("j", 1), ("j", 2), ("j", 2), ("k", 1)):
+            page.keyboard.press(key)
+            page.wait_for_timeout(300)
+            page.wait_for_function(f"{first} === {lane}")
+        scope = page.get_by_test_id("scope").bounding_box()
+        page.mouse.move(scope["x"] + 200, scope["y"] + 60)
+        page.mouse.wheel(0, -100)
+        page.wait_for_function(f"{first} === 0")
+        page.locator(".cm-line").nth(22).hover()
+        page.wait_for_function(f"{first} === 2")
+        page.close()

@@ -219,6 +219,10 @@ class Drawings:
         """Scroll the scope by a share of what it shows."""
         self._scope.run_method("panBy", share)
 
+    def scroll_lanes(self, rows: int) -> None:
+        """Show further conditions, or those before."""
+        self._scope.run_method("scrollLanes", rows)
+
     def mark(self) -> None:
         """Compare values with those of this tick from now on, or no more."""
         self._scope.run_method("mark")

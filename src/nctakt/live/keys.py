@@ -74,6 +74,8 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
             _same("ArrowUp", "scope_in", "↑"),
             _same("ArrowDown", "scope_out", "↓"),
             _same("0", "scope_fit", "0"),
+            _same("j", "lanes_down", "J"),
+            _same("k", "lanes_up", "K"),
             _same("m", "scope_mark", "M"),
             _same("v", "turn_view", "V"),
             _same("1", "tab_findings", "1"),

@@ -350,6 +350,8 @@ class Page:
             "scope_in": lambda: drawings.zoom(0.6),
             "scope_out": lambda: drawings.zoom(1.6),
             "scope_fit": drawings.fit,
+            "lanes_up": lambda: drawings.scroll_lanes(-1),
+            "lanes_down": lambda: drawings.scroll_lanes(1),
             "scope_mark": drawings.mark,
             "turn_view": drawings.turn_view,
             "take_pen": self._take_pen,

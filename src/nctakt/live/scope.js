@@ -3,7 +3,8 @@
 import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
 import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, take, zoom } from "nctakt-store";
 
-const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4;
+const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6;
+const LANES_TOP = LABEL * LABEL_ROWS + 3;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
   "#84a316", "#a16ae8", "#64748b", "#d97796"];
 const MARKS = { fired: "#e8833a", M: "#8b7cf6", H: "#8b7cf6", output: "#8b7cf6", message: "#0ea5b7", error: "#d64545" };
@@ -34,6 +35,17 @@ export default {
     zoomBy(factor) { zoom((run.from + run.to) / 2, factor); this.ask(); },
     mark() { mark(); },
     panBy(share) { pan(share); this.ask(); },
+    scrollLanes(rows) {
+      run.firstLane = clamp(run.firstLane + rows, 0, Math.max(0, run.conditions.length - MAX_LANES));
+      changed();
+    },
+    // The condition under the editor's pointer comes into view.
+    followLine() {
+      const row = run.line === this.line ? -1 : run.conditions.indexOf(run.line);
+      this.line = run.line;
+      if (row < 0) return;
+      run.firstLane = clamp(run.firstLane, Math.max(0, row - MAX_LANES + 1), row);
+    },
 
     // --- places ------------------------------------------------------------------------------
     inner() { return Math.max(1, this.$el.clientWidth - LEFT - RIGHT); },
@@ -94,6 +106,11 @@ export default {
     },
     wheel(event) {
       event.preventDefault();
+      const { length } = run.conditions, lanes = event.offsetY - LANES_TOP;
+      if (length > MAX_LANES && lanes >= 0 && lanes < MAX_LANES * LANE) {
+        this.scrollLanes(Math.sign(event.deltaY));
+        return;
+      }
       if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
         pan((event.deltaX || event.deltaY) / this.inner());
       } else zoom(this.tickOf(event.offsetX), Math.exp(clamp(event.deltaY, -200, 200) * 0.003));
@@ -117,11 +134,21 @@ export default {
         const key = units.has(unit) || units.size < MAX_PANELS ? unit : [...units.keys()].pop();
         units.set(key, [...(units.get(key) || []), index]);
       });
-      const lanesTop = LABEL * LABEL_ROWS + 3, top = lanesTop + conditions.length * LANE + 4;
+      this.followLine();
+      run.firstLane = clamp(run.firstLane, 0, Math.max(0, conditions.length - MAX_LANES));
+      const lanesTop = LANES_TOP, rows = Math.min(conditions.length, MAX_LANES), top = lanesTop + rows * LANE + 4;
       const bottom = height - AXIS, each = units.size ? (bottom - top) / units.size : bottom - top;
       this.drawTime(pen, width, lanesTop, bottom);
       this.drawLine(pen, lanesTop, bottom);
-      conditions.forEach((line, row) => this.drawCondition(pen, line, row, lanesTop + row * LANE, width));
+      for (let row = 0; row < rows; row += 1) {
+        const index = run.firstLane + row;
+        this.drawCondition(pen, conditions[index], index, lanesTop + row * LANE, width);
+      }
+      if (conditions.length > rows) { // which of them these are
+        const share = (rows * LANE) / conditions.length;
+        pen.fillStyle = colour("--nc-soft");
+        pen.fillRect(width - RIGHT + 3, lanesTop + run.firstLane * share, 3, rows * share);
+      }
       this.drawMarks(pen, width, lanesTop, bottom);
       let place = 0, tint = 0;
       for (const [unit, indices] of units) {

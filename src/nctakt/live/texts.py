@@ -130,6 +130,8 @@ _WORDS: dict[str, tuple[str, str]] = {
     "scope_fit": ("Show all", "Alles zeigen"),
     "scope_left": ("Scroll the scope back", "Oszilloskop zurückschieben"),
     "scope_right": ("Scroll the scope forward", "Oszilloskop weiterschieben"),
+    "lanes_up": ("The conditions before, in the scope", "Vorherige Bedingungen im Oszilloskop"),
+    "lanes_down": ("Further conditions in the scope", "Weitere Bedingungen im Oszilloskop"),
     "scope_mark": (
         "Compare with this tick (Shift and a click, Shift and drag in the scope)",
         "Mit diesem Takt vergleichen (Umschalt und Klick oder Ziehen im Oszilloskop)",

@@ -53,8 +53,8 @@ Entry = TechnologyEntry | SpindleEntry
 #: Characters of the compared values beside a condition at most.
 _MAX_COMPARED = 100
 
-#: Conditions that have a lane in the scope at most: the first ones.
-MAX_CONDITIONS = 6
+#: Conditions that have a lane in the scope at most, the first ones: it shows six, and scrolls.
+MAX_CONDITIONS = 100
 
 #: V.E variables that the page shows at most, and signals of the scope.
 MAX_VARIABLES, MAX_SIGNALS = 400, 12

@@ -11,6 +11,7 @@ export const run = {
   logged: {}, // by the signal's name: a machine's log in ticks of this run
   isPlaying: false, future: null, cycleUs: 1000, detail: null, words: {},
   cursor: null, anchor: null, head: null, line: 0, // between anchor and head: what a person compares
+  firstLane: 0, // of the conditions: the one that the scope shows first
   from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();

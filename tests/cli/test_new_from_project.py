@@ -65,3 +65,18 @@ def test_what_is_no_project_of_a_cnc(
     assert "902680" in said
     assert reason in said
     assert not (tmp_path / "mill").exists()
+
+
+@pytest.mark.parametrize("words", [["--format", "xml"], ["--root", "."]])
+def test_options_without_a_use_are_refused(
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """902735: the lists stay as the project has them; no folder is made."""
+    monkeypatch.chdir(tmp_path)
+    Path("Cell.tsproj").write_text(project(), "utf-8")
+    assert main(["new", "mill", "--from", "Cell.tsproj", *words]) == 2
+    assert "902735" in capsys.readouterr().err
+    assert not Path("mill").exists()

@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT
    A plant for tests: y = gain * u, n counts the steps, b says whether y is above 10.
-   FMI_2 builds it for FMI 2.0, else for FMI 3.0. fault: 1 fails in a step, 2 wants to end. */
+   FMI_2 builds it for FMI 2.0, else for FMI 3.0. fault: 1 fails in a step, 2 wants to end, 3 ends
+   the process, 4 does not return,
+   5 is late. */
+#include <signal.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <unistd.h>
 
 typedef struct {
     double u, y, gain;
@@ -53,6 +57,9 @@ static int failed(Plant *p, const char *text) {
 
 static int step(Plant *p) {
     if (p->fault == 1 && p->n == 3) return failed(p, "the spring is broken");
+    if (p->fault == 3 && p->n == 3) raise(SIGSEGV);
+    if (p->fault == 4 && p->n == 3) sleep(30);
+    if (p->fault == 5 && p->n == 3) usleep(2500000);
     p->y = p->gain * p->u;
     p->b = p->y > 10.0;
     p->n += 1;

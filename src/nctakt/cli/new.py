@@ -31,6 +31,7 @@ from nctakt.messages.folders import (
     ENTRIES_AS_COMMENTS,
     LISTS_KEPT_IN_ASCII,
     LISTS_WRITTEN,
+    PROJECT_LISTS_AS_THEY_ARE,
 )
 from nctakt.run.options import BY_NAME
 
@@ -90,6 +91,9 @@ def command(
         if source is None:
             lists = commented_lists(language, list_format)
         elif (project := project_in(Path(source))) is not None:
+            for said, is_given in (("--root", root), ("--format xml", list_format == "xml")):
+                if is_given:
+                    raise Failure(diagnostic(PROJECT_LISTS_AS_THEY_ARE, option=said))
             lists = lists_of_project(project, FileAccess())
         else:
             lists = _converted(source, root, Conversion(list_format, language))

@@ -116,6 +116,16 @@ TRUST_OPTION = option(
         "Code ausführen, den die Projektdatei nennt, wer immer ihn schreiben darf.",
     ),
 )
+ISOLATE_OPTION = option(
+    "--isolate",
+    "isolates",
+    is_flag=True,
+    group="machine",
+    text=Text(
+        "Run the FMU in a process of its own: one that crashes or hangs ends the run only.",
+        "Die FMU in einem eigenen Prozess ausführen: stürzt oder hängt sie, endet nur der Lauf.",
+    ),
+)
 WATCH_OPTION = option(
     "--watch",
     is_flag=True,

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.options import MODE_OPTION, TRUST_OPTION, table_options
+from nctakt.cli.options import ISOLATE_OPTION, MODE_OPTION, TRUST_OPTION, table_options
 from nctakt.cli.request import Options, Request
 from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics
 from nctakt.files.access import FileAccess
@@ -65,7 +65,7 @@ def run_options(command: str) -> Callable[[_Command], _Command]:
     """Return a decorator with the options of a command that runs programs."""
 
     def decorate(function: _Command) -> _Command:
-        return table_options(command)(TRUST_OPTION(MODE_OPTION(function)))
+        return table_options(command)(ISOLATE_OPTION(TRUST_OPTION(MODE_OPTION(function))))
 
     return decorate
 

@@ -106,6 +106,7 @@ def _settings(
         has_plc=words.get("hli") is not None or not runs_code,
         fmu=words.get("fmu"),
         fmu_use=fmu_use,
+        isolates=words.pop("isolates", False),
         values=[text.partition("=")[0].strip() for text in words["assignments"]],
         until=words.get("until"),
         is_limited=words.get("ticks") is not None,

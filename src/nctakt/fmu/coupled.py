@@ -22,6 +22,7 @@ from nctakt.fmu.connections import Connection, Connections, FmuTables
 from nctakt.fmu.description import FmuVariable, read_fmu
 from nctakt.fmu.failures import FmuError
 from nctakt.fmu.instance import FmuInstance
+from nctakt.fmu.isolated import IsolatedInstance
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.fmu import FMU_STEP_NOT_POSSIBLE, FMU_VALUE_REFUSED
@@ -37,7 +38,9 @@ class Fmu:
 
     ``every``: its communication step, a whole number of ticks. ``inputs``: its variables -> signals
     and variables of the machine; ``outputs``: its variables -> what they set; without both,
-    variables of equal names. ``start``: values before the first step. Raises ``FmuError``.
+    variables of equal names. ``start``: values before the first step. ``isolate``: it runs in a
+    process of its own, which is ended if a call lasts longer than ``limit``; otherwise such a call
+    is told. Raises ``FmuError``.
     """
 
     def __init__(
@@ -48,14 +51,17 @@ class Fmu:
         inputs: Mapping[str, str] | None = None,
         outputs: Mapping[str, str] | None = None,
         start: Mapping[str, float | bool | str] | None = None,
+        isolate: bool = False,
+        limit: TimeLike = "10 s",
         access: FileAccess | None = None,
     ) -> None:
         self._every = read_time(every)
         self._description = read_fmu(Path(file), access or FileAccess())
         self._tables = FmuTables(inputs or {}, outputs or {}, start or {})
+        self._is_isolated, self._limit = isolate, read_time(limit)
         self._next = NEVER
         self._folder: tempfile.TemporaryDirectory[str] | None = None
-        self._instance: FmuInstance | None = None
+        self._instance: FmuInstance | IsolatedInstance | None = None
 
     def begin(self, machine: AssembledMachine) -> None:
         """Get ready for a run from the machine's next tick on; raises ``FmuError``."""
@@ -69,7 +75,10 @@ class Fmu:
         self._read = [one.variable for one in self._outputs]
         self._folder = tempfile.TemporaryDirectory(prefix="nctakt-fmu-", ignore_cleanup_errors=True)
         unpack(self._description.file, Path(self._folder.name))
-        self._instance = instance = FmuInstance(self._description, Path(self._folder.name))
+        kind = IsolatedInstance if self._is_isolated else FmuInstance
+        limit_s = self._limit.us(machine.configuration.cycle_time_us) / 1e6
+        instance = kind(self._description, Path(self._folder.name), limit_s)
+        self._instance = instance
         instance.begin(connections.start, self._values())
         self._next = self._first = machine.kernel.tick
 
@@ -98,9 +107,9 @@ class Fmu:
         instance = self._instance
         assert instance is not None
         if self._next > self._first:
-            instance.set(self._values())
-            instance.step(instance.time_us, self._step_us)
-        values = instance.get(self._read)
+            values = instance.advance(self._values(), self._step_us, self._read)
+        else:
+            values = instance.get(self._read)
         for one in self._outputs:
             self._write(one, values[one.variable.name])
         self._next += self._ticks
@@ -159,5 +168,7 @@ def fmu_of(settings: FmuSettings, access: FileAccess | None = None) -> Fmu:
         inputs=settings.inputs,
         outputs=settings.outputs,
         start=settings.start,
+        isolate=settings.isolate,
+        limit=settings.limit,
         access=access,
     )

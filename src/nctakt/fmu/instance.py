@@ -9,16 +9,18 @@ from __future__ import annotations
 
 import ctypes
 import os
+import sys
 from collections import deque
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nctakt.fmu.call_watch import CallWatch
 from nctakt.fmu.description import FmuDescription, FmuVariable
 from nctakt.fmu.failures import FmuError, fmpy
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_ENDED, FMU_FAILED
+from nctakt.messages.fmu import FMU_ENDED, FMU_FAILED, FMU_LATE
 
 _STATUSES = ("ok", "warning", "discard", "error", "fatal", "pending")
 _ERROR, _FATAL = 3, 4
@@ -29,9 +31,12 @@ _LINE_LENGTH = 300
 
 
 class FmuInstance:
-    """An instance; ``time_us``: the time of the run up to which it has come."""
+    """An instance; ``time_us``: the time of the run up to which it has come.
 
-    def __init__(self, description: FmuDescription, folder: Path) -> None:
+    A call that lasts longer than ``limit_s`` is told on the error output; 0: it is not looked.
+    """
+
+    def __init__(self, description: FmuDescription, folder: Path, limit_s: float = 0.0) -> None:
         self._description = description
         self._library = fmpy()
         self._log: deque[str] = deque(maxlen=_LOG_LINES)
@@ -43,6 +48,9 @@ class FmuInstance:
             if description.version == 2
             else self._library.fmi3.FMU3Slave
         )
+        self._function = ""
+        self._limit_us = round(limit_s * 1e6)
+        self._watch = CallWatch(limit_s, self._tell_late) if limit_s else None
         self._model: Any = None
         self._model = self._call(
             "load",
@@ -76,6 +84,14 @@ class FmuInstance:
         self.set(inputs)
         name = f"fmi{self._description.version}ExitInitializationMode"
         self._call(name, model.exitInitializationMode)
+
+    def advance(
+        self, inputs: Mapping[FmuVariable, Any], step_us: int, variables: Sequence[FmuVariable]
+    ) -> dict[str, float | bool | str]:
+        """Set inputs, make a step, and return the values of variables; raises ``FmuError``."""
+        self.set(inputs)
+        self.step(self.time_us, step_us)
+        return self.get(variables)
 
     def _instantiate(self) -> None:
         if self._description.version == 2:
@@ -113,6 +129,13 @@ class FmuInstance:
 
     def end(self) -> None:
         """End the instance; one that has failed is freed as far as FMI permits."""
+        try:
+            self._end()
+        finally:
+            if self._watch is not None:
+                self._watch.stop()
+
+    def _end(self) -> None:
         if not self._is_begun:
             return
         self._is_begun = False
@@ -176,6 +199,10 @@ class FmuInstance:
 
     def _call(self, function: str, call: Any) -> Any:
         """Return what a call of the library gives; raises ``FmuError`` (902609)."""
+        watch = self._watch
+        if watch is not None:
+            self._function = function
+            watch.begin()
         try:
             return call()
         except Exception as error:  # FMPy raises bare exceptions, ctypes its own
@@ -191,6 +218,19 @@ class FmuInstance:
                 reason=reason,
             )
             raise FmuError(found) from error
+        finally:
+            if watch is not None:
+                watch.end()
+
+    def _tell_late(self) -> None:
+        late = diagnostic(
+            FMU_LATE,
+            file=self._name,
+            function=self._function,
+            time=str(Time(self.time_us)),
+            limit=str(Time(self._limit_us)),
+        )
+        print(late.render(), file=sys.stderr, flush=True)
 
 
 def _status_name(status: int) -> str:

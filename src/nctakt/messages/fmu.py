@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
 FMU_LIBRARY_MISSING = error(
     902600,
@@ -144,4 +144,42 @@ CELL_NAME_NOT_POSSIBLE = error(
     de="{file} kann nicht die Datei einer FMU sein",
     remedy_en="Name it like a variable, with the ending .fmu: cell.fmu",
     remedy_de="Sie wie eine Variable nennen, mit der Endung .fmu: zelle.fmu",
+)
+FMU_CRASHED = error(
+    902731,
+    en="{file} has ended its process at {time} of the run, {call}: {reason}",
+    de="{file} hat seinen Prozess bei {time} des Laufs beendet, {call}: {reason}",
+    remedy_en="Correct the model; what it has written to the error output stands above.",
+    remedy_de="Das Modell berichtigen; was es auf die Fehlerausgabe geschrieben hat, steht oben.",
+    time=("the time", "die Zeit"),
+    call=("what was asked of it", "was von ihm verlangt war"),
+    reason=("the signal or the exit code", "das Signal oder der Rückgabewert"),
+)
+FMU_HANGS = error(
+    902732,
+    en="{file} has not returned for {limit} at {time} of the run, {call}; its process was ended",
+    de="{file} kehrt bei {time} des Laufs seit {limit} nicht zurück, {call}; sein Prozess wurde "
+    "beendet",
+    remedy_en='Correct the model, or give it longer in nctakt.toml: [fmu], limit = "60 s"',
+    remedy_de='Das Modell berichtigen oder ihm mehr Zeit geben: [fmu], limit = "60 s"',
+    limit=("how long a call may last", "wie lange ein Aufruf dauern darf"),
+    time=("the time", "die Zeit"),
+    call=("what was asked of it", "was von ihm verlangt war"),
+)
+FMU_LATE = warning(
+    902733,
+    en="{file} has not returned from {function} for {limit}, at {time} of the run",
+    de="{file} kehrt seit {limit} nicht aus {function} zurück, bei {time} des Laufs",
+    remedy_en='End nctakt, and run again with --isolate; or give it longer: [fmu], limit = "60 s"',
+    remedy_de='nctakt beenden, neu mit --isolate; oder mehr Zeit geben: [fmu], limit = "60 s"',
+    function=("the function of FMI", "die Funktion von FMI"),
+    limit=("how long a call may last", "wie lange ein Aufruf dauern darf"),
+    time=("the time", "die Zeit"),
+)
+NOTHING_TO_ISOLATE = error(
+    902734,
+    en="--isolate, and there is no FMU",
+    de="--isolate, und es gibt keine FMU",
+    remedy_en="Name one: --fmu plant.fmu",
+    remedy_de="Eine nennen: --fmu anlage.fmu",
 )

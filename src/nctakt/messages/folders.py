@@ -147,3 +147,11 @@ PROJECT_WITHOUT_LISTS = error(
     remedy_de="Die Listen seiner CNC in einen Ordner exportieren: docs/machine-folders.md.",
     reason=("what is wrong", "was falsch ist"),
 )
+PROJECT_LISTS_AS_THEY_ARE = error(
+    902735,
+    en="{option}: the lists of a TwinCAT project are written as they stand in it",
+    de="{option}: Die Listen eines TwinCAT-Projekts werden so geschrieben, wie sie darin stehen",
+    remedy_en="Leave it out; then write them anew: nctakt new mill-xml --from mill --format xml.",
+    remedy_de="Weglassen; danach neu schreiben: nctakt new mill-xml --from mill --format xml.",
+    option=("the option", "die Option"),
+)

@@ -58,7 +58,7 @@ OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
 _PLC_KEYS = ("file", "libraries", "axes", "instruction_time")
-_FMU_KEYS = ("file", "every", "inputs", "outputs", "start")
+_FMU_KEYS = ("file", "every", "inputs", "outputs", "start", "isolate", "limit")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
@@ -68,6 +68,7 @@ _LANGUAGE = Text("a language", "eine Sprache")
 _AXES = Text("a table of names of axes", "eine Tabelle mit Namen von Achsen")
 _MAX_NS = 1_000_000
 _NANOSECONDS = Text("whole nanoseconds, 0 … 1000000", "ganze Nanosekunden, 0 … 1000000")
+_TRUTH = Text("true or false", "true oder false")
 _ON_TABLE = Text("a table", "eine Tabelle")
 _VALUE = Text("a number or a text", "eine Zahl oder ein Text")
 _TIME = Text("a time above 0", "eine Zeit über 0")
@@ -81,7 +82,8 @@ class FmuSettings:
     """What a project says about an FMU; ``file`` ``None``: it is named elsewhere.
 
     ``inputs``, ``outputs``: the FMU's variables -> names of the machine; ``start``: their values
-    before the first step.
+    before the first step; ``isolate``: it runs in a process of its own; ``limit``: how long a call
+    of it may last.
     """
 
     file: Path | None = None
@@ -89,6 +91,8 @@ class FmuSettings:
     inputs: Mapping[str, str] = field(default_factory=dict)
     outputs: Mapping[str, str] = field(default_factory=dict)
     start: Mapping[str, float | str] = field(default_factory=dict)
+    isolate: bool = False
+    limit: Time = Time(10_000_000)
 
 
 @dataclass(frozen=True, slots=True)
@@ -327,12 +331,19 @@ class _Reader:
             return None if file is None else FmuSettings(file)
         self._check_keys("fmu", value, _FMU_KEYS)
         every = self._time("every", value.get("every"), 'every = "10 ms"', "fmu")
+        limit = self._time("limit", value.get("limit"), 'limit = "10 s"', "fmu")
+        isolate = value.get("isolate", False)
+        if not isinstance(isolate, bool):
+            entry_location = self._location_in("fmu", "isolate")
+            self._wrong("fmu.isolate", isolate, _TRUTH, "isolate = true", entry_location)
         return FmuSettings(
             self._path("file", value.get("file"), 'file = "plant.fmu"', "fmu"),
             Time(1, is_in_ticks=True) if every is None else every,
             self._table_of("inputs", value, 'inputs = {"position" = "X.ACS.ACT_POS"}', str),
             self._table_of("outputs", value, 'outputs = {"force" = "V.E.VALUE"}', str),
             self._table_of("start", value, 'start = {"mass" = 12.5}', (str, int, float)),
+            isolate is True,
+            FmuSettings().limit if limit is None else limit,
         )
 
     def _table_of(

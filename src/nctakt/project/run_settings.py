@@ -20,6 +20,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import TimeLike
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
+from nctakt.messages.fmu import NOTHING_TO_ISOLATE
 from nctakt.messages.project import (
     PROGRAMS_OF_DIFFERENT_MACHINES,
     PROJECT_FMU_NOT_POSSIBLE,
@@ -42,7 +43,7 @@ class Named:
 
     ``plc``: a file, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file.
     ``fmu``: a file; ``fmu_use``: whether it runs that of the project, leaves it out, or has to
-    refuse it.
+    refuse it; ``isolates``: whether it gives an FMU a process of its own.
     ``values``: the variables that it sets before the first tick. ``is_limited``: it has a limit of
     another form than ``until``. ``base``: the folder from which machine and PLC are seen.
     """
@@ -52,6 +53,7 @@ class Named:
     has_plc: bool = False
     fmu: str | Path | None = None
     fmu_use: FmuUse = "refuse"
+    isolates: bool = False
     values: Collection[str] = ()
     until: TimeLike | None = None
     is_limited: bool = False
@@ -114,7 +116,7 @@ def run_settings(
         machine=machine,
         machine_note=note,
         plc=_plc(named, project, access),
-        fmu=_fmu(named, project, access),
+        fmu=_isolated(named, _fmu(named, project, access)),
         values={name: value for name, value in of_project.items() if name not in named.values},
         until=named.until if is_limited or project is None else project.until,
         language=None if project is None else project.language,
@@ -147,6 +149,15 @@ def _fmu(named: Named, project: Project | None, access: FileAccess) -> FmuSettin
     access.check_admitted(found.file)
     _check_trusted(project, "fmu", found.file)
     return found
+
+
+def _isolated(named: Named, fmu: FmuSettings | None) -> FmuSettings | None:
+    """Return the FMU in a process of its own, if that is asked for; raises ``Failure`` (902734)."""
+    if not named.isolates:
+        return fmu
+    if fmu is None:
+        raise Failure(diagnostic(NOTHING_TO_ISOLATE))
+    return replace(fmu, isolate=True)
 
 
 def _check_trusted(project: Project, key: str, code: Path) -> None:

@@ -55,8 +55,9 @@ def test_every_module_with_types_is_compiled(setup: ModuleType) -> None:
 
 def test_modules_that_have_moved_are_removed(setup: ModuleType, tmp_path: Path) -> None:
     """What an earlier build has left would be imported, or go into a wheel."""
-    kept = ["nctakt/__init__.py", "nctakt/kernel/kernel.py", "nctakt/kernel/kernel.cpython-311.so"]
-    left = ["nctakt/gone.py", "nctakt/gone.cpython-311.so", "nctakt/__init__.pyd"]
+    compiled = f"nctakt/kernel/kernel{setup.ENDING}"
+    kept = ["nctakt/__init__.py", "nctakt/kernel/kernel.py", compiled]
+    left = ["nctakt/gone.py", f"nctakt/gone{setup.ENDING}", "nctakt/kernel/kernel.cpython-310.so"]
     for name in (*kept, *left):
         file = tmp_path / name
         file.parent.mkdir(parents=True, exist_ok=True)

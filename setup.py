@@ -6,7 +6,7 @@ built once, as ``nctakt._cython``. Without a C compiler the package is installed
 all modules are compiled or none is, since a compiled class derives from no other kind.
 
 With ``NCTAKT_ABI3=1`` the modules keep to Python's limited API: one wheel serves all versions from
-the oldest on. Otherwise they are for the Python that builds them, and decode a tenth faster.
+the oldest on. Otherwise they are for the Python that builds them, and decode some per cent faster.
 
 ``build_ext --checked`` builds modules that find faults instead of being fast: with bounds checks,
 and under Linux with the sanitizers of addresses and of undefined behaviour.

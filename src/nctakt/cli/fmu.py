@@ -99,6 +99,7 @@ def command(target: str, version: str, **words: Any) -> int:
         words,
         lambda options, access: _pack(options, access, target, int(version), inputs, outputs),
         fmu_use="leave_out",
+        takes_several_plcs=False,
     )
 
 

@@ -154,7 +154,11 @@ def command(
     shown = is_embedded, opens_browser
     read = None if log is None else LogWords(log, mapping, tolerances, offset)
     own = Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
-    return carry_out(words, lambda options, access: show_page(options, access, own))
+    return carry_out(
+        words,
+        lambda options, access: show_page(options, access, own),
+        takes_several_plcs=False,
+    )
 
 
 @dataclass(frozen=True, slots=True)

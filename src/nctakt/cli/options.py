@@ -20,6 +20,7 @@ from nctakt.run.option_kinds import (
     ChannelPrograms,
     Flag,
     Folders,
+    Instances,
     Kind,
     Moment,
     Programs,
@@ -47,7 +48,7 @@ def _attributes(kind: Kind) -> dict[str, Any]:
             return {"type": click.Choice(kind.choices)}
         case Folders():
             return {"multiple": True, "type": click.Path(exists=True, file_okay=False)}
-        case Assignments():
+        case Assignments() | Instances():
             return {"multiple": True}
         case ChannelPrograms() | Stimuli():
             return {"multiple": True, "nargs": 2}

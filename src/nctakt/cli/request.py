@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
 
@@ -64,7 +64,7 @@ class Options:
     machine: str | None
     machine_note: Diagnostic | None = None
     root: str | None = None
-    plc: str | None
+    plcs: tuple[str, ...] = ()
     fmu: FmuSettings | None = None
     run: Mapping[str, Any]
     trace: str | None = None
@@ -90,6 +90,11 @@ class Options:
     record: str | None = None
     retain: str | None = None
     tape: Tape | None = None
+
+    @property
+    def plc(self) -> str | None:
+        """The file of the PLC where there is one at most."""
+        return next(iter(self.plcs), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,7 +158,7 @@ def read_request(options: Options, access: FileAccess) -> Request:
     for name, word in run.items():
         for value in reader.read(BY_NAME[name].kind.from_words, word):
             read[name] = value
-    plc = () if options.plc is None else reader.read(_load_plc, options.plc, access)
+    plc = reader.read(_load_plcs, options.plcs, access) if options.plcs else ()
     fmu = () if options.fmu is None else reader.read(_load_fmu, options.fmu, access)
     if run["from_line"] is not None and run["from_block"] is not None:
         reader.diagnostics.append(diagnostic(BOTH_STARTS_GIVEN))
@@ -235,12 +240,13 @@ def _load_fmu(settings: FmuSettings, access: FileAccess) -> Coupled:
     return fmu_of(settings, access)
 
 
-def _load_plc(path: str, access: FileAccess) -> AnyPlc:
-    from nctakt.plc import load_plc  # noqa: PLC0415 - the mode is chosen before its import
+def _load_plcs(paths: Sequence[str], access: FileAccess) -> AnyPlc | None:
+    from nctakt.plc.loading import load_plcs  # noqa: PLC0415 - the mode is chosen before its import
     from nctakt.run.realtime_plc import files_of  # noqa: PLC0415 - as above
 
-    access.note(path)
-    plc = load_plc(path)
+    for path in paths:
+        access.note(path)
+    plc = load_plcs(paths)
     for file in files_of(plc):
         access.note(file)
     return plc

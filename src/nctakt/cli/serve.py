@@ -255,7 +255,7 @@ def command(
         with building() as built:
             return _serve(options, access, own, built)
 
-    return carry_out({**words, "stays": True}, show)
+    return carry_out({**words, "stays": True}, show, takes_several_plcs=False)
 
 
 @dataclass(frozen=True, slots=True)

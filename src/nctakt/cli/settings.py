@@ -31,17 +31,22 @@ def carry_out(
     *,
     runs_code: bool = True,
     fmu_use: FmuUse | None = None,
+    takes_several_plcs: bool = True,
 ) -> int:
     """Carry out a command that runs programs; its exit code. A ``Failure`` is shown.
 
     ``runs_code``: the project's PLC too; without it only one that the words name.
     ``fmu_use``: what becomes of the project's FMU, by default what the command's options say.
+    ``takes_several_plcs``: it runs more than one PLC.
     """
+    several = takes_several_plcs
     paths = [*words["programs"], *(program for _, program in words["others"])]
     return maybe_watched(
         words,
         paths,
-        lambda access: _carry_out(words, action, access, runs_code=runs_code, fmu_use=fmu_use),
+        lambda access: _carry_out(
+            words, action, access, runs_code=runs_code, fmu_use=fmu_use, several=several
+        ),
     )
 
 
@@ -72,16 +77,18 @@ def _carry_out(
     *,
     runs_code: bool,
     fmu_use: FmuUse | None,
+    several: bool,
 ) -> int:
     language: Language = words["language"] or "en"
     settings: RunSettings | None = None
     try:
-        settings = _settings(words, access, fmu_use, runs_code=runs_code)
+        settings = _settings(words, access, fmu_use, runs_code=runs_code, several=several)
         options = _completed(words, settings)
         language = options.language
         project = settings.project
-        if not (runs_code or words["plc"] or words["quiet"]) and project and project.plc:
-            print_diagnostics([diagnostic(PLC_NOT_RUN, plc=str(project.plc))], language)
+        if not (runs_code or words["plc"] or words["quiet"]) and project and project.plcs:
+            files = ", ".join(map(str, project.plcs))
+            print_diagnostics([diagnostic(PLC_NOT_RUN, plc=files)], language)
         fmu = None if runs_code or settings.fmu or project is None else project.fmu
         if fmu is not None and fmu.file is not None and not words["quiet"]:
             print_diagnostics([diagnostic(FMU_NOT_RUN, fmu=str(fmu.file))], language)
@@ -93,7 +100,12 @@ def _carry_out(
 
 
 def _settings(
-    words: dict[str, Any], access: FileAccess, fmu_use: FmuUse | None, *, runs_code: bool
+    words: dict[str, Any],
+    access: FileAccess,
+    fmu_use: FmuUse | None,
+    *,
+    runs_code: bool,
+    several: bool,
 ) -> RunSettings:
     """Return the settings of the words; raises ``Failure`` where these are wrong."""
     if fmu_use is None:
@@ -102,7 +114,8 @@ def _settings(
     files = [Path(program) for program in programs if program != STANDARD_INPUT]
     named = Named(
         machine=words["machine"],
-        plc=words["plc"],
+        plcs=words["plc"],
+        takes_several_plcs=several,
         has_plc=words.get("hli") is not None or not runs_code,
         fmu=words.get("fmu"),
         fmu_use=fmu_use,
@@ -117,6 +130,7 @@ def _settings(
 def _completed(words: dict[str, Any], settings: RunSettings) -> Options:
     """Return the words with the settings."""
     run, others = split_words(words)
+    del others["plc"]
     run["set"] = (
         *(assignment_text(*one) for one in settings.values.items()),
         *run["set"],
@@ -127,7 +141,7 @@ def _completed(words: dict[str, Any], settings: RunSettings) -> Options:
         **others,
         "run": run,
         "language": words["language"] or settings.language or "en",
-        "plc": None if settings.plc is None else str(settings.plc),
+        "plcs": tuple(map(str, settings.plcs)),
         "fmu": settings.fmu,
         "machine_note": settings.machine_note,
         "project_signals": settings.signals,

@@ -27,9 +27,9 @@ from nctakt.messages.tape import (
 )
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME, project_around
 from nctakt.run.program_loader import NcText
-from nctakt.run.realtime_plc import is_structured
+from nctakt.run.realtime_plc import has_called_plc, is_structured
 from nctakt.run.tape import Tape, TapeComparison, TapeWriter, changed_files, name_on_tape
-from nctakt.run.tape_words import KEPT, plc_of, words_of
+from nctakt.run.tape_words import KEPT, plcs_of, word_of_plcs, words_of
 
 if TYPE_CHECKING:
     from nctakt.files.output import OutputFile
@@ -47,8 +47,8 @@ def start_tape(options: Options, request: Request, file: OutputFile) -> TapeWrit
     words["others"] = [(number, _tape_word(program)) for number, program in options.others]
     programs = (*request.programs, *(one for own in request.channels.values() for one in own))
     texts = {one.name: one.text for one in programs if isinstance(one, NcText)}
-    words["plc"] = options.plc if is_structured(options.plc) else None
-    has_plc = request.plc is not None and words["plc"] is None
+    words["plc"] = word_of_plcs(options.plcs)
+    has_plc = has_called_plc(request.plc)
     return TapeWriter(file.write, words, texts, has_plc)
 
 
@@ -59,7 +59,7 @@ def _tape_word(program: str) -> str:
 def inputs_of_run(options: Options, access: FileAccess) -> Iterator[tuple[str, Path]]:
     """Yield the programs and lists that a run has read, each with its name on a tape."""
     for path in access.read_files:
-        is_plc = str(path) == options.plc and not is_structured(options.plc)
+        is_plc = str(path) in options.plcs and not is_structured(path)
         is_fmu = options.fmu is not None and path == options.fmu.file
         if path.name in (OWN_NAME, PYTHON_NAME) or is_plc or is_fmu:
             continue
@@ -82,7 +82,7 @@ def options_of(tape: Tape, name: str, words: Mapping[str, Any], access: FileAcce
         "language": words["language"] or (project and project.language) or "en",
         "project_signals": project and project.signals,
     }
-    return Options(**given, plc=plc_of(tape), tape=tape)
+    return Options(**given, plcs=plcs_of(tape), tape=tape)
 
 
 def check_unchanged(tape: Tape, access: FileAccess, *, anyway: bool) -> list[Diagnostic]:

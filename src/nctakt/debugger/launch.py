@@ -94,7 +94,9 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
     options = _options(arguments)
     until = arguments.optional_text("until")
     machine, plc = arguments.optional_text("machine"), arguments.optional_text("plc")
-    named = Named(machine=machine, plc=plc, values=options.get("set") or {}, until=until, base=base)
+    plcs = () if plc is None else (plc,)
+    values = options.get("set") or {}
+    named = Named(machine=machine, plcs=plcs, values=values, until=until, base=base)
     settings = run_settings([one for own in channels.values() for one in own], access, named)
     if machine is not None and settings.machine is not None:
         access.check_admitted(settings.machine)

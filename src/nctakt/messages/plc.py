@@ -245,3 +245,11 @@ WHEN_CALLED_EACH_TICK = note(
     remedy_de='Als Text schreiben, den der Echtzeitteil auswertet: @when("V.E.VALUE > 5").',
     name=("the method", "die Methode"),
 )
+SEVERAL_CALLED_PLCS = error(
+    902761,
+    en="a run has more than one PLC in Python",
+    de="ein Lauf hat mehr als eine SPS in Python",
+    remedy_en="Call one of them by the other; projects in Structured Text may be any number.",
+    remedy_de="Eine von der anderen rufen; Projekte in Strukturiertem Text darf es beliebig viele "
+    "geben.",
+)

@@ -114,6 +114,14 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
     second=("another program", "ein anderes Programm"),
     other=("the machine of that one", "die Maschine von jenem"),
 )
+SEVERAL_PLCS_HERE = error(
+    902760,
+    en="several PLCs do not run together here: {files}",
+    de="mehrere SPSen laufen hier nicht zusammen: {files}",
+    remedy_en="Name one of them; nctakt run, why, time, coverage, and tests take several.",
+    remedy_de="Eine davon angeben; nctakt run, why, time, coverage und Tests nehmen mehrere an.",
+    files=("the files of the PLCs", "die Dateien der SPSen"),
+)
 FILE_KEPT = note(
     902382,
     en="{file} is there already and stays as it is",

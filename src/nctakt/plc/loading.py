@@ -13,7 +13,7 @@ import contextlib
 import importlib.util
 import sys
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from importlib.abc import SourceLoader
 from importlib.machinery import ModuleSpec
@@ -34,6 +34,7 @@ from nctakt.messages.plc import (
 )
 from nctakt.plc.error import PlcError
 from nctakt.run.plc_view import AnyPlc, Declaration, WatchedPlc
+from nctakt.run.realtime_plc import plc_object
 from nctakt.st.files.project import PLC_SUFFIXES
 
 if TYPE_CHECKING:
@@ -51,6 +52,14 @@ def load_plc(path: str | Path) -> AnyPlc:
     (900520), several classes (900521), an exception in the file (900522).
     """
     return plc_file(path).plc()
+
+
+def load_plcs(paths: Sequence[str | Path]) -> AnyPlc | None:
+    """Return the PLCs of files as one, in this order; ``None`` without files.
+
+    Raises as ``load_plc``, and for a second PLC in Python (902761).
+    """
+    return plc_object([load_plc(path) for path in paths])
 
 
 class AnyPlcFile(Protocol):

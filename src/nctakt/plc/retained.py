@@ -19,7 +19,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.plc_code import NO_PLC_THAT_RETAINS, RETAINED_SKIPPED, RETAINED_UNREADABLE
 from nctakt.plc.structured_text import StructuredPlc
 from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import parts_of
+from nctakt.run.realtime_plc import NamedGroup, parts_of
 
 Values = Mapping[str, float | str]
 
@@ -49,10 +49,11 @@ def read_retained(
     if not isinstance(content, dict) or not all(map(_is_value, content.values())):
         reason = "{path: value, …}"
         raise Failure(diagnostic(RETAINED_UNREADABLE, file=str(path), reason=reason))
-    kept = {name.lower() for plc in plcs for name in plc.retained_paths()}
+    group = _group(plcs)
+    kept = {name.lower() for name, _, _ in _retained_names(plcs)}
     values, warnings = {}, []
     for name, value in content.items():
-        if name.lower() in kept and _fits(plcs, name, value):
+        if name.lower() in kept and _fits(group, name, value):
             values[name] = value
         else:
             warnings.append(diagnostic(RETAINED_SKIPPED, name=name, file=str(path)))
@@ -65,21 +66,31 @@ def retained_text(plcs: list[StructuredPlc]) -> str:
 
 
 def _retained(plcs: list[StructuredPlc]) -> Iterator[tuple[str, float | bool | str]]:
-    for plc in plcs:
+    for name, plc, path in _retained_names(plcs):
+        value = plc.read(path)
+        if isinstance(value, str) or math.isfinite(value):
+            yield name, value
+
+
+def _group(plcs: list[StructuredPlc]) -> NamedGroup:
+    return NamedGroup(plcs, [plc.name for plc in plcs])
+
+
+def _retained_names(plcs: list[StructuredPlc]) -> Iterator[tuple[str, StructuredPlc, str]]:
+    """Yield the name of each retained variable in the file, its PLC, and its path there."""
+    group = _group(plcs)
+    for number, plc in enumerate(plcs):
         for path in plc.retained_paths():
-            value = plc.read(path)
-            if isinstance(value, str) or math.isfinite(value):
-                yield path, value
+            yield group.path(number, path), plc, path
 
 
 def _is_value(value: object) -> bool:
     return isinstance(value, str | int) or (isinstance(value, float) and math.isfinite(value))
 
 
-def _fits(plcs: list[StructuredPlc], name: str, value: float | str) -> bool:
-    plc = next(one for one in plcs if one.knows(name))
+def _fits(group: NamedGroup, name: str, value: float | str) -> bool:
     try:
-        plc.check(name, value)
+        group.check(name, value)
     except Failure:
         return False
     return True

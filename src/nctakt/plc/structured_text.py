@@ -219,6 +219,11 @@ class StructuredPlc(RealtimePlc):
         self._interface: StInterface | None = None
         self.context = self.translated.layout.context(self.translated.layout.memory())
 
+    @property
+    def name(self) -> str:
+        """The name of its project."""
+        return self.program.name
+
     def notes(self) -> Sequence[Diagnostic]:
         """Return the warnings about its text."""
         return self._findings

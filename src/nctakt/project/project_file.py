@@ -108,7 +108,7 @@ class Project:
 
     file: Path
     machine: Path | None = None
-    plc: Path | None = None
+    plcs: tuple[Path, ...] = ()
     language: Language | None = None
     signals: tuple[str, ...] | None = None
     paths: tuple[Path, ...] = ()
@@ -119,6 +119,11 @@ class Project:
     axes: Mapping[str, str] = field(default_factory=dict)
     instruction_ns: int = 0
     fmu: FmuSettings | None = None
+
+    @property
+    def plc(self) -> Path | None:
+        """The file of the first PLC."""
+        return next(iter(self.plcs), None)
 
     def placed(self, found: Diagnostic) -> Diagnostic:
         """Return a diagnostic about one of its values at the place of that value.
@@ -239,12 +244,12 @@ class _Reader:
         for key in entries:
             if key not in _KEYS:
                 self._refuse(key)
-        plc, libraries = self._plc(entries.get("plc"))
+        plcs, libraries = self._plcs(entries.get("plc"))
         axes = self._axes(entries.get("plc"))
         return Project(
             self._file,
             self._path("machine", entries.get("machine"), 'machine = "lists"'),
-            plc,
+            plcs,
             self._language(entries.get("language")),
             self._signals(entries.get("signals")),
             self._paths(entries.get("paths")),
@@ -289,10 +294,10 @@ class _Reader:
             UNKNOWN_PROJECT_ENTRY, span, line, key=key, nearest=near, names=names
         )
 
-    def _plc(self, value: Any) -> tuple[Path | None, tuple[Path, ...]]:
-        """Return the file of the PLC, and the folders with sources of its libraries."""
+    def _plcs(self, value: Any) -> tuple[tuple[Path, ...], tuple[Path, ...]]:
+        """Return the files of the PLCs, and the folders with sources of their libraries."""
         if not isinstance(value, dict):
-            return self._path("plc", value, 'plc = "cell_plc.py"'), ()
+            return self._files("plc", value, 'plc = "cell_plc.py"'), ()
         self._check_keys("plc", value, _PLC_KEYS)
         location = self._location_in("plc", "libraries")
         texts = self._texts(
@@ -302,8 +307,8 @@ class _Reader:
         for text, folder in zip(texts or (), folders, strict=True):
             if not folder.is_dir():
                 self._collector.report(PROJECT_PATH_MISSING, *location, key="libraries", path=text)
-        file = self._path("file", value.get("file"), 'file = "Cell.plcproj"', "plc")
-        return file, tuple(from_here(Path(os.path.normpath(one))) for one in folders)
+        files = self._files("file", value.get("file"), 'file = "Cell.plcproj"', "plc")
+        return files, tuple(from_here(Path(os.path.normpath(one))) for one in folders)
 
     def _location_in(self, table: str, key: str) -> Place:
         """Return the place of an entry of a table, else that of the table."""
@@ -371,6 +376,12 @@ class _Reader:
         if not is_file_or_folder(path):
             self._collector.report(PROJECT_PATH_MISSING, *location, key=key, path=value)
         return from_here(Path(os.path.normpath(path)))
+
+    def _files(self, key: str, value: Any, example: str, table: str = "") -> tuple[Path, ...]:
+        """Return the paths of an entry that names one file or a list of them."""
+        values = value if isinstance(value, list) else [value]
+        found = (self._path(key, one, example, table) for one in values)
+        return tuple(path for path in found if path is not None)
 
     def _paths(self, value: Any) -> tuple[Path, ...]:
         texts = self._texts("paths", value, 'paths = ["programs"]') or ()

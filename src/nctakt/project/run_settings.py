@@ -25,6 +25,7 @@ from nctakt.messages.project import (
     PROGRAMS_OF_DIFFERENT_MACHINES,
     PROJECT_FMU_NOT_POSSIBLE,
     PROJECT_NOT_TRUSTED,
+    SEVERAL_PLCS_HERE,
 )
 from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
 from nctakt.project.project_file import FmuSettings, Project, find_project
@@ -41,7 +42,8 @@ DEFAULT_PLC = "default"
 class Named:
     """What the words of a run name themselves; ``None`` and empty: nothing.
 
-    ``plc``: a file, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file.
+    ``plcs``: files, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file;
+    ``takes_several_plcs``: it runs more than one.
     ``fmu``: a file; ``fmu_use``: whether it runs that of the project, leaves it out, or has to
     refuse it; ``isolates``: whether it gives an FMU a process of its own.
     ``values``: the variables that it sets before the first tick. ``is_limited``: it has a limit of
@@ -49,8 +51,9 @@ class Named:
     """
 
     machine: str | Path | None = None
-    plc: str | Path | None = None
+    plcs: tuple[str | Path, ...] = ()
     has_plc: bool = False
+    takes_several_plcs: bool = False
     fmu: str | Path | None = None
     fmu_use: FmuUse = "refuse"
     isolates: bool = False
@@ -65,19 +68,25 @@ class RunSettings:
     """What a run takes.
 
     ``machine`` ``None``: the demo machine, because nobody names one; ``machine_note`` tells which
-    setting names it. ``plc`` ``None``: the built-in one, or one that is no file. ``values``: those
-    of variables before the first tick, beside those that the run sets itself.
+    setting names it. ``plcs`` in the order of a tick; empty: the built-in one, or one that is no
+    file. ``values``: those of variables before the first tick, beside those that the run sets
+    itself.
     """
 
     machine: Path | None
     machine_note: Diagnostic | None
-    plc: Path | None
+    plcs: tuple[Path, ...]
     fmu: FmuSettings | None
     values: Mapping[str, float | str]
     until: TimeLike | None
     language: Language | None
     signals: tuple[str, ...] | None
     project: Project | None
+
+    @property
+    def plc(self) -> Path | None:
+        """The file of the PLC where there is one at most."""
+        return next(iter(self.plcs), None)
 
     def placed(self, failure: Failure) -> Failure:
         """Return a failure of the run; what is wrong with a project's value has its place there."""
@@ -115,7 +124,7 @@ def run_settings(
     return RunSettings(
         machine=machine,
         machine_note=note,
-        plc=_plc(named, project, access),
+        plcs=_plcs(named, project, access),
         fmu=_isolated(named, _fmu(named, project, access)),
         values={name: value for name, value in of_project.items() if name not in named.values},
         until=named.until if is_limited or project is None else project.until,
@@ -125,16 +134,20 @@ def run_settings(
     )
 
 
-def _plc(named: Named, project: Project | None, access: FileAccess) -> Path | None:
-    """Return the file of the PLC; ``None``: the built-in one."""
-    if named.plc is not None:
-        file = named.base / named.plc
-        return None if str(named.plc) == DEFAULT_PLC and not file.exists() else file
-    if named.has_plc or project is None or project.plc is None:
-        return None
-    access.check_admitted(project.plc)
-    _check_trusted(project, "plc", project.plc)
-    return project.plc
+def _plcs(named: Named, project: Project | None, access: FileAccess) -> tuple[Path, ...]:
+    """Return the files of the PLCs; none: the built-in one."""
+    found: tuple[Path, ...] = ()
+    if named.plcs:
+        files = [(one, named.base / one) for one in named.plcs]
+        found = tuple(file for one, file in files if str(one) != DEFAULT_PLC or file.exists())
+    elif not named.has_plc and project is not None:
+        found = project.plcs
+        for file in found:
+            access.check_admitted(file)
+            _check_trusted(project, "plc", file)
+    if len(found) > 1 and not named.takes_several_plcs:
+        raise Failure(diagnostic(SEVERAL_PLCS_HERE, files=", ".join(map(str, found))))
+    return found
 
 
 def _fmu(named: Named, project: Project | None, access: FileAccess) -> FmuSettings | None:

@@ -39,9 +39,10 @@ from nctakt.run.options import (
     completed,
     with_keywords,
 )
-from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc, plc_object
+from nctakt.run.plc_view import AnyPlc, GivenPlc, PlcView, WatchedPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText
 from nctakt.run.program_run import ProgramRun
+from nctakt.run.realtime_plc import plc_object
 from nctakt.run.shared_image import SharedImage
 from nctakt.run.stimuli import StimulusLike, as_inputs, read_stimulus
 from nctakt.run.tick_loop import TickLoop
@@ -240,7 +241,7 @@ class Controller:
         program: str | Path | NcText,
         channel: int = 1,
         *,
-        plc: AnyPlc | type[AnyPlc] | None = None,
+        plc: GivenPlc | Sequence[GivenPlc] | None = None,
         set: Mapping[str, float | str] | None = None,
         at: Sequence[StimulusLike] = (),
     ) -> None:
@@ -267,7 +268,7 @@ class Controller:
             if isinstance(plc, WatchedPlc):
                 plc.begin_run(self.hli)
                 self.diagnostics += plc.notes()
-            self._loop.connect(plc, has_plc=True)
+            self._loop.connect(plc, has_plc=False)
         if stimuli:
             self._machine.inputs.plan(as_inputs(stimuli, self.tick, self.cycle_time_us))
         channel_run.begin(loaded)

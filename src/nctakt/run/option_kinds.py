@@ -265,6 +265,14 @@ class Instance(Kind):
             arguments.refuse(name, value, self.expected)
 
 
+class Instances(Instance):
+    """One such object or several; the option may be repeated."""
+
+    def check(self, name: str, value: Any) -> None:
+        for one in value if isinstance(value, list | tuple) else [value]:
+            super().check(name, one)
+
+
 class Callback(Kind):
     """A function of Python, or none."""
 

@@ -28,6 +28,7 @@ from nctakt.run.option_kinds import (
     Flag,
     Folders,
     Instance,
+    Instances,
     Kind,
     Moment,
     Names,
@@ -45,7 +46,7 @@ if TYPE_CHECKING:
     from nctakt.results.run import ProgramMessage
     from nctakt.run.coupling import Coupled
     from nctakt.run.inputs import InputListener
-    from nctakt.run.plc_view import AnyPlc
+    from nctakt.run.plc_view import GivenPlc
     from nctakt.run.stimuli import StimulusLike
     from nctakt.run.tape import Tape
     from nctakt.trace.sinks import Sink
@@ -73,7 +74,7 @@ class ProgramOptions(TypedDict, total=False):
 class KeywordsOfAnyResult(ProgramOptions, total=False):
     """The options of ``Controller.run`` that the type of its result does not depend on."""
 
-    plc: AnyPlc | type[AnyPlc] | None
+    plc: GivenPlc | Sequence[GivenPlc] | None
     fmu: Coupled | None
     sinks: Sequence[Sink]
     record_writes: bool
@@ -373,15 +374,15 @@ OPTIONS: Sequence[RunOption] = (
     ),
     RunOption(
         name="plc",
-        kind=Instance("cycle", Text("a Plc", "eine Plc")),
+        kind=Instances("cycle", Text("a Plc", "eine Plc")),
         help=Text(
-            "A class of yours that plays the PLC [default: the project's, else the built-in one].",
-            "Eine eigene Klasse, die die SPS spielt [Vorgabe: die des Projekts, sonst die "
+            "A PLC of yours; several run in this order [default: the project's, else built in].",
+            "Eine eigene SPS; mehrere laufen in dieser Folge [Vorgabe: die des Projekts, sonst die "
             "eingebaute].",
         ),
         accepted_by=f"{_RUNS} {_SESSIONS} study {_DATA} comment project fmu",
         group="machine",
-        metavar="FILE.py",
+        metavar="FILE",
     ),
     RunOption(
         name="fmu",

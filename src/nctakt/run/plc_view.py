@@ -6,13 +6,12 @@ Everything that it writes counts from the next tick on (RC-002).
 
 from __future__ import annotations
 
-import inspect
 import math
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, NoReturn, Protocol
+from typing import TYPE_CHECKING, NoReturn, Protocol, TypeAlias
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
+from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.hli.checked_values import split_channel
@@ -24,7 +23,6 @@ from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.plc_calls import Delays, When
-from nctakt.lists.format import arguments
 from nctakt.messages import diagnostic
 from nctakt.messages.folders import UNKNOWN_CHANNEL
 from nctakt.messages.memory import NOT_VISIBLE_TO_PLC
@@ -47,28 +45,8 @@ class AnyPlc(Protocol):
         """Read inputs and set outputs through the interface image; called after each tick."""
 
 
-_PLC = Text(
-    "a Plc, or a class of PLCs that needs no arguments",
-    "eine Plc oder eine Klasse davon, die keine Argumente braucht",
-)
-
-
-def plc_object(plc: AnyPlc | type[AnyPlc] | None) -> AnyPlc | None:
-    """Return the PLC, of a class a new one; raises ``Failure`` (901186) for what is none."""
-    if not isinstance(plc, type):
-        return plc
-    if not hasattr(plc, "cycle") or not _needs_nothing(plc):
-        arguments.refuse("plc", plc, _PLC)
-    return plc()
-
-
-def _needs_nothing(plc: type[AnyPlc]) -> bool:
-    """Return whether a class makes objects without arguments."""
-    try:
-        inspect.signature(plc).bind()
-    except TypeError:
-        return False
-    return True
+#: A PLC as Python gives it: an object, or a class that makes one.
+GivenPlc: TypeAlias = AnyPlc | type[AnyPlc]
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,9 +30,9 @@ from nctakt.run.condition_signals import with_condition_signals
 from nctakt.run.deadlocks import deadlock, never_sent
 from nctakt.run.inputs import NEVER
 from nctakt.run.options import RunKeywords
-from nctakt.run.plc_view import PlcView, WatchedPlc, plc_object
+from nctakt.run.plc_view import PlcView, WatchedPlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
-from nctakt.run.realtime_plc import parts_of
+from nctakt.run.realtime_plc import parts_of, plc_object
 from nctakt.run.stimuli import as_inputs, not_reached, read_stimulus
 from nctakt.run.tick_loop import TickLoop, TickShares
 from nctakt.run.wait_reasons import wait_reasons
@@ -97,7 +97,7 @@ class ProgramRun:
         #: The values of its signals before the first tick.
         self.before = {name: machine.cells[known[name].cell] for name in self._signals}
         replay = options["replay"]
-        loop.connect(plc, has_plc=plc is not None or (replay is not None and replay.has_plc))
+        loop.connect(plc, has_plc=replay is not None and replay.has_plc)
         loop.recording.messages = []
         loop.recording.on_message = options["on_message"]
         machine.inputs.plan(

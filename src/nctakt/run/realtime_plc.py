@@ -3,19 +3,29 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Text
+from nctakt.base.failure import Failure
 from nctakt.kernel.st.tasks import PlcPair, PlcSide
+from nctakt.lists.format import arguments
+from nctakt.messages import diagnostic
+from nctakt.messages.plc import SEVERAL_CALLED_PLCS
 from nctakt.run.named_values import NamedValues, SignalCell
-from nctakt.run.plc_view import AnyPlc, PlcView, WatchedPlc
+from nctakt.run.plc_view import AnyPlc, GivenPlc, PlcView, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
     from nctakt.results.plc_histories import PlcHistory
     from nctakt.run.assembly import AssembledMachine
+
+_PLC = Text(
+    "a Plc, or a class of PLCs that needs no arguments",
+    "eine Plc oder eine Klasse davon, die keine Argumente braucht",
+)
 
 
 def is_structured(path: str | Path | None) -> bool:
@@ -32,6 +42,11 @@ class RealtimePlc(WatchedPlc):
 
     def cycle(self, hli: PlcView) -> None:
         """Do nothing: its tasks run in the tick."""
+
+    @property
+    def name(self) -> str:
+        """The name of its project."""
+        return ""
 
     def attach(self, machine: AssembledMachine) -> NamedValues:
         """Begin anew on a machine, before its next tick; return its variables."""
@@ -77,7 +92,8 @@ class RealtimePlc(WatchedPlc):
 class PlcGroup(WatchedPlc):
     """Several PLCs of one machine, in the order of their tasks in a tick.
 
-    All of them but one run in the tick; the other one may be a PLC in Python.
+    All of them but one run in the tick; the other one may be a PLC in Python. Raises ``Failure``
+    for a second one in Python (902761).
 
     >>> both = PlcGroup([PlcGroup([])])
     >>> len(both.realtime), both.called
@@ -92,7 +108,7 @@ class PlcGroup(WatchedPlc):
             self.realtime += realtime
             called += [] if other is None else [other]
         if len(called) > 1:
-            raise ValueError("more than one PLC that Python calls")
+            raise Failure(diagnostic(SEVERAL_CALLED_PLCS))
         self.called: AnyPlc | None = called[0] if called else None
 
     def _watched(self) -> list[WatchedPlc]:
@@ -120,6 +136,35 @@ class PlcGroup(WatchedPlc):
         return [one for plc in self._watched() for one in plc.unused_handlers(hli)]
 
 
+def plc_object(plc: GivenPlc | Sequence[GivenPlc] | None) -> AnyPlc | None:
+    """Return the PLC, of a class a new one, of several a group.
+
+    Raises ``Failure`` for what is none (901186), and for a second PLC in Python (902761).
+    """
+    if isinstance(plc, Sequence) and not isinstance(plc, str):
+        plcs = [found for one in plc if (found := plc_object(one)) is not None]
+        return PlcGroup(plcs) if len(plcs) > 1 else next(iter(plcs), None)
+    if not isinstance(plc, type):
+        return plc
+    if not hasattr(plc, "cycle") or not _needs_nothing(plc):
+        arguments.refuse("plc", plc, _PLC)
+    return plc()
+
+
+def _needs_nothing(plc: type[AnyPlc]) -> bool:
+    """Return whether a class makes objects without arguments."""
+    try:
+        inspect.signature(plc).bind()
+    except TypeError:
+        return False
+    return True
+
+
+def has_called_plc(plc: AnyPlc | None) -> bool:
+    """Return whether Python calls a PLC, so that a tape has what it does."""
+    return parts_of(plc)[1] is not None
+
+
 def parts_of(plc: AnyPlc | None) -> tuple[list[RealtimePlc], AnyPlc | None]:
     """Return the PLCs that run in the tick, and the one that Python calls."""
     if isinstance(plc, PlcGroup):
@@ -129,7 +174,7 @@ def parts_of(plc: AnyPlc | None) -> tuple[list[RealtimePlc], AnyPlc | None]:
     return [], plc
 
 
-def files_of(plc: AnyPlc) -> list[str]:
+def files_of(plc: AnyPlc | None) -> list[str]:
     """Return the files of the PLCs that run in the tick."""
     return [file for one in parts_of(plc)[0] for file in one.files]
 
@@ -148,30 +193,54 @@ def side_of(plcs: Sequence[RealtimePlc]) -> PlcSide:
 
 
 class NamedGroup:
-    """The variables of several PLCs by their paths; the first one that knows a name has it."""
+    """The variables of several PLCs by their paths, with or without the project before them.
 
-    def __init__(self, parts: Sequence[NamedValues]) -> None:
+    Without a project the first one that knows a path has it. Of several projects of one name the
+    second one is ``NAME_2``.
+    """
+
+    def __init__(self, parts: Sequence[NamedValues], projects: Sequence[str]) -> None:
         self._parts = parts
+        self._projects: list[str] = []
+        for name in projects:
+            taken = {one.lower() for one in self._projects}
+            names = (name, *(f"{name}_{number}" for number in range(2, len(parts) + 2)))
+            self._projects.append(next(one for one in names if one.lower() not in taken))
 
-    def _of(self, name: str) -> NamedValues:
-        return next((part for part in self._parts if part.knows(name)), self._parts[0])
+    def path(self, number: int, path: str) -> str:
+        """Return the name here of a variable of a PLC, which has it at ``path``."""
+        is_first = not any(part.knows(path) for part in self._parts[:number])
+        return path if is_first else f"{self._projects[number]}.{path}"
+
+    def _of(self, name: str) -> tuple[NamedValues, str]:
+        """Return the PLC that has a variable, and its path there."""
+        for project, part in zip(self._projects, self._parts, strict=True):
+            path = name[len(project) + 1 :]
+            if name.lower().startswith(f"{project.lower()}.") and part.knows(path):
+                return part, path
+        return next((part for part in self._parts if part.knows(name)), self._parts[0]), name
 
     def knows(self, name: str) -> bool:
         """Return whether a name is one of their variables."""
-        return any(part.knows(name) for part in self._parts)
+        part, path = self._of(name)
+        return part.knows(path)
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable."""
-        return self._of(name).read(name)
+        part, path = self._of(name)
+        return part.read(path)
 
     def check(self, name: str, value: float | bool | str) -> object:
         """Raise ``Failure`` for a value that the variable cannot hold."""
-        return self._of(name).check(name, value)
+        part, path = self._of(name)
+        return part.check(path, value)
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from its next cycle on."""
-        self._of(name).write(name, value)
+        part, path = self._of(name)
+        part.write(path, value)
 
     def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""
-        return self._of(name).signal(name)
+        part, path = self._of(name)
+        return part.signal(path)

@@ -7,7 +7,7 @@ options says which of them a tape keeps.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, cast
 
 from nctakt.base.failure import Failure
@@ -61,10 +61,17 @@ def words_of_run(options: RunKeywords, **others: Any) -> dict[str, Any]:
     }
 
 
-def plc_of(tape: Tape) -> str | None:
-    """Return the file of the PLC that runs again with a tape: one in Structured Text."""
-    file = tape.words.get("plc")
-    return file if isinstance(file, str) and is_structured(file) else None
+def plcs_of(tape: Tape) -> tuple[str, ...]:
+    """Return the files of the PLCs that run again with a tape: those in Structured Text."""
+    word = tape.words.get("plc")
+    files = word if isinstance(word, list) else [word]
+    return tuple(file for file in files if isinstance(file, str) and is_structured(file))
+
+
+def word_of_plcs(files: Sequence[str]) -> str | list[str] | None:
+    """Return the word for the PLCs of a run that run again with its tape."""
+    again = [file for file in files if is_structured(file)]
+    return again if len(again) > 1 else next(iter(again), None)
 
 
 def options_of_words(words: Mapping[str, Any]) -> RunKeywords:

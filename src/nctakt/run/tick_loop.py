@@ -104,20 +104,23 @@ class TickLoop:
         realtime, _ = parts_of(plc)
         named = [one.attach(self.machine) for one in realtime]
         self._kernel.attach_plc(side_of(realtime))
-        self.machine.access.named = NamedGroup(named) if len(named) > 1 else next(iter(named), None)
+        group = NamedGroup(named, [one.name for one in realtime])
+        self.machine.access.named = group if named else None
 
     def connect(self, plc: AnyPlc | None, *, has_plc: bool) -> None:
-        """Let this PLC run after each tick; without any, functions acknowledge themselves."""
+        """Let this PLC run after each tick.
+
+        Functions acknowledge themselves unless Python calls it, or ``has_plc``: something else
+        acknowledges them.
+        """
         self.plc = plc
         self._realtime_plcs, called = parts_of(plc)
         self._player = PlcPlayer(called, self.machine) if called is not None else None
         if called is None:
             self._kernel.calls.stop()
-        if self._realtime_plcs and called is None:
-            has_plc = False
-        self.has_plc = has_plc
+        self.has_plc = has_plc or called is not None
         for channel in self.channels:
-            channel.channel.hli.acknowledges_itself = not has_plc
+            channel.channel.hli.acknowledges_itself = not self.has_plc
 
     def couple(self, coupled: Coupled | None) -> None:
         """Let this simulation go on with the ticks from the next one on, and no other one."""

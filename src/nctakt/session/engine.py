@@ -210,7 +210,7 @@ class Engine:
         options = self._options(options, plc, stimuli, recorded)
         self._run = ProgramRun(self._loop, self._diagnostics, setup.programs, completed(options))
         self._trail.follow(memories_of(plc))
-        self._loop.connect(plc, has_plc=plc is not None or not setup.acknowledges)
+        self._loop.connect(plc, has_plc=plc is None and not setup.acknowledges)
         self._recorded_cells = tuple(self._signals[name][0] for name in recorded)
         self._selected: Sequence[int] | None = None
         self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}

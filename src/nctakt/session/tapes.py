@@ -15,6 +15,7 @@ from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
+from nctakt.messages.project import SEVERAL_PLCS_HERE
 from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
 from nctakt.messages.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
 from nctakt.plc.loading import load_plc
@@ -24,7 +25,7 @@ from nctakt.run.options import RunKeywords
 from nctakt.run.program_loader import NcText, name_of
 from nctakt.run.realtime_plc import is_structured
 from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
-from nctakt.run.tape_words import options_of_words, plc_of, words_of, words_of_run
+from nctakt.run.tape_words import options_of_words, plcs_of, words_of, words_of_run
 from nctakt.session.schedules import schedule_of_setup
 from nctakt.session.setup import Setup
 
@@ -90,7 +91,7 @@ def words_of_setup(setup: Setup) -> dict[str, Any]:
 
 def has_called_plc(setup: Setup) -> bool:
     """Return whether a PLC outside of the tick acknowledges: a tape has what it does."""
-    return (setup.plc is not None and not is_structured(setup.plc)) or not setup.acknowledges
+    return not is_structured(setup.plc) and (setup.plc is not None or not setup.acknowledges)
 
 
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
@@ -108,6 +109,9 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
     changed = changed_files(tape, FileAccess(folders))
     if changed and not anyway:
         raise Failure(diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed)))
+    plcs = (*plcs_of(tape), *(["Python"] if tape.has_plc else []))
+    if len(plcs) > 1:
+        raise Failure(diagnostic(SEVERAL_PLCS_HERE, files=", ".join(plcs)))
     if tape.lists:
         raise Failure(diagnostic(TAPE_CHANGES_LISTS, files=", ".join(tape.lists)))
     if words["rtconf"] is not None:
@@ -125,5 +129,5 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         folders=folders,
         inputs=tape.inputs,
         options=options_of_words(words),
-        plc=plc_of(tape),
+        plc=next(iter(plcs_of(tape)), None),
     )

@@ -168,9 +168,8 @@ class _Reader(PlanReader):
         is_schedule = "program" not in tables and "rtconf" in tables
         values, until = self._values(tables.get("set", {})), self.length(tables, "until")
         if program is not None:
-            self._take_settings(
-                Named(machine=machine or self.default_machine, plc=plc, values=values, until=until)
-            )
+            machine_word, plcs = machine or self.default_machine, () if plc is None else (plc,)
+            self._take_settings(Named(machine=machine_word, plcs=plcs, values=values, until=until))
         settings = self._settings
         if rtconf is not None:
             self._words = ScheduleReader if is_schedule else ScheduledProgramReader

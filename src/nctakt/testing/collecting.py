@@ -13,7 +13,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.fmu.coupled import fmu_of
 from nctakt.lists.machine.machine import load_machine
-from nctakt.plc import load_plc
+from nctakt.plc.loading import load_plcs
 from nctakt.project.run_settings import RunSettings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
@@ -89,7 +89,7 @@ class NcItem(pytest.Item):
             "set": {**settings.values, **script.assignments},
             "at": script.stimuli,
             "until": settings.until,
-            "plc": None if settings.plc is None else load_plc(settings.plc),
+            "plc": load_plcs(settings.plcs),
             "fmu": None if settings.fmu is None else fmu_of(settings.fmu),
             "signals": list(dict.fromkeys(names)),
             "why": session_coverage(self.config) is not None,

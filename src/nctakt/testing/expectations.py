@@ -126,7 +126,7 @@ class Script:
     expectations: list[Expectation] = field(default_factory=list)
     assignments: dict[str, float | str] = field(default_factory=dict)
     stimuli: list[Stimulus] = field(default_factory=list)
-    plc: str | None = None
+    plcs: list[str] = field(default_factory=list)
     machine: str | None = None
     until: Time | None = None
     options: RunKeywords = field(default_factory=RunKeywords)
@@ -136,7 +136,7 @@ class Script:
         """Return what it names of the settings of its run; ``folder``: that of the program."""
         return Named(
             machine=self.machine,
-            plc=self.plc,
+            plcs=tuple(self.plcs),
             values=self.assignments,
             until=self.until,
             base=folder,
@@ -316,7 +316,10 @@ def _subject(text: str, about: int | None) -> tuple[Kind, str, float, int | None
 def _give(script: Script, text: str) -> None:
     """Add an input of the run to the script."""
     if match := _FILE.fullmatch(text):
-        setattr(script, match["what"].lower(), match["path"].strip())
+        if match["what"].lower() == "plc":
+            script.plcs.append(match["path"].strip())
+        else:
+            script.machine = match["path"].strip()
     elif match := _CHANNEL.fullmatch(text):
         script.channels.setdefault(int(match["number"]), []).append(match["path"].strip())
     elif match := _UNTIL.fullmatch(text):

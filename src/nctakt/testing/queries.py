@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Protocol, Unpack
+from typing import Protocol, TypeAlias, Unpack, cast
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
@@ -23,15 +23,20 @@ from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.command_line import RUN_NOT_ENDED
 from nctakt.messages.inputs import NO_BRANCH_IN_LINE
-from nctakt.plc import AnyPlc, load_plc
+from nctakt.plc.loading import load_plc, load_plcs
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import ProgramOptions, check_keywords, merged
+from nctakt.run.plc_view import AnyPlc, GivenPlc
+from nctakt.run.realtime_plc import plc_object
 from nctakt.trace.events import Event
 
 #: The name of a program that a test has as text.
 TEXT_NAME = "program.nc"
+
+#: A PLC as a test names it: an object, a class, or a file.
+PlcWord: TypeAlias = GivenPlc | str | Path
 
 _CYCLE_KINDS = ("M", "H")
 
@@ -47,7 +52,7 @@ class RunNc(Protocol):
         self,
         program: str | Path,
         *,
-        plc: AnyPlc | type[AnyPlc] | str | Path | None = None,
+        plc: PlcWord | Sequence[PlcWord] | None = None,
         why: bool = False,
         limit_fails: bool | None = None,
         **options: Unpack[ProgramOptions],
@@ -60,14 +65,15 @@ def run_program(
     program: str | Path,
     folder: Path,
     *,
-    plc: AnyPlc | type[AnyPlc] | str | Path | None = None,
+    plc: PlcWord | Sequence[PlcWord] | None = None,
     why: bool = False,
     limit_fails: bool | None = None,
     **options: Unpack[ProgramOptions],
 ) -> NcRun:
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
-    ``plc``: an object, its file, or ``default`` for the built-in one; ``signals`` are recorded
+    ``plc``: an object, its file, ``default`` for the built-in one, or a list of several;
+    ``signals`` are recorded
     beside positions, path speed, override, block and active cycles; ``options`` are those of
     ``Controller.run``. What is not named comes from the project around ``folder``, but
     for the machine. A run that comes to its limit raises ``Failure`` (901016) if ``limit_fails``,
@@ -113,13 +119,24 @@ def run_program(
 
 
 def _settings_beside(
-    named: Named, plc: AnyPlc | type[AnyPlc] | str | Path | None
-) -> tuple[RunSettings, AnyPlc | type[AnyPlc] | None]:
+    named: Named, plc: PlcWord | Sequence[PlcWord] | None
+) -> tuple[RunSettings, AnyPlc | None]:
     """Return the settings of a run with the PLC that it names, and that PLC or the project's."""
-    if plc is None or isinstance(plc, str | Path):
-        settings = run_settings([named.base], FileAccess(), replace(named, plc=plc))
-        return settings, None if settings.plc is None else load_plc(settings.plc)
-    return run_settings([named.base], FileAccess(), replace(named, has_plc=True)), plc
+    words: Sequence[PlcWord] = ()
+    if isinstance(plc, list | tuple):
+        words = plc
+    elif plc is not None:
+        words = (cast("PlcWord", plc),)
+    files = tuple(one for one in words if isinstance(one, str | Path))
+    settings = run_settings(
+        [named.base],
+        FileAccess(),
+        replace(named, plcs=files, has_plc=bool(words), takes_several_plcs=True),
+    )
+    if len(files) == len(words):
+        return settings, load_plcs(settings.plcs)
+    given = [load_plc(named.base / one) if isinstance(one, str | Path) else one for one in words]
+    return settings, plc_object(given)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: MIT
+"""Several PLCs of one machine: on the command line, in the project file, in Python and in tests."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from support.plc_rig import EACH_TICK
+
+from nctakt import Controller, HliView, NcText
+from nctakt.base.failure import Failure
+from nctakt.cli import main
+from nctakt.files.access import FileAccess
+from nctakt.plc import load_plc
+from nctakt.project.run_settings import run_settings
+from nctakt.session.tapes import read_setup
+from nctakt.testing.expectations import read_script
+from nctakt.testing.queries import run_program
+
+OPEN = "IF NOT fbHli.Initialized THEN fbHli(); RETURN; END_IF\n"
+CELL = "PROGRAM MAIN VAR RETAIN n : UDINT; END_VAR n := n + {step}; END_PROGRAM" + EACH_TICK
+OVERRIDE = (
+    "PROGRAM MAIN VAR fbHli : MCV_HliInterface; END_VAR "
+    + OPEN
+    + "gpCh[0]^.head.plc_present_w := TRUE; "
+    "gpCh[0]^.bahn_mc_control.override.enable_w := TRUE; "
+    "gpCh[0]^.bahn_mc_control.override.command_w := {override}; END_PROGRAM" + EACH_TICK
+)
+PYTHON = """
+class Cell:
+    def cycle(self, hli):
+        hli.acknowledge_all()
+"""
+PLCS = ("one/cell.st", "two/cell.st", "cell.py")
+WORDS = [word for plc in PLCS for word in ("--plc", plc)]
+
+
+@pytest.fixture(name="cell", autouse=True)
+def _cell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    for folder, step in (("one", 1), ("two", 10)):
+        Path(folder).mkdir()
+        Path(folder, "cell.st").write_text(CELL.format(step=step), "utf-8")
+    Path("cell.py").write_text(PYTHON, "utf-8")
+    Path("part.nc").write_text("N10 M7\nN20 G04 0.01\nM30\n", "utf-8")
+
+
+def _counts(*words: str) -> list[list[int]]:
+    """Both counters in the ticks of a run with these words."""
+    signals = "MAIN.n,cell_2.MAIN.n"
+    assert (
+        main(["run", "part.nc", *words, "--signals", signals, "--trace", "run.csv", "--quiet"]) == 0
+    )
+    lines = Path("run.csv").read_text("utf-8").splitlines()
+    rows = [line.split(",") for line in lines if line[:1].isdigit()]
+    return [[int(row[2]), int(row[3])] for row in rows]
+
+
+def test_all_files_of_the_command_line_run() -> None:
+    """ST-803: two projects of one name count by 1 and 10 a tick; Python acknowledges M7."""
+    assert _counts(*WORDS)[:3] == [[1, 10], [2, 20], [3, 30]]
+
+
+def test_a_tape_has_what_all_of_them_do() -> None:
+    """ST-820: the projects run again, and the tape gives what the PLC in Python does."""
+    assert main(["run", "part.nc", *WORDS, "--record", "run.tape", "--quiet"]) == 0
+    head = json.loads(Path("run.tape").read_text("utf-8").splitlines()[0])
+    assert [head["words"]["plc"], head["has_plc"]] == [["one/cell.st", "two/cell.st"], True]
+    Path("cell.py").unlink()
+    assert main(["replay", "run.tape"]) == 0
+    with pytest.raises(Failure, match="902760"):
+        read_setup("run.tape", anyway=False)
+
+
+def test_the_project_file_names_several(capsys: pytest.CaptureFixture[str]) -> None:
+    """A list of files, alone or in the table of the PLC; one that is missing is named."""
+    for entry in (f"plc = {json.dumps(PLCS)}", f"[plc]\nfile = {json.dumps(PLCS)}"):
+        Path("nctakt.toml").write_text(entry + "\n", "utf-8")
+        assert _counts("--trust")[1] == [2, 20]
+    Path("nctakt.toml").write_text('plc = ["one/cell.st", "three.st"]\n', "utf-8")
+    assert main(["run", "part.nc", "--trust"]) == 2
+    assert "three.st" in capsys.readouterr().err
+
+
+def test_retained_values_of_one_path_are_told_apart() -> None:
+    """ST-406: the second project's variable has the project before its path, in the file, too."""
+    for ticks in (3, 6):
+        words = ["--ticks", "3", "--retain", "kept.json", "--quiet"]
+        assert main(["run", "part.nc", *WORDS, *words]) == 0
+        kept = json.loads(Path("kept.json").read_text("utf-8"))
+        assert kept == {"MAIN.n": ticks, "cell_2.MAIN.n": 10 * ticks}
+
+
+def test_python_and_tests_take_a_list() -> None:
+    """``plc=[…]`` of objects, classes and files; a variable is found by its project as well."""
+    plcs = [load_plc(path) for path in PLCS]
+    signals = ["cell.MAIN.n", "cell_2.MAIN.n"]
+    nc = NcText("part.nc", "N10 M7\nM30")
+    trace = Controller().run(nc, plc=plcs, signals=signals).trace
+    assert [int(trace[name][1]) for name in signals] == [2, 20]
+    for given in (list(PLCS), [*PLCS[:2], load_plc("cell.py")]):
+        found = run_program(Controller(), "part.nc", Path(), plc=given, signals=signals).run.trace
+        assert [int(found[name][1]) for name in signals] == [2, 20]
+
+
+def test_comments_of_a_program_name_several() -> None:
+    """``; given: plc`` on each line adds one, in this order."""
+    text = "".join(f"; given: plc {plc}\n" for plc in PLCS)
+    named = read_script(Path("part.nc"), text).named(Path())
+    assert [
+        named.plcs,
+        run_settings([], FileAccess(), replace(named, takes_several_plcs=True)).plcs,
+    ] == [PLCS, tuple(map(Path, PLCS))]
+
+
+@pytest.mark.parametrize(("first", "second", "percent"), [(500, 800, 80), (800, 500, 50)])
+def test_the_last_one_of_a_tick_wins(first: int, second: int, percent: int) -> None:
+    """Decision: where two projects write one element in a tick, the second one's value counts."""
+    for folder, override in (("one", first), ("two", second)):
+        Path(folder, "cell.st").write_text(OVERRIDE.format(override=override), "utf-8")
+    controller = Controller()
+    nc = NcText("part.nc", "G04 1\nM30")
+    controller.run(nc, plc=[load_plc(path) for path in PLCS[:2]], ticks=10)
+    assert controller.hli.override_pct == percent
+
+
+def test_a_project_wins_over_python() -> None:
+    """Decision: Python writes after tick n, and the project in tick n + 1 before its end."""
+
+    class Slow:
+        def cycle(self, hli: HliView) -> None:
+            hli["gpCh[0]^.bahn_mc_control.override.command_w"] = 300
+
+    Path("one", "cell.st").write_text(OVERRIDE.format(override=500), "utf-8")
+    controller = Controller()
+    nc = NcText("part.nc", "G04 1\nM30")
+    controller.run(nc, plc=[Slow, load_plc(PLCS[0])], ticks=10)
+    assert controller.hli.override_pct == 50
+
+
+def test_two_in_python_and_several_where_one_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    """902761, 902760: what does not run together is refused by name before the first tick."""
+    assert main(["run", "part.nc", "--plc", "cell.py", "--plc", "cell.py"]) == 2
+    assert "902761" in capsys.readouterr().err
+    with pytest.raises(Failure, match="902761"):
+        Controller().run(NcText("a.nc", "M30"), plc=[load_plc("cell.py"), load_plc("cell.py")])
+    assert main(["live", "part.nc", *WORDS[:4]]) == 2
+    shown = capsys.readouterr().err
+    assert "902760" in shown
+    assert "one/cell.st, two/cell.st" in shown

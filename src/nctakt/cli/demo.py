@@ -97,7 +97,7 @@ def _options(language: Language) -> Options:
         programs=(_PROGRAM,),
         others=(("2", _OTHER),),
         machine=str(_MACHINE),
-        plc=_PLC,
+        plcs=(_PLC,),
         run=run,
         language=language,
         compiled=None,

@@ -128,9 +128,38 @@ def test_where_a_log_becomes_late() -> None:
         Event(time // 1000, time, "block", "", span)
         for time, span in zip(begins, spans, strict=True)
     ]
-    gathered = BlockDelays(blocks)
-    gathered.add(log, curve, Alignment(0.0))
+    gathered = BlockDelays(blocks, 1000, is_scaled=False)
+    pair = Pair(Signal("X", "mm"), COLUMN, 1.0, 0.0, None, False)
+    deviation_of(pair, log, curve, Alignment(0.0), None, delays=gathered)
     found = gathered.found()
     assert [(one.block, round(one.jump_us / 100.0)) for one in found] == [
         (spans[2], 30), (spans[3], -10),
     ]  # fmt: skip
+
+
+def test_delays_do_not_depend_on_stretches() -> None:
+    """LG-706: of a log with a gain, block by block what lies about the block's mean counts."""
+    ticks = numpy.arange(4000.0)
+    curve = Curve(1000.0, 50.0 * numpy.sin(ticks / 150.0))
+    stamps = numpy.arange(2000.0, 3.9e6, 2000.0)
+    late = numpy.where(stamps < 2e6, 0.0, 4000.0)
+    differences = 1.02 * curve.at(stamps - late) + 3.0 - curve.at(stamps)
+    slopes = curve.slope_at(stamps)
+    blocks = [
+        Event(time // 1000, time, "block", "", Span("part.nc", time // 1_000_000 + 1, 1, 2))
+        for time in (0, 1_000_000, 2_000_000, 3_000_000)
+    ]
+    found = []
+    for length in (len(stamps), 700, 3):
+        gathered = BlockDelays(blocks, 1000, is_scaled=True)
+        for begin in range(0, len(stamps), length):
+            part = slice(begin, begin + length)
+            gathered.add(stamps[part], differences[part], slopes[part])
+        gathered.end_signal()
+        found.append([(one.time_us, one.jump_us) for one in gathered.found()])
+    assert [time for time, _ in found[0]] == [2_000_000]
+    assert found[0][0][1] == pytest.approx(4000.0, rel=0.1)
+    for other in found[1:]:
+        assert [one for pair in other for one in pair] == pytest.approx(
+            [one for pair in found[0] for one in pair], rel=1e-9
+        )

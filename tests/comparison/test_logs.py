@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 
 import pytest
@@ -47,7 +48,7 @@ def samples(log: Log) -> dict[str, list[tuple[float, float]]]:
     return {
         column.name: [
             (round(float(time) / 1000.0, 6), float(value))
-            for time, value in zip(one.times, one.values, strict=True)
+            for time, value in zip(one.times[:], one.values[:], strict=True)
         ]
         for column, one in zip(log.columns, read, strict=True)
     }
@@ -153,3 +154,43 @@ def test_forms_that_are_not_read(tmp_path: Path) -> None:
     path.write_bytes(b"\0\1")
     with pytest.raises(Failure, match="902510"):
         open_log(path, FileAccess())
+
+
+def test_a_log_of_any_length_is_read_in_parts(tmp_path: Path) -> None:
+    """Parts of a million characters and stretches of 65,536 samples leave no seam.
+
+    Of 200,000 rows each 1,000th has no value, two have a truth, the last 20,000 share their stamps
+    in twos, and the last one has no line end: 199,800 values, as many as there are rows less 200.
+    """
+    rows = [
+        f"{row // 2 * 2 if row >= 180_000 else row}.5,{'' if row % 1000 == 999 else row / 8}"
+        for row in range(200_000)
+    ]
+    rows[10], rows[150_000] = "10.5,TRUE", "150000.5,FALSE"
+    log = opened(tmp_path, "time_ms,x\n" + "\n".join(rows))
+    (found,) = log.read(log.columns)
+    times, values = found.times[:], found.values[:]
+    expected = [row for row in range(200_000) if row % 1000 != 999]
+    assert len(times) == len(expected) == 199_800
+    assert (values[10], values[149_850]) == (1.0, 0.0)
+    wrong = [at for at, row in enumerate(expected) if values[at] != row / 8]
+    assert wrong == [10, 149_850]
+    assert numbers(log) == [902525]
+    assert all(
+        times[at] == row * 1000.0 + (0.0 if row >= 180_000 and row % 2 else 500.0)
+        for at, row in enumerate(expected)
+    )
+
+
+def test_a_log_is_the_same_without_pyarrow(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What reads plain numbers faster gives the same bits as ``float``, of each kind of text."""
+    texts = (
+        "0.1 1e-320 5e-324 -0.0 1.7976931348623157e308 0.30000000000000004 123456789012345678 "
+        "+7.25 2.2250738585072014E-308 9007199254740993"
+    ).split()
+    log = opened(tmp_path, "t,x\n" + "".join(f"{at},{one}\n" for at, one in enumerate(texts)))
+    (quick,) = log.read(log.columns)
+    monkeypatch.setitem(sys.modules, "pyarrow.csv", None)
+    (plain,) = log.read(log.columns)
+    assert quick.values[:].tobytes() == plain.values[:].tobytes()
+    assert plain.values[:].tolist() == list(map(float, texts))

@@ -136,6 +136,7 @@ def _compare(
     """Run, compare and report; raises ``Failure`` for invalid options and logs."""
     choose_mode(options)
     from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.comparison.recorded import RecordedColumns, RecordedTrace  # noqa: PLC0415
     from nctakt.proposals.changes import OVERRIDE  # noqa: PLC0415
     from nctakt.proposals.nearer import Search  # noqa: PLC0415
 
@@ -144,23 +145,36 @@ def _compare(
     request = read_request(options, access)
     controller = start_controller(options, access)
     log = opened_log(words, controller, access)
-    recorded = log.signals
     with contextlib.ExitStack() as files:
         file = (
             None if picture is None else files.enter_context(OutputFile(picture, "--plot", access))
         )
-        run = run_programs(options, replace(request, signals=recorded), controller, is_drawn=True)
+        request = replace(request, signals=log.signals)
+        columns = None if share is not None else RecordedColumns()
+        sinks = [] if columns is None else [columns]
+        is_whole = columns is None
+        run = run_programs(
+            options, request, controller, sinks=sinks, blocks=True, is_drawn=is_whole
+        )
         if run is None:
             return EXIT_NC_ERROR
         print_diagnostics(run.diagnostics, options.language, shown_from(options))
-        is_drawn = file is not None or share is not None
-        comparison = compare(log.log, run, log.pairs, log.limits, log.offset_us, is_drawn=is_drawn)
+        comparison = compare(
+            log.log,
+            run,
+            columns or RecordedTrace(run),
+            log.pairs,
+            log.limits,
+            log.offset_us,
+            is_drawn=file is not None or share is not None,
+            is_thinned=share is None,
+        )
         if file is not None:
             _draw(file, comparison, options)
     print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
     proposals = None
     if proposes:
-        again = partial(_run_again, options, access, controller.machine, recorded)
+        again = partial(_run_again, options, access, controller.machine, log.signals)
         override = float((request.options["set"] or {}).get(OVERRIDE, 100.0))
         search = Search(comparison, log.pairs, log.offset_us, again)
         proposals = search.proposals(controller.machine, override)

@@ -243,12 +243,14 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
     """
     from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
     from nctakt.comparison.overlay import logged_curves  # noqa: PLC0415 - as above
+    from nctakt.comparison.recorded import RecordedTrace  # noqa: PLC0415 - as above
 
     quiet = replace(options, machine_note=None)
     controller = start_controller(quiet, access)
     opened = opened_log(words, controller, access)
     samples = opened.log.read([pair.column for pair in opened.pairs])
-    begin, end = (pick(one.times[at] for one in samples) for pick, at in ((min, 0), (max, -1)))
+    begin = min(one.first_us for one in samples)
+    end = max(one.last_us for one in samples)
     request = replace(read_request(quiet, access), signals=opened.signals)  # a PLC of its own
     if request.options["until"] is None:
         request.options["until"] = f"{int(end - begin) + 1}us"
@@ -259,7 +261,15 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
             [diagnostic(LOG_NOT_SHOWN, log=words.log, number=number)], options.language
         )
         return []
-    found = compare(opened.log, run, opened.pairs, opened.limits, opened.offset_us, is_drawn=True)
+    found = compare(
+        opened.log,
+        run,
+        RecordedTrace(run),
+        opened.pairs,
+        opened.limits,
+        opened.offset_us,
+        is_drawn=True,
+    )
     print_diagnostics(found.diagnostics, options.language, shown_from(options))
     return logged_curves(found)
 

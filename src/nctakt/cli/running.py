@@ -135,11 +135,12 @@ def run_programs(
     on_cycle: Callable[[str, CycleDefinition], None] | None = None,
     record: InputListener | None = None,
     is_drawn: bool = False,
+    blocks: bool = False,
     condition_signals: bool = False,
 ) -> Run | None:
     """Return the result; ``None`` if the user's PLC failed, which has been reported.
 
-    ``is_drawn``: it records all that pictures show.
+    ``is_drawn``: it records all that pictures show; ``blocks``: the events of blocks.
     """
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
@@ -163,7 +164,7 @@ def run_programs(
                 "on_message": _without_bar(bar, on_message),
                 "on_progress": show_progress,
                 "on_cycle": on_cycle,
-                "blocks": given["blocks"] or is_drawn,
+                "blocks": given["blocks"] or is_drawn or blocks,
                 "condition_signals": condition_signals,
                 "record": record,
                 "replay": options.tape,

@@ -8,19 +8,19 @@ resampled for what is reported, and bias and gain are reported, not removed.
 
 from __future__ import annotations
 
+import bisect
 from collections.abc import Sequence
+from functools import partial
 
 import numpy
-from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
+from nctakt.comparison.columns import STRETCH, Column, Numbers, range_of
 from nctakt.comparison.log import Samples
 
-Numbers = NDArray[numpy.float64]
-
-#: The grid of the correlation, in µs.
-_GRID_US = 4000.0
+#: The grid of the correlation, in µs; it is doubled until log and run have so many points at most.
+_GRID_US, _MAX_GRID = 4000.0, 1 << 21
 #: A second peak of this share of the first makes the answer ambiguous (LG-704).
 _SECOND_PEAK = 0.95
 #: Lowest correlation at which the alignment is trusted.
@@ -39,6 +39,8 @@ _SIGNIFICANT = 3.0
 _MIN_SCALE = 1e-4
 #: Residuals beyond this multiple of their typical size get less weight.
 _HUBER = 1.345
+#: Ticks that are read at a time; times that span more of them are divided.
+_READ = 4 * STRETCH
 
 
 _TWO = Text("two offsets fit equally well", "zwei Versätze passen gleich gut")
@@ -49,7 +51,7 @@ class Curve:
     """A signal of the run: its value at each tick, ``period_us`` apart, the first at 0."""
 
     period_us: float
-    values: Numbers
+    values: Column
 
     @property
     def end_us(self) -> float:
@@ -57,15 +59,35 @@ class Curve:
         return self.period_us * (len(self.values) - 1)
 
     def at(self, times: Numbers) -> Numbers:
-        """Return the values at times, linear between ticks."""
-        stamps = numpy.arange(len(self.values)) * self.period_us
-        found: Numbers = numpy.interp(times, stamps, self.values)
-        return found
+        """Return the values at times, linear between ticks; before and after, those at the ends."""
+        return self._at(numpy.clip(times / self.period_us, 0.0, len(self.values) - 1))
 
     def slope_at(self, times: Numbers) -> Numbers:
-        """Return the change per µs at times."""
+        """Return the changes per µs over the tick around times."""
         half = self.period_us / 2.0
-        found: Numbers = (self.at(times + half) - self.at(times - half)) / self.period_us
+        return (self.at(times + half) - self.at(times - half)) / self.period_us
+
+    def of_ticks(self, times: Numbers) -> Numbers:
+        """Return the values of the ticks in which times lie."""
+        return self._at(times // self.period_us)
+
+    def _at(self, ticks: Numbers) -> Numbers:
+        if not len(ticks):
+            return ticks
+        low, high = int(ticks.min()), int(ticks.max()) + 2
+        if high - low > _READ and len(ticks) > 1:
+            middle = len(ticks) // 2
+            return numpy.concatenate((self._at(ticks[:middle]), self._at(ticks[middle:])))
+        part = self.values[low:high]
+        index = ticks.astype(numpy.int64)
+        fraction = ticks - index
+        index -= low
+        found = part.take(index)
+        index += 1
+        after = part.take(index, mode="clip")
+        after -= found
+        after *= fraction
+        found += after
         return found
 
 
@@ -97,7 +119,8 @@ class Alignment:
 
 def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
     """Return where a log lies on the time of a run."""
-    moving = [pair for pair in pairs if _energy(pair) > 0.0]
+    energies = [_energy(pair) for pair in pairs]
+    moving = [pair for pair, energy in zip(pairs, energies, strict=True) if energy > 0.0]
     if not moving:
         return Alignment(0.0, reason=Text("nothing moves in both", "nichts bewegt sich in beiden"))
     offset, quality, second = _coarse(moving)
@@ -105,7 +128,7 @@ def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
         return Alignment(0.0, quality=quality, reason=_little(quality))
     if second > _SECOND_PEAK:
         return Alignment(0.0, quality=quality, reason=_TWO)
-    return _fine(max(moving, key=_energy), offset, quality)
+    return _fine(pairs[energies.index(max(energies))], offset, quality)
 
 
 def aligned_before(
@@ -117,8 +140,9 @@ def aligned_before(
     """
     early = []
     for samples, curve in pairs:
-        is_early = alignment.run_times(samples.times) < time_us
-        early.append((Samples(samples.times[is_early], samples.values[is_early]), curve))
+        run_time = partial(_run_time, samples, alignment)
+        count = bisect.bisect_left(range(len(samples)), time_us, key=run_time)
+        early.append((samples.first(count), curve))
     best = max(early, key=_energy)
     if _energy(best) <= 0.0 or alignment.drift:
         return alignment
@@ -126,10 +150,14 @@ def aligned_before(
     return found if _is_near(best, found) else alignment
 
 
+def _run_time(samples: Samples, alignment: Alignment, at: int) -> float:
+    return float(alignment.run_times(samples.times[at : at + 1])[0])
+
+
 def _is_near(pair: tuple[Samples, Curve], found: Alignment) -> bool:
     """Return whether a fit has found a place within the run, and no other curve."""
     samples, curve = pair
-    times = found.run_times(samples.times)
+    times = found.run_times(_fitted(samples)[0])
     inside = times[(times >= 0.0) & (times <= curve.end_us)]
     return len(inside) >= _MIN_SAMPLES and float(numpy.ptp(curve.at(inside))) > 0.0
 
@@ -143,38 +171,58 @@ def _little(quality: float) -> Text:
 def _energy(pair: tuple[Samples, Curve]) -> float:
     """Return how far a pair moves: the less of both sides' ranges."""
     samples, curve = pair
-    if min(len(samples.values), len(curve.values)) < _MIN_SAMPLES:
+    if min(len(samples), len(curve.values)) < _MIN_SAMPLES:
         return 0.0
-    return min(float(numpy.ptp(samples.values)), float(numpy.ptp(curve.values)))
+    return min(samples.span, range_of(curve.values))
 
 
 def _coarse(pairs: Sequence[tuple[Samples, Curve]]) -> tuple[float, float, float]:
     """Return offset in µs, correlation, and the second peak's share of the first."""
-    first = min(float(samples.times[0]) for samples, _ in pairs)
-    last = max(float(samples.times[-1]) for samples, _ in pairs)
-    log_grid = numpy.arange(first, last + _GRID_US, _GRID_US)
-    run_grid = numpy.arange(0.0, max(curve.end_us for _, curve in pairs) + _GRID_US, _GRID_US)
+    first = min(samples.first_us for samples, _ in pairs)
+    last = max(samples.last_us for samples, _ in pairs)
+    end = max(curve.end_us for _, curve in pairs)
+    grid_us = _GRID_US
+    while (last - first + end) / grid_us > _MAX_GRID:
+        grid_us *= 2.0
+    log_grid = numpy.arange(first, last + grid_us, grid_us)
+    run_grid = numpy.arange(0.0, end + grid_us, grid_us)
     size = 1 << int(len(log_grid) + len(run_grid)).bit_length()
-    total = numpy.zeros(size)
+    spectrum = numpy.zeros(size // 2 + 1, dtype=numpy.complex128)
     weight = 0.0
     for samples, curve in pairs:
-        ours = numpy.diff(curve.at(run_grid), prepend=curve.values[0])
-        others = numpy.diff(numpy.interp(log_grid, samples.times, samples.values), prepend=0.0)
+        ours = numpy.diff(curve.at(run_grid), prepend=curve.values[:1])
+        others = numpy.diff(_at_grid(samples, log_grid), prepend=0.0)
         others[0] = 0.0
         norm = float(numpy.sqrt((ours**2).sum() * (others**2).sum()))
         if norm > 0.0:
-            spectrum = numpy.fft.rfft(others, size) * numpy.conj(numpy.fft.rfft(ours, size))
-            total += numpy.fft.irfft(spectrum, size) / norm
+            product = numpy.conj(numpy.fft.rfft(ours, size))
+            product *= numpy.fft.rfft(others, size)
+            product /= norm
+            spectrum += product
             weight += 1.0
+    total = numpy.fft.irfft(spectrum, size)
     total /= max(weight, 1.0)
     best = int(total.argmax())
     peak = float(total[best])
-    far = numpy.abs((numpy.arange(size) - best + size // 2) % size - size // 2) > _width(
-        total, best
-    )
-    second = float(total[far].max()) / peak if peak > 0.0 and far.any() else 0.0
+    width = _width(total, best)
+    far = numpy.roll(total, -best)[width + 1 : size - width]
+    second = float(far.max()) / peak if peak > 0.0 and len(far) else 0.0
     lag = best if best < size // 2 else best - size
-    return first + lag * _GRID_US, peak, second
+    return first + lag * grid_us, peak, second
+
+
+def _at_grid(samples: Samples, grid: Numbers) -> Numbers:
+    """Return the values of a log at ascending times, linear between its samples."""
+    found = numpy.empty(len(grid))
+    done = 0
+    before = numpy.empty(0), numpy.empty(0)
+    for part in samples.stretches():
+        times, values = (numpy.append(*one) for one in zip(before, part, strict=True))
+        end = int(numpy.searchsorted(grid, times[-1], side="right"))
+        found[done:end] = numpy.interp(grid[done:end], times, values)
+        found[end:] = values[-1]
+        done, before = end, (times[-1:], values[-1:])
+    return found
 
 
 def _width(total: Numbers, best: int) -> int:
@@ -191,8 +239,7 @@ def _fine(
 ) -> Alignment:
     """Return the alignment near a coarse offset, by one pair."""
     samples, curve = pair
-    stride = max(1, len(samples.times) // _MAX_FITTED)
-    stamps, values = samples.times[::stride], samples.values[::stride]
+    stamps, values = _fitted(samples)
     may_drift = may_drift and float(stamps[-1] - stamps[0]) >= _DRIFT_FROM_US
     middle = float(stamps.mean())
     offset, drift, gain, bias = coarse_us, 0.0, 1.0, 0.0
@@ -221,6 +268,13 @@ def _fine(
         return _fine(pair, coarse_us, quality, may_drift=False)
     min_bias = max(_SIGNIFICANT * float(error[1]), _MIN_SCALE * float(numpy.ptp(values)))
     return Alignment(offset, drift, quality, gain, bias if abs(bias) > min_bias else 0.0)
+
+
+def _fitted(samples: Samples) -> tuple[Numbers, Numbers]:
+    """Return times and values of the samples that count in the fit."""
+    parts = list(samples.stretches(max(1, len(samples) // _MAX_FITTED)))
+    stamps, values = (numpy.concatenate(one) for one in zip(*parts, strict=True))
+    return stamps, values
 
 
 def _robust(matrix: Numbers, residual: Numbers) -> tuple[Numbers, Numbers]:

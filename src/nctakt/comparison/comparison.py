@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import bisect
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -14,11 +15,11 @@ from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
 from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.mapping import Pair
+from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
 from nctakt.messages.comparison import NO_OVERLAP, TIMES_NOT_ALIGNED
 from nctakt.results.run import Run
 from nctakt.trace.events import Event
-from nctakt.trace.recorded import Trace
 
 #: A reaction within this time before a place is named with it, in µs.
 _REACTION_US = 100_000
@@ -39,12 +40,14 @@ class Comparison:
 
     log: Log
     run: Run
-    trace: Trace
+    recorded: Recorded
     alignment: Alignment
     aligned_by: str
     deviations: Sequence[Deviation]
     delays: Sequence[Delay]
     diagnostics: Sequence[Diagnostic]
+    blocks: Sequence[Event]
+    reactions: Sequence[Event]
 
     @property
     def is_within(self) -> bool:
@@ -53,12 +56,11 @@ class Comparison:
 
     def running_at(self, time_us: int) -> Running:
         """Return what runs at a time of the run."""
-        trace = self.trace
-        tick = time_us // trace.cycle_time_us
-        block = _last(_events_of(self.run, "block"), tick)
-        reaction = _last(_events_of(self.run, "fired"), tick)
+        tick = time_us // self.run.cycle_time_us
+        block = _last(self.blocks, tick)
+        reaction = _last(self.reactions, tick)
         if reaction is not None:
-            since_us = (tick - reaction.tick) * trace.cycle_time_us
+            since_us = (tick - reaction.tick) * self.run.cycle_time_us
             reaction = reaction if since_us <= _REACTION_US else None
         return Running(time_us, None if block is None else block.span, reaction)
 
@@ -66,70 +68,97 @@ class Comparison:
 def compare(
     log: Log,
     run: Run,
+    recorded: Recorded,
     pairs: Sequence[Pair],
     tolerances: Mapping[str, float],
     offset_us: float | None = None,
     *,
     is_drawn: bool = False,
+    is_thinned: bool = False,
 ) -> Comparison:
-    """Return a log beside a run, in whose trace the signals of the pairs are.
+    """Return a log beside a run, of which ``recorded`` has the signals of the pairs.
 
     ``tolerances``: by the names of signals, "" for all others; ``offset_us``: where the run begins
-    in the log, ``None`` to find it; ``is_drawn``: keep what a picture shows. Raises ``Failure`` if
-    they have no time in common (902522).
+    in the log, ``None`` to find it; ``is_drawn``: keep both sides, ``is_thinned``: as far as a
+    picture has room for them. Raises ``Failure`` if they have no time in common (902522).
     """
-    trace = run.trace
-    assert trace is not None
     raw = log.read([pair.column for pair in pairs])
-    samples = [
-        Samples(one.times, one.values * pair.factor + pair.offset)
-        for pair, one in zip(pairs, raw, strict=True)
-    ]
-    curves = [Curve(float(trace.cycle_time_us), trace[pair.signal.name]) for pair in pairs]
-    found: list[Diagnostic] = []
-    if offset_us is None:
-        moving = [
-            (pair.signal.name, one, curve)
-            for pair, one, curve in zip(pairs, samples, curves, strict=True)
-            if not pair.signal.integral
-        ]
-        alignment = align([(one, curve) for _, one, curve in moving])
-        names = ", ".join(name for name, _, _ in moving[:3])
-        if alignment.reason is not None:
-            found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
-    else:
-        alignment, names = Alignment(offset_us), ""
+    samples = [one.scaled(pair.factor, pair.offset) for pair, one in zip(pairs, raw, strict=True)]
+    period_us = float(recorded.cycle_time_us)
+    curves = [Curve(period_us, recorded[pair.signal.name]) for pair in pairs]
     smooth = [
         (one, curve)
         for pair, one, curve in zip(pairs, samples, curves, strict=True)
         if not pair.signal.integral
     ]
-    delays = _delays(run, smooth, alignment)
+    alignment = align(smooth) if offset_us is None else Alignment(offset_us)
+    beside = partial(
+        _beside,
+        list(zip(pairs, samples, curves, strict=True)),
+        recorded.blocks,
+        recorded.cycle_time_us,
+        tolerances=tolerances,
+        is_drawn=is_drawn,
+        is_thinned=is_thinned,
+    )
+    deviations, delays = beside(alignment)
     if offset_us is None and alignment.reason is None and delays:
-        alignment = aligned_before(smooth, alignment, delays[0].time_us)
-        delays = _delays(run, smooth, alignment)
-    deviations = []
-    for pair, one, curve in zip(pairs, samples, curves, strict=True):
-        limit = pair.tolerance
-        if limit is None:
-            limit = tolerances.get(pair.signal.name, tolerances.get(""))
-        deviation = deviation_of(pair, one, curve, alignment, limit, is_drawn=is_drawn)
-        if deviation is not None:
-            deviations.append(deviation)
+        nearer = aligned_before(smooth, alignment, delays[0].time_us)
+        if nearer is not alignment:
+            alignment = nearer
+            deviations, delays = beside(alignment)
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
-    return Comparison(log, run, trace, alignment, names, deviations, delays, [*log.notes, *found])
+    names = [pair.signal.name for pair in pairs if not pair.signal.integral and offset_us is None]
+    found = [*log.notes]
+    if alignment.reason is not None:
+        found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
+    return Comparison(
+        log,
+        run,
+        recorded,
+        alignment,
+        ", ".join(names[:3]),
+        deviations,
+        delays,
+        found,
+        recorded.blocks,
+        recorded.reactions,
+    )
 
 
-def _delays(run: Run, pairs: Sequence[tuple[Samples, Curve]], alignment: Alignment) -> list[Delay]:
-    delays = BlockDelays(_events_of(run, "block"))
-    for samples, curve in pairs:
-        delays.add(samples, curve, alignment)
-    return delays.found()
+def _beside(
+    triples: Sequence[tuple[Pair, Samples, Curve]],
+    blocks: Sequence[Event],
+    cycle_time_us: int,
+    alignment: Alignment,
+    *,
+    tolerances: Mapping[str, float],
+    is_drawn: bool,
+    is_thinned: bool,
+) -> tuple[list[Deviation], list[Delay]]:
+    """Return what deviates, and from which blocks on the log is late, in one pass."""
+    delays = BlockDelays(blocks, cycle_time_us, alignment.is_scaled)
+    deviations = [
+        deviation_of(
+            pair,
+            samples,
+            curve,
+            alignment,
+            _tolerance(pair, tolerances),
+            delays=delays,
+            is_drawn=is_drawn,
+            is_thinned=is_thinned,
+        )
+        for pair, samples, curve in triples
+    ]
+    return [one for one in deviations if one is not None], delays.found()
 
 
-def _events_of(run: Run, kind: str) -> list[Event]:
-    return [event for event in run.events if event.kind == kind]
+def _tolerance(pair: Pair, tolerances: Mapping[str, float]) -> float | None:
+    if pair.tolerance is not None:
+        return pair.tolerance
+    return tolerances.get(pair.signal.name, tolerances.get(""))
 
 
 def _last(events: Sequence[Event], tick: int) -> Event | None:

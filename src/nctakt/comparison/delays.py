@@ -16,16 +16,20 @@ from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.comparison.alignment import Alignment, Curve
-from nctakt.comparison.log import Samples
+from nctakt.comparison.columns import Numbers
+from nctakt.comparison.recorded import StoredEvents
 from nctakt.trace.events import Event
 
 #: The smallest jump that counts, in µs and in standard errors.
 _MIN_JUMP_US, _SIGNIFICANT = 500.0, 5.0
-#: Smallest number of samples of a block in which something moves.
+#: Smallest number of samples of a block in which a signal moves.
 _MIN_MOVING = 5
 #: Variance below which two delays cannot be distinguished, in µs².
 _MIN_VARIANCE = 1.0
+#: Variance of a speed, as a share of its square, up to which it is constant.
+_CONSTANT = 1e-12
+#: How many sums each block has.
+_SUMS = 4
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,52 +45,48 @@ class Delay:
 
 
 class BlockDelays:
-    """Gathers signal after signal how late a log is in each block of a run."""
+    """Gathers signal after signal how late a log is in each block of a run.
 
-    def __init__(self, blocks: Sequence[Event]) -> None:
+    ``is_scaled``: the log has a gain or a bias, so that only changes within a block count.
+    """
+
+    def __init__(self, blocks: Sequence[Event], cycle_time_us: int, is_scaled: bool) -> None:
         self._blocks = blocks
-        self._begins = numpy.array([event.time_us for event in blocks], dtype=numpy.float64)
-        size = len(blocks) + 1
-        self._slopes, self._products, self._squares, self._counts = numpy.zeros((4, size))
+        self._is_scaled = is_scaled
+        ticks = (
+            blocks.ticks
+            if isinstance(blocks, StoredEvents)
+            else numpy.array([event.tick for event in blocks], dtype=numpy.float64)
+        )
+        self._begins = ticks * float(cycle_time_us)
+        self._sums = numpy.zeros((_SUMS, len(blocks) + 1))
+        self._moving = numpy.zeros(len(blocks) + 1)
+        self._signal = _SignalSums(len(blocks) + 1, is_scaled)
 
-    def add(self, samples: Samples, curve: Curve, alignment: Alignment) -> None:
-        """Add a signal; what does not move says nothing."""
-        times = alignment.run_times(samples.times)
-        is_inside = (times >= 0.0) & (times <= curve.end_us)
-        inside = times[is_inside]
-        span = float(numpy.ptp(curve.values)) if len(inside) else 0.0
-        if span <= 0.0:
-            return
-        slope = curve.slope_at(inside) / span
-        difference = (samples.values[is_inside] - curve.at(inside)) / span
-        number = numpy.searchsorted(self._begins, inside, side="right")
-        if alignment.is_scaled:
-            slope = self._centred(number, slope)
-            difference = self._centred(number, difference)
-        self._slopes += self._summed(number, slope**2)
-        self._products += self._summed(number, slope * difference)
-        self._squares += self._summed(number, difference**2)
-        self._counts += self._summed(number, (slope != 0.0) * 1.0)
+    def add(self, times: Numbers, differences: Numbers, slopes: Numbers) -> None:
+        """Add a stretch of a signal: times of the run, log minus run, and the run's slopes.
 
-    def _centred(
-        self, number: NDArray[numpy.int64], values: NDArray[numpy.float64]
-    ) -> NDArray[numpy.float64]:
-        """Return values less their mean in the block."""
-        counts = numpy.maximum(self._summed(number, numpy.ones_like(values)), 1.0)
-        centred: NDArray[numpy.float64] = values - (self._summed(number, values) / counts)[number]
-        return centred
+        Both are shares of the signal's span; blocks in which nothing moves say nothing.
+        """
+        first, last = numpy.searchsorted(self._begins, times[[0, -1]], side="right")
+        starts = numpy.append(0, numpy.searchsorted(times, self._begins[first:last]))
+        sizes = numpy.diff(numpy.append(starts, len(times)))
+        has_samples = sizes > 0
+        number = first + numpy.flatnonzero(has_samples)
+        starts, sizes = starts[has_samples], sizes[has_samples]
+        self._signal.add(number, starts, sizes, slopes, differences)
 
-    def _summed(
-        self, number: NDArray[numpy.int64], values: NDArray[numpy.float64]
-    ) -> NDArray[numpy.float64]:
-        found = numpy.bincount(number, values, len(self._slopes))
-        return numpy.asarray(found, dtype=numpy.float64)
+    def end_signal(self) -> None:
+        """End a signal: what is added afterwards is another one's."""
+        self._sums += self._signal.without_constant_speeds()
+        self._moving = numpy.maximum(self._moving, self._signal.moving)
+        self._signal = _SignalSums(self._sums.shape[1], self._is_scaled)
 
     def found(self) -> list[Delay]:
         """Return where the log becomes later or earlier, in the order of the blocks."""
         delays: list[Delay] = []
         weights = weighted = 0.0  # of the blocks since the last jump
-        for number in map(int, numpy.flatnonzero(self._counts >= _MIN_MOVING)):
+        for number in map(int, numpy.flatnonzero(self._moving >= _MIN_MOVING)):
             late, variance = self._late(number)
             if weights > 0.0:
                 jump = late - weighted / weights
@@ -101,7 +101,63 @@ class BlockDelays:
 
     def _late(self, number: int) -> tuple[float, float]:
         """Return by how many µs the log is late in a block, and the square of its error."""
-        slopes = float(self._slopes[number])
-        late = -float(self._products[number]) / slopes
-        rest = max(float(self._squares[number]) - late**2 * slopes, 0.0)
-        return late, rest / (float(self._counts[number]) - 1.0) / slopes + _MIN_VARIANCE
+        slopes, products, count, squares = map(float, self._sums[:, number])
+        late = -products / slopes
+        rest = max(squares - late**2 * slopes, 0.0)
+        return late, rest / (count - 1.0) / slopes + _MIN_VARIANCE
+
+
+class _SignalSums:
+    """Sums of a signal in each block: slopes², slopes · differences, moving samples, differences².
+
+    With ``is_scaled`` slopes and differences count less their mean in the block, whatever the
+    stretches are: the sums of two of them add up with the distance of their means.
+    """
+
+    def __init__(self, size: int, is_scaled: bool) -> None:
+        self._is_scaled = is_scaled
+        self._sums: Numbers = numpy.zeros((_SUMS, size))
+        self._sizes, self._slopes, self._differences = numpy.zeros((3, size))
+
+    def add(
+        self,
+        number: NDArray[numpy.int64],
+        starts: NDArray[numpy.int64],
+        sizes: NDArray[numpy.int64],
+        slopes: Numbers,
+        differences: Numbers,
+    ) -> None:
+        """Add a stretch; ``starts``: where in it the blocks of a ``number`` begin."""
+        self._sums[2, number] += numpy.add.reduceat((slopes != 0.0).astype(float), starts)
+        if self._is_scaled:
+            slope, difference = (
+                numpy.add.reduceat(one, starts) / sizes for one in (slopes, differences)
+            )
+            slopes = slopes - numpy.repeat(slope, sizes)
+            differences = differences - numpy.repeat(difference, sizes)
+            slope -= self._slopes[number]
+            difference -= self._differences[number]
+            before = self._sizes[number]
+            share = sizes / (before + sizes)
+            self._slopes[number] += slope * share
+            self._differences[number] += difference * share
+            self._sizes[number] += sizes
+            apart = before * share
+            self._sums[0, number] += slope * slope * apart
+            self._sums[1, number] += slope * difference * apart
+            self._sums[3, number] += difference * difference * apart
+        self._sums[0, number] += numpy.add.reduceat(slopes * slopes, starts)
+        self._sums[1, number] += numpy.add.reduceat(slopes * differences, starts)
+        self._sums[3, number] += numpy.add.reduceat(differences * differences, starts)
+
+    @property
+    def moving(self) -> Numbers:
+        """How many samples move in each block."""
+        counts: Numbers = self._sums[2]
+        return counts
+
+    def without_constant_speeds(self) -> Numbers:
+        """Return the sums; where the speed is constant, a delay is no other than a bias."""
+        is_constant = self._sums[0] <= _CONSTANT * self._sizes * self._slopes**2
+        self._sums[:3, is_constant] = 0.0
+        return self._sums

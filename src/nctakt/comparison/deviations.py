@@ -3,27 +3,39 @@
 
 Deviations are log minus run, at the log's own stamps. Values between ticks are linear; those of
 whole numbers and truths are the tick's. What lasts a single sample is jitter of the stamps and is
-no exceedance.
+no exceedance. Stretch by stretch, so that the length does not matter.
 """
 
 from __future__ import annotations
+
+import math
+from collections.abc import Iterator
 
 import numpy
 from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
 from nctakt.comparison.alignment import Alignment, Curve
+from nctakt.comparison.columns import Numbers, range_of
+from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.log import Samples
 from nctakt.comparison.mapping import Pair
+
+#: The share of the percentile that is told.
+_SHARE = 0.99
+#: Samples that are kept for a picture, which has fewer pixels; at most twice as many.
+MAX_DRAWN = 20_000
+#: Times, values of the log, and log minus run.
+_Part = tuple[Numbers, Numbers, Numbers]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Overlaid:
     """Both sides of a pair at the log's stamps, as times of the run in µs, to be drawn."""
 
-    times: NDArray[numpy.float64]
-    values: NDArray[numpy.float64]
-    differences: NDArray[numpy.float64]
+    times: Numbers
+    values: Numbers
+    differences: Numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,55 +67,194 @@ def deviation_of(
     alignment: Alignment,
     tolerance: float | None,
     *,
+    delays: BlockDelays | None = None,
     is_drawn: bool = False,
+    is_thinned: bool = False,
 ) -> Deviation | None:
-    """Return how far a pair is apart; ``None`` if no sample lies within the run."""
-    times = alignment.run_times(samples.times)
-    is_inside = (times >= 0.0) & (times <= curve.end_us)
-    inside, values = times[is_inside], samples.values[is_inside]
-    if not len(inside):
-        return None
+    """Return how far a pair is apart; ``None`` if no sample lies within the run.
+
+    ``delays`` gets what it says about the time that the log is late; ``is_drawn``: keep both sides,
+    ``is_thinned``: as many samples as a picture has room for.
+    """
+    parts = _beside(pair, samples, curve, alignment, delays)
     if pair.signal.integral:
-        ticks = (inside // curve.period_us).astype(numpy.int64)
-        difference = values - curve.values[ticks]
-        difference = numpy.where(_is_jitter(difference), 0.0, difference)
-    else:
-        difference = values - curve.at(inside)
-    size = numpy.abs(difference)
-    at = int(size.argmax())
-    first, beyond = None, 0
-    if tolerance is not None:
-        is_beyond = ~single_samples(size > tolerance) & (size > tolerance)
-        beyond = int(is_beyond.sum())
-        first = _whole_us(inside[int(is_beyond.argmax())]) if beyond else None
+        parts = _without_jitter(parts)
+    sums = DeviationSums(len(samples), tolerance)
+    drawn = _Drawn(MAX_DRAWN if is_thinned else len(samples)) if is_drawn else None
+    for times, values, differences in parts:
+        sums.add(times, differences)
+        if drawn is not None:
+            drawn.add(times, values, differences)
+    if not sums.samples:
+        return None
+    sums.finish()
     return Deviation(
         pair,
-        len(inside),
-        float(difference[at]),
-        _whole_us(inside[at]),
-        float(difference.mean()),
-        float(numpy.sqrt((difference**2).mean())),
-        float(numpy.percentile(size, 99.0)),
-        first,
-        beyond,
+        sums.samples,
+        sums.greatest,
+        _whole_us(sums.greatest_us),
+        sums.mean,
+        sums.rms,
+        sums.percentile,
+        None if sums.first_us is None else _whole_us(sums.first_us),
+        sums.beyond,
         tolerance,
-        Overlaid(inside, values, difference) if is_drawn else None,
+        None if drawn is None else drawn.overlaid(),
     )
+
+
+def _beside(
+    pair: Pair,
+    samples: Samples,
+    curve: Curve,
+    alignment: Alignment,
+    delays: BlockDelays | None,
+) -> Iterator[_Part]:
+    """Yield times, values, and log minus run, of the samples that lie within the run."""
+    span = 0.0 if pair.signal.integral or delays is None else range_of(curve.values)
+    for stamps, logged in samples.stretches():
+        known = alignment.run_times(stamps)
+        first = int(numpy.searchsorted(known, 0.0))
+        end = int(numpy.searchsorted(known, curve.end_us, side="right"))
+        if first == end:
+            continue
+        times, values = known[first:end], logged[first:end]
+        ours = curve.of_ticks(times) if pair.signal.integral else curve.at(times)
+        differences = values - ours
+        if span > 0.0 and delays is not None:
+            delays.add(times, differences / span, curve.slope_at(times) / span)
+        yield times, values, differences
+    if delays is not None:
+        delays.end_signal()
+
+
+def _without_jitter(parts: Iterator[_Part]) -> Iterator[_Part]:
+    """Yield parts in which no difference lasts a single sample."""
+    held: _Part | None = None
+    before = False
+    for part in parts:
+        times, values, differences = part
+        if held is not None:
+            times = numpy.append(held[0], times)
+            values = numpy.append(held[1], values)
+            differences = numpy.append(held[2], differences)
+        differs = differences != 0.0
+        cleaned = numpy.where(_has_neighbour(differs, before)[:-1], differences[:-1], 0.0)
+        if len(cleaned):
+            yield times[:-1], values[:-1], cleaned
+            before = bool(differs[-2])
+        held = times[-1:], values[-1:], differences[-1:]
+    if held is not None:
+        yield (*held[:2], held[2] if before else numpy.zeros(1))
+
+
+class DeviationSums:
+    """Gathers deviations stretch by stretch; ``count``: how many samples there are at most."""
+
+    def __init__(self, count: int, tolerance: float | None) -> None:
+        self._tolerance = tolerance
+        self.samples = 0
+        self.greatest = self.greatest_us = 0.0
+        self._sum = self._squares = 0.0
+        self._kept = int(count * (1.0 - _SHARE)) + 3
+        self._top = numpy.empty(0)
+        self._limit = -1.0
+        self.first_us: float | None = None
+        self.beyond = 0
+        self._held = numpy.empty(0), numpy.empty(0, dtype=bool)
+        self._before = False
+
+    def add(self, times: Numbers, differences: Numbers) -> None:
+        """Add a stretch that is not empty."""
+        size = numpy.abs(differences)
+        at = int(size.argmax())
+        if not self.samples or size[at] > abs(self.greatest):
+            self.greatest, self.greatest_us = float(differences[at]), float(times[at])
+        self.samples += len(times)
+        self._sum += float(differences.sum())
+        self._squares += float((differences * differences).sum())  # `@` would start threads
+        self._top = numpy.append(self._top, size[size > self._limit])
+        if len(self._top) > 2 * self._kept:
+            self._top = numpy.partition(self._top, -self._kept)[-self._kept :]
+            self._limit = float(self._top[0])
+        if self._tolerance is not None:
+            self._count(times, size > self._tolerance)
+
+    def _count(self, times: Numbers, is_beyond: NDArray[numpy.bool_]) -> None:
+        """Count those beyond the tolerance; the last one waits for its neighbour."""
+        times, is_beyond = (
+            numpy.append(self._held[0], times),
+            numpy.append(self._held[1], is_beyond),
+        )
+        counts = (is_beyond & _has_neighbour(is_beyond, self._before))[:-1]
+        self._note(times, counts)
+        self._before = bool(is_beyond[-2]) if len(is_beyond) > 1 else self._before
+        self._held = times[-1:], is_beyond[-1:]
+
+    def _note(self, times: Numbers, counts: NDArray[numpy.bool_]) -> None:
+        if counts.any():
+            if self.first_us is None:
+                self.first_us = float(times[int(counts.argmax())])
+            self.beyond += int(counts.sum())
+
+    def finish(self) -> None:
+        """Count the last sample, which has no other one after it."""
+        times, is_beyond = self._held
+        self._note(times, is_beyond & self._before)
+
+    @property
+    def mean(self) -> float:
+        """The mean deviation."""
+        return self._sum / self.samples
+
+    @property
+    def rms(self) -> float:
+        """The root of the mean square."""
+        return math.sqrt(self._squares / self.samples)
+
+    @property
+    def percentile(self) -> float:
+        """What 99 % of the absolute deviations do not exceed, linear between two samples."""
+        rank = _SHARE * (self.samples - 1)
+        below = int(rank)
+        top = numpy.sort(self._top)
+        at = len(top) - (self.samples - below)
+        low, high = float(top[at]), float(top[min(at + 1, len(top) - 1)])
+        return low + (high - low) * (rank - below)
+
+
+class _Drawn:
+    """Keeps what is drawn: each sample, or ``count`` at least and twice as many at most."""
+
+    def __init__(self, count: int) -> None:
+        self._count = count
+        self._stride = 1
+        self._seen = 0
+        self._kept: list[Numbers] = []
+
+    def add(self, *part: Numbers) -> None:
+        """Add a stretch."""
+        begin = -self._seen % self._stride
+        self._seen += len(part[0])
+        self._kept.append(numpy.stack([one[begin :: self._stride] for one in part]))
+        while sum(one.shape[1] for one in self._kept) > 2 * self._count:
+            self._kept = [numpy.concatenate(self._kept, axis=1)[:, ::2]]
+            self._stride *= 2
+
+    def overlaid(self) -> Overlaid:
+        """Return what has been kept."""
+        return Overlaid(*numpy.concatenate(self._kept, axis=1))
 
 
 def single_samples(is_beyond: NDArray[numpy.bool_]) -> NDArray[numpy.bool_]:
     """Return which samples have neighbours that are not beyond."""
-    padded = numpy.concatenate(([False], is_beyond, [False]))
-    single: NDArray[numpy.bool_] = ~(padded[:-2] | padded[2:])
-    return single
+    return ~_has_neighbour(is_beyond, False)
 
 
-def _is_jitter(
-    difference: NDArray[numpy.float64],
-) -> NDArray[numpy.bool_]:
-    """Return which differences last a single sample."""
-    differs = difference != 0.0
-    found: NDArray[numpy.bool_] = differs & single_samples(differs)
+def _has_neighbour(marks: NDArray[numpy.bool_], before: bool) -> NDArray[numpy.bool_]:
+    """Return which samples have a marked neighbour; ``before``: whether the one before is."""
+    padded = numpy.concatenate(([before], marks, [False]))
+    found: NDArray[numpy.bool_] = padded[:-2] | padded[2:]
     return found
 
 

@@ -11,18 +11,18 @@ from __future__ import annotations
 import importlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy
 
 from nctakt.base.failure import Failure
+from nctakt.comparison.columns import STRETCH, Numbers, NumberTable, stretches
 from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.comparison.plain_table import NOT_SIGNALS, TIME_UNITS, TIMES, split_unit
 from nctakt.messages import diagnostic
 from nctakt.messages.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
 from nctakt.trace.arrow import load_pyarrow
 from nctakt.trace.measurement import load_asammdf
-
-if TYPE_CHECKING:
-    from nctakt.comparison.log import Numbers
 
 #: Types of channels of MF4 that are numbers.
 _NUMBER_TYPES = frozenset(range(6))
@@ -54,9 +54,18 @@ class Mf4Log(Log):
         """Return the samples of channels."""
         found = []
         for one in columns:
-            signal = self._measured.get(group=one.time_column, index=one.column)
-            values = signal.samples.astype(float)
-            found.append(self.settled(one.name, signal.timestamps.astype(float) * 1e6, values))
+            table = NumberTable(2)
+            records = self._measured.groups[one.time_column].channel_group.cycles_nr
+            for part in stretches(records):
+                signal = self._measured.get(
+                    group=one.time_column,
+                    index=one.column,
+                    record_offset=part.start,
+                    record_count=part.stop - part.start,
+                )
+                stamps = signal.timestamps.astype(float) * 1e6
+                table.add(numpy.stack([stamps, signal.samples.astype(float)]).T)
+            found.append(self.settled(one.name, table.column(0), table.column(1)))
         return found
 
 
@@ -97,22 +106,29 @@ class ParquetLog(Log):
 
     def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
         """Return the samples of columns; empty cells and what is no number are none."""
-        import numpy  # noqa: PLC0415 - opening a log does not need it
+        names = self._file.schema_arrow.names
+        time = names[columns[0].time_column]
+        asked = [time, *(names[one.column] for one in columns)]
+        table = NumberTable(len(asked))
+        first: float | None = None
+        for batch in self._file.iter_batches(batch_size=STRETCH, columns=list(set(asked))):
+            numbers = {name: _numbers(batch.column(name)) for name in set(asked)}
+            stamps = numbers[time]
+            known = stamps[numpy.isfinite(stamps)]
+            if first is None and len(known):
+                first = float(known[0])
+            numbers[time] = (stamps - (first or 0.0)) * self._time_us
+            table.add(numpy.stack([numbers[name] for name in asked]).T)
+        return [
+            self.settled(one.name, table.column(0), table.column(at))
+            for at, one in enumerate(columns, 1)
+        ]
 
-        found = []
-        for one in columns:
-            times, values = self._numbers(one.time_column), self._numbers(one.column)
-            stamps = times[numpy.isfinite(times)]
-            has_value = numpy.isfinite(times) & numpy.isfinite(values)
-            since_first = (times[has_value] - stamps[:1]) * self._time_us
-            found.append(self.settled(one.name, since_first, values[has_value]))
-        return found
 
-    def _numbers(self, column: int) -> Numbers:
-        """Return a column as floating-point numbers; empty cells are no numbers."""
-        name = self._file.schema_arrow.names[column]
-        numbers: Numbers = self._file.read(columns=[name]).column(0).to_numpy().astype(float)
-        return numbers
+def _numbers(column: Any) -> Numbers:
+    """Return a column as floating-point numbers; empty cells are no numbers."""
+    numbers: Numbers = column.to_numpy(zero_copy_only=False).astype(float)
+    return numbers
 
 
 def _name_and_unit(one: Any) -> tuple[str, str]:

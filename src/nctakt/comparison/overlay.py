@@ -35,7 +35,7 @@ class LoggedCurve:
 
 def logged_curves(comparison: Comparison) -> list[LoggedCurve]:
     """Return the log's curves in the order of the comparison."""
-    return [_curve(one, comparison.trace.cycle_time_us) for one in comparison.deviations]
+    return [_curve(one, comparison.recorded.cycle_time_us) for one in comparison.deviations]
 
 
 def _curve(one: Deviation, cycle_time_us: int) -> LoggedCurve:

@@ -17,8 +17,6 @@ from nctakt.plots.style import FEED, INK, RAPID
 
 #: Signals that a picture shows, those that are farthest beyond their tolerance first.
 MAX_SIGNALS = 6
-#: Samples that are drawn at most: the picture has fewer pixels.
-_MAX_POINTS = 20_000
 _SIGNAL_HEIGHT_IN = 2.6
 
 _RUN = Text("run", "Lauf")
@@ -49,9 +47,7 @@ def _urgency(one: Deviation) -> tuple[bool, float]:
 
 
 def _draw(upper: Any, lower: Any, one: Deviation, both: Overlaid, language: Language) -> None:
-    stride = max(1, len(both.times) // _MAX_POINTS)
-    seconds = both.times[::stride] / 1e6
-    values, differences = both.values[::stride], both.differences[::stride]
+    seconds, values, differences = both.times / 1e6, both.values, both.differences
     upper.plot(seconds, values, color=RAPID, linewidth=1.6, alpha=0.6, label=_LOG.get(language))
     upper.plot(seconds, values - differences, color=FEED, linewidth=0.8, label=_RUN.get(language))
     unit = f" [{one.pair.signal.unit}]" if one.pair.signal.unit else ""

@@ -247,12 +247,12 @@ def _difference(
         return [diagnostic(SHARE_DOES_NOT_RUN, number=run.errors[0].number)]
     assert run.trace is not None
     for name, neutral in signals.items():
-        ours, theirs = comparison.trace[name], run.trace[neutral]
+        ours, theirs = comparison.recorded[name][:], run.trace[neutral]
         size = min(len(ours), len(theirs))
         differs = numpy.flatnonzero(~(numpy.abs(ours[:size] - theirs[:size]) <= _EQUAL))
         if len(differs) or len(ours) != len(theirs):
             tick = int(differs[0]) if len(differs) else size
-            time = tick * comparison.trace.cycle_time_us / 1e6
+            time = tick * comparison.recorded.cycle_time_us / 1e6
             return [diagnostic(SHARE_DIFFERS, signal=name, time=f"{time:.6f}")]
     return []
 

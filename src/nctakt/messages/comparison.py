@@ -214,3 +214,12 @@ LOG_NOT_SHOWN = warning(
     log=("the log", "die Aufzeichnung"),
     number=("the number of the message", "die Nummer der Meldung"),
 )
+NO_ROOM_FOR_SAMPLES = error(
+    902730,
+    en="the samples of run and log do not fit into the folder of temporary files: {reason}",
+    de="Die Werte von Lauf und Aufzeichnung passen nicht in den Ordner der Temporärdateien: "
+    "{reason}",
+    remedy_en="Make room there, or name another folder in TMPDIR; each sample takes 8 bytes.",
+    remedy_de="Dort Platz schaffen oder mit TMPDIR einen anderen Ordner nennen; je Wert 8 Byte.",
+    reason=("what the operating system says", "was das Betriebssystem sagt"),
+)

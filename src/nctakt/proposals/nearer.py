@@ -12,13 +12,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 
-import numpy
-
 from nctakt.base.dataclass import dataclass
 from nctakt.comparison.alignment import Alignment, Curve, align
 from nctakt.comparison.comparison import Comparison
-from nctakt.comparison.log import Samples
 from nctakt.comparison.mapping import Pair
+from nctakt.comparison.recorded import Recorded, RecordedTrace
 from nctakt.lists.machine.machine import Machine
 from nctakt.proposals.changes import Change, changes_by_axis, changes_of
 from nctakt.results.run import Run
@@ -71,14 +69,12 @@ class Search:
         self._pairs = [pair for pair in pairs if not pair.signal.integral]
         raw = comparison.log.read([pair.column for pair in self._pairs])
         self._samples = [
-            Samples(one.times, one.values * pair.factor + pair.offset)
-            for pair, one in zip(self._pairs, raw, strict=True)
+            one.scaled(pair.factor, pair.offset) for pair, one in zip(self._pairs, raw, strict=True)
         ]
-        self._spans = [float(numpy.ptp(one.values)) for one in self._samples]
-        self._run = run = comparison.run
-        assert run.trace is not None
-        self._end_us = float(run.trace.cycle_time_us * (run.trace.ticks - 1))
-        self._before = self._distance(run)
+        self._spans = [one.span for one in self._samples]
+        self._run = comparison.run
+        self._end_us = float(self._run.cycle_time_us * (comparison.run.ticks - 1))
+        self._before = self._distance(comparison.recorded)
         self._known: dict[tuple[Change, float], float] = {}
 
     def proposals(self, machine: Machine, override: float) -> Proposals:
@@ -157,26 +153,29 @@ class Search:
         value = _possible(change, value)
         if (change, value) not in self._known:
             run = self._again(change, value)
-            is_whole = run is not None and not run.errors
-            self._known[change, value] = self._distance(run) if is_whole else math.inf
+            self._known[change, value] = (
+                math.inf if run is None or run.errors else self._distance(RecordedTrace(run))
+            )
         return self._known[change, value]
 
-    def _distance(self, run: Run | None) -> float:
+    def _distance(self, recorded: Recorded) -> float:
         """Return how far a run and the log are apart, as a share of the curves' spans."""
-        assert run is not None and run.trace is not None
-        trace = run.trace
-        curves = [Curve(float(trace.cycle_time_us), trace[one.signal.name]) for one in self._pairs]
+        period_us = float(recorded.cycle_time_us)
+        curves = [Curve(period_us, recorded[one.signal.name]) for one in self._pairs]
         if self._offset_us is None:
             alignment = align(list(zip(self._samples, curves, strict=True)))
         else:
             alignment = Alignment(self._offset_us)
         shares = []
         for samples, curve, span in zip(self._samples, curves, self._spans, strict=True):
-            times = alignment.run_times(samples.times)
-            is_inside = (times >= 0.0) & (times <= max(curve.end_us, self._end_us))
-            if span > 0.0 and is_inside.any():
-                beside = samples.values[is_inside] - curve.at(times[is_inside])
-                shares.append(float((beside**2).mean()) / span**2)
+            squares, count = 0.0, 0
+            for stamps, values in samples.stretches():
+                times = alignment.run_times(stamps)
+                is_inside = (times >= 0.0) & (times <= max(curve.end_us, self._end_us))
+                beside = values[is_inside] - curve.at(times[is_inside])
+                squares, count = squares + float((beside**2).sum()), count + len(beside)
+            if span > 0.0 and count:
+                shares.append(squares / count / span**2)
         return math.sqrt(sum(shares) / len(shares)) if shares else math.inf
 
 

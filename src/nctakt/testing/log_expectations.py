@@ -13,6 +13,7 @@ from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.comparison import compare
 from nctakt.comparison.log_file import open_log
 from nctakt.comparison.mapping import pairs_of
+from nctakt.comparison.recorded import RecordedTrace
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
@@ -52,7 +53,9 @@ def wrong_beside_log(run: NcRun, name: str, expectation: Expectation, folder: Pa
                 other=signal.unit,
             )
         )
-    comparison = compare(log, run.run, pairs, {name: expectation.within * factor})
+    comparison = compare(
+        log, run.run, RecordedTrace(run.run), pairs, {name: expectation.within * factor}
+    )
     found = next(one for one in comparison.deviations if one.pair.signal.name == name)
     if found.first_us is None:
         return []

@@ -67,6 +67,10 @@ class EventChunk(Sequence[Event]):
         """The rows as they were recorded."""
         return self._data
 
+    def with_data(self, data: bytes) -> EventChunk:
+        """Return a chunk of other rows of the same run, not decoded yet."""
+        return EventChunk(self._decoder, data)
+
     def column(self, number: int) -> list[float]:
         """Return one column of all rows (``rows.EVENT_KIND`` …)."""
         cells = memoryview(self._data).cast("d")

@@ -163,3 +163,16 @@ def test_delays_do_not_depend_on_stretches() -> None:
         assert [one for pair in other for one in pair] == pytest.approx(
             [one for pair in found[0] for one in pair], rel=1e-9
         )
+
+
+@pytest.mark.parametrize(("moving", "told"), [(4, []), (5, [1000.0])])
+def test_a_block_in_which_little_moves_tells_nothing(moving: int, told: list[float]) -> None:
+    """LG-706: six signals that move for four samples of a dwell are not 24 samples that move."""
+    blocks = [Event(tick, 1000 * tick, "block", "", None) for tick in (0, 100)]
+    gathered = BlockDelays(blocks, 1000, is_scaled=False)
+    slopes = numpy.repeat([1.0, 0.0], [100 + moving, 100 - moving])
+    late = numpy.repeat([0.0, 1000.0], 100)  # by 1 ms from the second block on
+    for _ in range(6):
+        gathered.add(numpy.arange(200) * 1000.0, -slopes * late, slopes)
+        gathered.end_signal()
+    assert [one.jump_us for one in gathered.found()] == pytest.approx(told)

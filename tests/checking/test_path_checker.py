@@ -36,6 +36,9 @@ WRONG = {
     "target of the same shape as one before": ("G00 X1\nG00 X2\nG00 X20000", 3, 120002),
     "relative target": ("G00 X9999\nG91 X2", 2, 120002),
     "target in inches": ("G70\nG00 X500", 2, 120002),
+    "target of a single axis": ("G00 X5\nX[INDP_SYN G90 G00 POS=20000]", 2, 60158),
+    "target of a single axis in inches": ("G70\nX[INDP_ASYN G90 G01 FEED=10 POS=500]", 2, 60158),
+    "end of an oscillation": ("X[OSC ON 1ST_POS=0 2ND_POS=-20000 FEED=1000]", 1, 60159),
     "arc beyond a limit": ("G00 X9998 Y0\nG02 Y-10 J-5", 2, 120002),
     "in a branch": ("G00 X0 Y0\nP1 = 1\n$IF P1 == 1\nG02 X10 I3\n$ENDIF", 4, 20035),
     "behind branches that agree": (

@@ -42,12 +42,14 @@ from nctakt.lists.machine.channel_configuration import (
     UNIT_GROUP,
     ChannelParameters,
 )
+from nctakt.messages.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
 from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.messages.motion import ARC_OUTSIDE_LIMITS
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.dwells import dwell_of
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.main_spindle import is_main_spindle
+from nctakt.nc.meaning.axes import fixed_targets
 from nctakt.nc.tree import (
     Assignment,
     AxisWord,
@@ -278,6 +280,9 @@ class PathChecker:
         functions = [int(word.value.value) for word in numbers if isinstance(word.value, Number)]
         for function in functions:
             self._function(function)
+        for word in block.words:
+            if isinstance(word, BracketCommand):
+                self._single_axis(word)
         note_feed(block, facts)
         if allows_speeds(functions, facts):
             self._speeds(block)
@@ -398,6 +403,26 @@ class PathChecker:
             self._findings.report(
                 TARGET_OUTSIDE_LIMITS, word.span, axis=word.name, position=value, low=low, high=high
             )
+
+    def _single_axis(self, bracket: BracketCommand) -> None:
+        """Check where an axis beside the path would go, against its limits."""
+        facts, axis = self._facts, self._axes.get(bracket.name)
+        if axis is None or axis.is_modulo or facts.is_shifted is not False:
+            return
+        low, high = axis.software_limit_low, axis.software_limit_high
+        for position in fixed_targets(bracket):
+            value = self._constant(position)
+            if value is not None and axis.is_linear:
+                value = None if facts.is_inch is None else value * self._unit()
+            if value is not None and not low <= value <= high:
+                self._findings.report(
+                    INDP_TARGET_OUTSIDE_LIMITS,
+                    position.span,
+                    axis=bracket.name,
+                    target=value,
+                    low=low,
+                    high=high,
+                )
 
     # --- arcs ------------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The scope: conditions as lanes, curves by unit, marks of reactions and functions, one cursor.
 import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
-import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, take, zoom } from "nctakt-store";
+import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, shownUnit, take, zoom } from "nctakt-store";
 
 const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6;
 const LANES_TOP = LABEL * LABEL_ROWS + 3;
@@ -238,10 +238,12 @@ export default {
       low -= margin; high += margin;
       const legend = 14, inside = Math.max(4, height - legend);
       const yOf = (value) => top + legend + inside - ((value - low) / (high - low)) * inside;
-      const scale = ticks(low, high, inside / 28);
+      const isAlike = indices.every((index) => run.units[index] === unit);
+      const [label, factor] = isAlike ? shownUnit(unit) : [unit, 1];
+      const scale = ticks(low * factor, high * factor, inside / 28);
       pen.textAlign = "right"; pen.textBaseline = "middle";
       for (const value of scale.result) {
-        const y = yOf(value);
+        const y = yOf(value / factor);
         pen.strokeStyle = colour("--nc-grid"); pen.lineWidth = 1;
         pen.beginPath(); pen.moveTo(LEFT, y); pen.lineTo(width - RIGHT, y); pen.stroke();
         pen.fillStyle = colour("--nc-soft");
@@ -253,7 +255,7 @@ export default {
       indices.forEach((index, place) => this.drawLogged(pen, shown, index, tints[place], unit === "", yOf, top + height));
       indices.forEach((index, place) => this.drawCurve(pen, shown, index, tints[place], begin, end, unit === "", yOf));
       pen.restore();
-      this.drawLegend(pen, shown, unit, indices, tints, top, width);
+      this.drawLegend(pen, shown, label, factor, indices, tints, top, width);
     },
     drawCurve(pen, shown, index, tint, begin, end, isStep, yOf) {
       const values = shown.columns[index];
@@ -308,25 +310,25 @@ export default {
       return values[at] + share * (values[at + 1] - values[at]);
     },
     // The log's value at a tick as text, where all of its samples are here.
-    loggedText(index, tick) {
+    loggedText(index, tick, factor) {
       const logged = run.logged[run.names[index]];
       if (!logged || !logged.isWhole) return "";
       const value = this.valueAt({ ticks: logged.ticks, columns: [logged.values] }, 0, tick);
-      return value === null ? "" : ` ${run.words.log} ${short(value)}`;
+      return value === null ? "" : ` ${run.words.log} ${short(value * factor)}`;
     },
-    drawLegend(pen, shown, unit, indices, tints, top, width) {
+    drawLegend(pen, shown, label, factor, indices, tints, top, width) {
       const both = compared(), tick = both ? both[1] : run.cursor, isNow = tick === null || tick === run.tick;
       const at = tick === null ? -1 : indexAt(shown.ticks, tick);
       const from = both ? indexAt(shown.ticks, both[0]) : -1;
       pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
-      pen.fillText(unit, LEFT - 5, top + 6);
+      pen.fillText(label, LEFT - 5, top + 6);
       let x = LEFT + 4;
       pen.textAlign = "left";
       indices.forEach((index, place) => {
         const value = isNow ? run.now[index] : at < 0 ? null : shown.columns[index][at];
         const before = from < 0 ? null : shown.columns[index][from];
-        const away = Number.isFinite(value) && Number.isFinite(before) ? ` Δ ${short(value - before)}` : "";
-        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value) : ""}${away}${this.loggedText(index, tick ?? run.tick)}`;
+        const away = Number.isFinite(value) && Number.isFinite(before) ? ` Δ ${short((value - before) * factor)}` : "";
+        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value * factor) : ""}${away}${this.loggedText(index, tick ?? run.tick, factor)}`;
         const room = width - RIGHT - x - 14;
         if (room < 24) return;
         pen.fillStyle = tints[place]; pen.fillRect(x, top + 4, 9, 4);

@@ -151,6 +151,8 @@ export const laneBars = (line, row) => {
   });
   return found;
 };
+// The unit in which the numbers of one are shown, as everywhere on the page, and by what they grow.
+export const shownUnit = (unit) => (unit === "mm/s" ? ["mm/min", 60] : [unit, 1]);
 export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
 
-globalThis.nctaktRun = { run, show, zoom, zoomIn, mark, pan, fit, changed, listen, blockAt, laneBars };
+globalThis.nctaktRun = { run, show, zoom, zoomIn, mark, pan, fit, changed, listen, blockAt, laneBars, shownUnit };

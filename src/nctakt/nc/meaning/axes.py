@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What commands of axes and spindles say: exchange, C axis, main spindle, couplings.
+"""What commands of axes and spindles say: exchange, C axis, couplings, targets.
 
 In: ``#`` commands of the tree. Out: what is written in them as records, ``None`` where the form is
 another one. The checker reports what these leave open, the decoder acts on them.
@@ -12,7 +12,10 @@ from enum import Enum
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.nc.meaning.signals import axis_name
-from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number
+from nctakt.nc.tree import Bracket, BracketCommand, Expression, HashCommand, Keyword, Name, Number
+from nctakt.nc.vocabulary.axis_brackets import INDP_ASYN, INDP_SYN, OSC, form_of
+from nctakt.nc.vocabulary.independent_axes import read_independent
+from nctakt.nc.vocabulary.oscillation import read_oscillation
 
 #: The words of the commands, and what they do.
 EXCHANGE_ACTIONS = {
@@ -281,3 +284,21 @@ def main_spindle_command(command: HashCommand) -> MainSpindleCommand | None:
     if not isinstance(item, Expression) or isinstance(item, Name):
         return None
     return MainSpindleCommand(number=item)
+
+
+def fixed_targets(bracket: BracketCommand) -> tuple[Expression, ...]:
+    """Return the positions of the machine to which a single axis of a program goes.
+
+    None for relative motions, and for brackets that are no such motion or have mistakes.
+    """
+    form = form_of(bracket)
+    if form in (INDP_SYN, INDP_ASYN):
+        command, mistakes, _ = read_independent(bracket)
+        if mistakes or not command.absolute or command.position is None:
+            return ()
+        return (command.position,)
+    if form == OSC:
+        oscillation, mistakes = read_oscillation(bracket)
+        ends = [oscillation.values.get(name) for name in ("1ST_POS", "2ND_POS")]
+        return () if mistakes else tuple(end for end in ends if end is not None)
+    return ()

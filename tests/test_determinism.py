@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 from support import trace_digests
+from support.insides import machine_of
 from support.program_generator import program
 from support.trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
 
@@ -141,7 +142,7 @@ def test_single_steps_end_in_the_same_state(seed: int) -> None:
     many.start(text)
     for _ in range(1500):
         many.step()
-    assert bytes(one._machine.memory) == bytes(many._machine.memory)
+    assert bytes(machine_of(one).memory) == bytes(machine_of(many).memory)
     assert one.diagnostics == many.diagnostics
 
 
@@ -176,5 +177,5 @@ def test_two_controllers_do_not_know_of_each_other(seed: int) -> None:
         controller = chance.choice([one for one in together if one.tick < 1200])
         controller.step(min(chance.choice((1, 2, 11)), 1200 - controller.tick))
     for one, other in zip(alone, together, strict=True):
-        assert bytes(one._machine.memory) == bytes(other._machine.memory)
+        assert bytes(machine_of(one).memory) == bytes(machine_of(other).memory)
         assert one.diagnostics == other.diagnostics

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 from support.random_seeds import all_seeds
 
 from nctakt.base.failure import Failure
@@ -329,7 +330,7 @@ def check(programs: Mapping[int, Steps]) -> None:
     found = run(lines_of(programs[1], 1), lines_of(programs[2], 2), controller, ticks=400)
     holder, waits = model(programs)
     assert (901506 in numbers(found)) == waits, (programs, numbers(found))
-    exchange = controller._machine.channels[0].exchange
+    exchange = machine_of(controller).channels[0].exchange
     assert {axis: exchange.holder(axis - 1) for axis in holder} == holder, programs
 
 
@@ -367,7 +368,7 @@ def test_the_timeline_shows_waits_and_who_gave() -> None:
 
 def test_an_exchange_is_part_of_a_snapshot() -> None:
     controller = Controller(MACHINE)
-    part = controller._machine.realtime
+    part = machine_of(controller).realtime
     snapshot = Snapshot(part)
     run(["#PUT AX [C]"], ["#CALL AX [C, 5, 3]", "G01 C5 F6000"], controller)
     assert list(part.channels[1].path.own_axes()) == [3, 6, 6, 4]

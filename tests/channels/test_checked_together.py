@@ -10,6 +10,7 @@ import shutil
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.run.controller import Controller
@@ -29,7 +30,7 @@ def checked(folder: Path, **programs: str) -> CheckResult:
     for name, text in programs.items():
         (folder / name).mkdir()
         (folder / name / f"{name}.nc").write_text(f"%{name}\n{text}\nM30\n", "utf-8")
-    return check_files([folder / name for name in programs], Controller(machine)._machine)
+    return check_files([folder / name for name in programs], machine_of(Controller(machine)))
 
 
 def warnings(result: CheckResult) -> list[int]:

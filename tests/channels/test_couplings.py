@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.coupled_axes import FOLDER, MACHINE, numbers, path_of, run
+from support.insides import machine_of
 from support.random_seeds import each_seed
 
 from nctakt.lists.machine.machine import Machine, load_machine
@@ -237,7 +238,7 @@ def test_a_gantry_of_the_lists_follows_for_ever() -> None:
     found = run(*program, controller=controller, signals=["Y.ACS.ACT_POS"])
     assert numbers(found) == []
     assert [one.text for one in found.messages] == ["30"]
-    axes = controller._machine.axes
+    axes = machine_of(controller).axes
     assert list(axes.positions())[7] == list(axes.positions())[1] + 5.0
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 from support.coupled_axes import FOLDER, numbers
+from support.insides import machine_of
 from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
@@ -23,7 +24,7 @@ def test_a_slave_takes_over_the_modulo_range(tmp_path: Path) -> None:
     controller = Controller(machine)
     lines = ("#RT CYCLE [ID=1 SCOPE=PROG]", "A[INDP G91 POS=400 FEED=6000]", "#RT CYCLE END")
     controller.start(NcText("part.nc", "\n".join([*lines, "G04 6", "M30", ""])))
-    axes = controller._machine.axes
+    axes = machine_of(controller).axes
     found = []
     for _ in range(6000):
         controller.step()

@@ -13,6 +13,7 @@ from collections import deque
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 from support.random_seeds import all_seeds
 
 from nctakt.kernel import codes
@@ -121,7 +122,7 @@ def test_signals_are_removed() -> None:
     sends = ["#SIGNAL [ID=5]", "#SIGNAL [ID=5]", "#SIGNAL [ID=6 CH=2]", "#SIGNAL [ID=7 CH=2]"]
     controller = Controller(MACHINE)
     run([*sends, "#SIGNAL REMOVE [ID=5]"], [], controller)
-    signals = controller._machine.kernel.signals
+    signals = machine_of(controller).kernel.signals
     assert [one[:3] for one in signals.open_signals()] == [(5, 1, 0), (6, 1, 2), (7, 1, 2)]
     run(["#SIGNAL REMOVE SYN [IDMIN=1 IDMAX=6 CH=2]"], [], controller)
     assert [one[:3] for one in signals.open_signals()] == [(5, 1, 0), (7, 1, 2)]
@@ -131,7 +132,7 @@ def test_a_reset_clears_what_is_addressed_to_its_channel() -> None:
     """Page 207414923; the program's end clears nothing."""
     controller = Controller(MACHINE)
     run(["#SIGNAL [ID=5]", "#SIGNAL [ID=6 CH=2]", "#SIGNAL [ID=7 CH=1]"], [], controller)
-    signals = controller._machine.kernel.signals
+    signals = machine_of(controller).kernel.signals
     assert signals.count == 3
     controller.reset(channel=2)
     assert [one[:3] for one in signals.open_signals()] == [(5, 1, 0), (7, 1, 1)]
@@ -316,7 +317,7 @@ def test_signals_and_waits_are_part_of_a_snapshot() -> None:
         channel=2,
     )
     controller.step(2)
-    machine = controller._machine
+    machine = machine_of(controller)
     kept = Snapshot(machine.realtime)
     first = [str(event) for event in controller.step(4).events]
     assert machine.kernel.signals.count == 2

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from support.decided import numbers, perform, told
+from support.insides import machine_of
 
 from nctakt.lists.machine.homing import AxisHoming
 from nctakt.lists.machine.machine import load_machine
@@ -128,7 +129,7 @@ def test_a_reset_restores_those_of_the_list_for_the_plc() -> None:
 
     controller = Controller()
     perform("G99 X30\nG04 X10\nM30", controller, at=[Stimulus("100 ms", "HLI.RESET", 1.0)])
-    assert controller._machine.single_axes.limits_of(0) == (-10000.0, 10000.0)
+    assert machine_of(controller).single_axes.limits_of(0) == (-10000.0, 10000.0)
 
 
 def test_a_relative_limit_is_added_to_the_limit_in_force() -> None:

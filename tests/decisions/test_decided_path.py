@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from support.decided import left, numbers, perform
+from support.insides import machine_of
 
 import nctakt
 from nctakt.run.controller import Controller, NcText
@@ -170,7 +171,7 @@ def test_the_path_never_jumps() -> None:
     controller = Controller()
     controller.start(NcText("part.nc", "#TIME 0.01\nG00 X1\nM30"))
     controller.step(2)
-    controller._machine.axes.set_position(0, 7.0)
+    machine_of(controller).axes.set_position(0, 7.0)
     controller.step(20)
     assert (controller.state, controller.read("V.RTA.ACS.ACT_POS.X")) == ("error", 7.0)
     assert [found.message.id for found in controller.diagnostics] == [900420]

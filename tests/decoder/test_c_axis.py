@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support.insides import machine_of
 
 from nctakt import machines
 from nctakt.base.diagnostics import Severity
@@ -145,7 +146,7 @@ def test_the_next_program_has_the_spindle_again(lathe: Machine) -> None:
 
 def test_a_snapshot_has_the_spindle_as_it_was(lathe: Machine) -> None:
     controller = Controller(lathe)
-    part = controller._machine.realtime
+    part = machine_of(controller).realtime
     snapshot = Snapshot(part)
     controller.run(NcText("a.nc", "#CAX\nG01 C10 F6000\nM30"), ticks=2000)
     assert part.channels[0].exchange.c_axis.is_active

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import pytest
 from hypothesis import example, given, settings
+from support.insides import machine_of
 from support.slow_expressions import (
     FaultError,
     Tree,
@@ -142,7 +143,7 @@ def test_elementary_instructions_are_counted_on_the_tree(tree: Tree, numbers: li
         controller.write(f"V.E.LIST[{k}]", number)
     controller.start(NcText("p.nc", CYCLE.replace("@", text_of(tree)) + "\nM30"))
     controller.step(1)
-    assert controller._machine.channels[0].context.steps == cost_of(tree) + 1
+    assert machine_of(controller).channels[0].context.steps == cost_of(tree) + 1
 
 
 @pytest.mark.parametrize(

@@ -18,6 +18,7 @@ from hypothesis.stateful import (
     rule,
     run_state_machine_as_test,
 )
+from support.insides import machine_of
 from support.random_seeds import FIRST, examples
 
 from nctakt import Controller, Failure, NcText, Session
@@ -169,7 +170,7 @@ class Interface(RuleBasedStateMachine):
             assert self.controller.read(name) * factor == unit.in_force, path  # type: ignore[operator]
             assert self.controller.read(f"{CHANNEL}.{path}.state_r") == unit.in_force
         released = not self.axis_present or all(all(one) for one in self.releases.values())
-        assert self.controller._machine.axes.is_locked(0) is not released
+        assert machine_of(self.controller).axes.is_locked(0) is not released
 
     def teardown(self) -> None:
         """Whoever writes the same in the same ticks gets the same bytes, without having read."""

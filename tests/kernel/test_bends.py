@@ -8,6 +8,7 @@ import random
 
 import numpy as np
 import pytest
+from support.insides import machine_of
 from support.kernel_rig import DEMO
 from support.random_operator import Operator
 from support.random_paths import AXES, cornered, farthest, violations
@@ -118,7 +119,7 @@ def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int) -> None:
     is_due = chance.randint(1, 800)
     for tick in range(is_due + 400):
         if tick == is_due:
-            controller._machine.channels[0].request_reset()
+            machine_of(controller).channels[0].request_reset()
         controller.step(1)
         for name in AXES:
             found[name].append(float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")))

@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 from support.kernel_rig import ACCELERATION, DEMO
 
 from nctakt.run.controller import Controller, NcText
@@ -116,7 +117,7 @@ def test_a_reset_of_a_dwell_and_of_a_wait_for_the_plc() -> None:
     """What waits, waits no longer."""
     for text in ("G04 X10\nM30", "M111\nG00 X1\nM30"):
         controller = Controller(DEMO)
-        controller._machine.channels[0].hli.acknowledges_itself = False
+        machine_of(controller).channels[0].hli.acknowledges_itself = False
         controller.start(NcText("p.nc", text))
         controller.step(5)
         controller.reset()

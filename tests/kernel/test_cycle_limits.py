@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 from support.kernel_rig import controller_with
 
 from nctakt.base.mode import is_compiled
@@ -120,7 +121,7 @@ def test_a_hundred_thousand_statements_run_in_one_tick(tmp_path: Path) -> None:
     controller.start(NcText("p.nc", f"#RT CYCLE\n{body}#RT CYCLE END\nG04 X1\nM30"))
     controller.step(1)
     assert controller.read("V.E.COUNT") == 100_000
-    assert controller._machine.channels[0].context.steps == 300_000
+    assert machine_of(controller).channels[0].context.steps == 300_000
 
 
 @pytest.mark.nightly

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+from support.insides import machine_of
 from support.kernel_rig import DEMO
 
 from nctakt.run.controller import Controller, NcText
@@ -150,10 +151,10 @@ def test_nobody_answers_and_the_program_waits_for_ever() -> None:
 def test_a_reset_frees_all_slots() -> None:
     """What waited for the PLC is gone after a reset (RC-007)."""
     controller = Controller(DEMO)
-    controller._machine.channels[0].hli.acknowledges_itself = False
+    machine_of(controller).channels[0].hli.acknowledges_itself = False
     controller.start(NcText("p.nc", once(20) + "M111\nG00 X1\nM30"))
     controller.step(3)
-    hli = PlcView(controller._machine)
+    hli = PlcView(machine_of(controller))
     assert len(hli.functions()) == 21
     controller.reset()
     assert hli.functions() == []

@@ -10,6 +10,7 @@ import random
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.insides import loop_of
 from support.kernel_rig import ACCELERATION, DEMO, RAPID, TICK_T, Rig, assert_within_limits
 from support.random_seeds import examples
 
@@ -303,6 +304,6 @@ def test_used_segments_stay_in_the_ring() -> None:
     """The latest segments can be looked up when the path has left them, the last one first."""
     controller = Controller()
     controller.run(NcText("part.nc", "G00 X1\nG00 X3\nG00 X3 Y4\nM30"))
-    path = controller._loop.channels[0].channel.path
+    path = loop_of(controller).channels[0].channel.path
     assert path.used == 3
     assert [path.segment_row(back)[rows.LENGTH] for back in range(3)] == [4.0, 2.0, 1.0]

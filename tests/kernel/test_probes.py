@@ -6,6 +6,7 @@ from __future__ import annotations
 import struct
 
 import pytest
+from support.insides import loop_of, machine_of
 from support.kernel_rig import DEMO
 
 from nctakt.kernel import rows
@@ -25,14 +26,14 @@ FORMS = [
 def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple[int, int]]]:
     """Run a condition over values, one a tick: tick and truth of its probe rows."""
     controller = Controller(DEMO)
-    machine = controller._machine
+    machine = machine_of(controller)
     text = f"#RT CYCLE\n$IF {condition}\nV.E.COUNT += 1\n$ENDIF\n#RT CYCLE END\nG04 X10\nM30"
     controller.write("V.E.VALUE", values[0])
     controller.start(NcText("p.nc", text))
     found = machine.names.resolve_text("V.E.VALUE")
     assert isinstance(found, tuple)
     machine.kernel.run(0)
-    controller._loop.channels[0].feeder.refill()
+    loop_of(controller).channels[0].feeder.refill()
     found_rows: list[tuple[int, int]] = []
     for value in values:
         machine.kernel.post(found[1], value)
@@ -58,7 +59,7 @@ def test_a_condition_records_each_change_of_its_truth(condition: str) -> None:
 
 def reaction(controller: Controller):
     """The node of the only branch of the only cycle."""
-    (definition,) = controller._machine.registry._living.values()
+    (definition,) = machine_of(controller).registry._living.values()
     return definition.reactions[0].node
 
 

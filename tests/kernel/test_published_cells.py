@@ -6,6 +6,7 @@ The tick knows cells by number, the table by name; only a run shows that both me
 
 from __future__ import annotations
 
+from support.insides import machine_of
 from support.kernel_rig import DEMO
 
 from nctakt.kernel import cells
@@ -35,7 +36,7 @@ UNWRITTEN = (
 def half_way() -> Controller:
     """In the middle of a motion, with both overrides written, the operator's at 30.5 %."""
     controller = Controller(DEMO)
-    controller._machine.channels[0].panel.put(cells.PANEL_OVERRIDE, 30.5)
+    machine_of(controller).channels[0].panel.put(cells.PANEL_OVERRIDE, 30.5)
     controller.start(NcText("p.nc", PROGRAM))
     controller.step(400)
     return controller
@@ -44,7 +45,7 @@ def half_way() -> Controller:
 def test_every_cell_of_an_axis_holds_what_its_name_says() -> None:
     """ACT_POS is the command, CUR_POS the actual, CMD_POS the target position, in all systems."""
     controller = half_way()
-    machine = controller._machine
+    machine = machine_of(controller)
     targets = {"X": 30.0, "Y": 40.0, "Z": 0.0, "A": 5.0}
     positions = dict(zip(targets, machine.positions(), strict=True))
     assert 0.0 < positions["X"] < 30.0
@@ -67,7 +68,7 @@ def test_every_cell_of_an_axis_holds_what_its_name_says() -> None:
 def test_every_cell_of_the_channel_holds_what_its_name_says() -> None:
     """Overrides, speed, block number, cycles that run, way to go; TOTAL is rounded (RC-305)."""
     controller = half_way()
-    machine = controller._machine
+    machine = machine_of(controller)
     x = machine.positions()[0]
     expected = {
         "OVERRIDE.VEL.CYCLE": 51.0,
@@ -103,7 +104,7 @@ def test_overrides_of_cycles_are_a_hundred_again_in_each_tick() -> None:
 
 def test_every_name_has_a_cell_of_its_own() -> None:
     """No two variables share a cell, and all lie within the memory."""
-    machine = Controller(DEMO)._machine
+    machine = machine_of(Controller(DEMO))
     cells = [cell for _, cell in machine.names.realtime()]
     cells += [cell for _, cell, _ in machine.names.values()]
     assert len(cells) == len(set(cells))

@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 from support import run_folders
+from support.insides import machine_of
 from support.program_generator import program
 from support.random_seeds import MANY, all_seeds
 
@@ -56,7 +57,7 @@ class Lent:
         assert self.snapshot is not None
         self.snapshot.put_back()
         again, new = (
-            Controller(self.machine, self.schedule, realtime=part)._machine.realtime.kernel
+            machine_of(Controller(self.machine, self.schedule, realtime=part)).realtime.kernel
             for part in (self.part, None)
         )
         return list(differences(again, new))

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from support.insides import machine_of
 from support.kernel_rig import DEMO
 from support.random_paths import AXES, flowing, program, violations
 from support.random_seeds import seeds_in_parts
@@ -117,7 +118,7 @@ def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int, slope: str) -> 
     is_due = chance.randint(1, 1500)
     for tick in range(is_due + 600):
         if tick == is_due:
-            controller._machine.channels[0].request_reset()
+            machine_of(controller).channels[0].request_reset()
         controller.step(1)
         for name in AXES:
             found[name].append(float(controller.read(f"V.RTA.ACS.ACT_POS.{name}")))

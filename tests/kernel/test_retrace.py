@@ -9,6 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+from support.insides import machine_of
 from support.kernel_rig import DEMO
 from support.random_paths import AXES, cornered, farthest, program, violations
 from support.random_seeds import seeds_in_parts
@@ -186,7 +187,7 @@ def test_a_stop_in_any_tick_of_the_way_back_stays_on_the_path(
     controller.backward()
     go(chance.randint(1, 600))
     if way == "reset":
-        controller._machine.channels[0].request_reset()
+        machine_of(controller).channels[0].request_reset()
     else:
         controller.write("V.E.VALUE", 1.0)
     go(400)

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from support import run_folders
+from support.insides import machine_of
 from support.program_generator import program
 from support.random_seeds import all_seeds
 
@@ -54,7 +55,7 @@ def digest(
         why=True,
         blocks=True,
     )
-    memory = controller._machine.memory
+    memory = machine_of(controller).memory
     findings = [one.headline() for one in run.diagnostics]
     return run.state, str(run.ticks), trace.text(), bytes(memory).hex(), *findings
 
@@ -119,7 +120,7 @@ def test_kept_cycles_run_as_new_ones() -> None:
 def test_a_part_put_back_in_the_middle_goes_on_as_it_did(seed: int) -> None:
     """Ticks that need nothing of the decoder are the same again, with all their events."""
     controller = Controller(DEMO)
-    part = controller._machine.realtime
+    part = machine_of(controller).realtime
     controller.start(NcText("p.nc", program(seed)))
     controller.step(random.Random(seed).randint(50, 400))
     snapshot = Snapshot(part)

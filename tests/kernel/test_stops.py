@@ -8,6 +8,7 @@ import random
 from array import array
 
 import pytest
+from support.insides import machine_of
 
 from nctakt import Controller, NcText
 from nctakt.base.source_ids import LAST_COLUMN, pack
@@ -47,7 +48,7 @@ def begun(program: str = PROGRAM) -> tuple[Controller, ProgramRun]:
 
 def cell(controller: Controller, name: str) -> Expression:
     """Return the load of a variable."""
-    machine = controller._machine
+    machine = machine_of(controller)
     return Load(machine.access._find(name)[1], len(machine.memory) // 8)
 
 
@@ -59,7 +60,7 @@ def first_tick_of(kind: str, text: str) -> int:
 
 def stopping_ticks(stop: Stop, controller: Controller, run: ProgramRun) -> list[int]:
     """Return the ticks behind which a stop ends the run, up to the run's end."""
-    stops = controller._machine.kernel.stops
+    stops = machine_of(controller).kernel.stops
     stops.watch([stop])
     ticks = []
     while run.state is None:
@@ -126,7 +127,7 @@ def test_bounds_have_a_value_for_each_column_of_an_event() -> None:
 
 def test_a_branch_stops_in_each_tick_in_which_its_body_runs() -> None:
     controller, run = begun()
-    controller._machine.registry.on_cycle = lambda _, cycle: found.append(cycle)
+    machine_of(controller).registry.on_cycle = lambda _, cycle: found.append(cycle)
     found: list[CycleDefinition] = []
     run.advance(1)
     stop = Runs(found[0].reactions[1].node, ALWAYS, 1)
@@ -137,7 +138,7 @@ def test_a_branch_stops_in_each_tick_in_which_its_body_runs() -> None:
 
 def test_a_condition_of_a_cycle_stops_when_it_turns() -> None:
     controller, run = begun()
-    controller._machine.registry.on_cycle = lambda _, cycle: found.append(cycle)
+    machine_of(controller).registry.on_cycle = lambda _, cycle: found.append(cycle)
     found: list[CycleDefinition] = []
     run.advance(1)
     stop = Turns(found[0].reactions[0].node.condition, codes.TRUE, ALWAYS, 1)
@@ -150,7 +151,7 @@ def test_cuts_and_stops_change_nothing(seed: int) -> None:
     chance = random.Random(seed)
     expected = Controller().run(NcText("p.nc", PROGRAM), at=PULSES)
     controller, run = begun()
-    stops = controller._machine.kernel.stops
+    stops = machine_of(controller).kernel.stops
     while run.state is None:
         stops.watch([Changes(cell(controller, "V.E.VALUE"), ALWAYS, 1)] * chance.randint(0, 3))
         run.advance(controller.tick + chance.randint(1, 400))

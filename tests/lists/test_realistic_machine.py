@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections import Counter
 from pathlib import Path
 
+from support.insides import machine_of
+
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.controller import Controller, NcText
@@ -110,6 +112,6 @@ def test_programs_run_in_both_channels() -> None:
 
 def test_the_check_reports_the_folder_as_a_whole() -> None:
     """No list of the folder is checked alone."""
-    checked = check_files([FOLDER], Controller()._machine)
+    checked = check_files([FOLDER], machine_of(Controller()))
     assert 900583 not in [one.diagnostic.id for one in checked.findings]
     assert len(checked.findings) == len(EXPECTED)

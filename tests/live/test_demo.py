@@ -11,9 +11,9 @@ from support.page_driving import BROWSER, chromium, opened, served
 
 from nctakt.base.diagnostics import Language
 from nctakt.cli import main
-from nctakt.cli.demo import _AREA, _CELL, _MACHINE, _STIMULI
+from nctakt.cli.demo import AREA, CELL, MACHINE, STIMULI
 from nctakt.live.texts import Texts
-from nctakt.live.tour import _brought
+from nctakt.live.tour import brought
 from nctakt.session.session import Session
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page needs it
@@ -29,12 +29,12 @@ ASKED = 3688
 
 def test_the_gate_stays_shut_while_somebody_stands_there(capsys: Any) -> None:
     """The cell of the tour: with its inputs M8 waits for ever, without them the program ends."""
-    words = ["run", str(_CELL / "mill.nc"), "--channel", "2", str(_CELL / "loader.nc")]
-    words += ["--machine", str(_MACHINE), "--plc", str(_CELL / "cell.st"), "--until", "8s"]
-    words += ["--set", f"{_AREA}=1"]
+    words = ["run", str(CELL / "mill.nc"), "--channel", "2", str(CELL / "loader.nc")]
+    words += ["--machine", str(MACHINE), "--plc", str(CELL / "cell.st"), "--until", "8s"]
+    words += ["--set", f"{AREA}=1"]
     assert main(words) == 0
     assert "M100      realtime cycle  1      tick 3688" in capsys.readouterr().out
-    assert main([*words, *(word for one in _STIMULI for word in ("--at", *one))]) == 0
+    assert main([*words, *(word for one in STIMULI for word in ("--at", *one))]) == 0
     told = capsys.readouterr()
     assert "M100" not in told.out
     assert "waiting for the PLC's acknowledgement of M8" in told.err
@@ -78,11 +78,11 @@ def test_the_tour_by_keyboard(browser: Any, language: Language) -> None:
 
 def test_a_changed_program_is_not_the_tours() -> None:
     """Where the question has another answer, the tour says so instead of telling of another run."""
-    program = _CELL / "mill.nc"
+    program = CELL / "mill.nc"
     with Session(
-        channels={1: [program], 2: [_CELL / "loader.nc"]},
-        machine=_MACHINE,
-        plc=_CELL / "cell.st",
-        set={_AREA: 1},
+        channels={1: [program], 2: [CELL / "loader.nc"]},
+        machine=MACHINE,
+        plc=CELL / "cell.st",
+        set={AREA: 1},
     ) as session:
-        assert _brought(session, str(program), 5, "why") is None
+        assert brought(session, str(program), 5, "why") is None

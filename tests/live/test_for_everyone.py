@@ -9,7 +9,7 @@ import pytest
 from support.page_driving import BROWSER, PATIENCE_MS, chromium, served
 from support.published_model import installed
 
-from nctakt.live.texts import _WORDS
+from nctakt.live.texts import WORDS
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
     pytest.skip("the live page needs NiceGUI", allow_module_level=True)
@@ -156,8 +156,8 @@ def test_german_is_complete(visit: Any) -> None:
           [one.ariaLabel, one.placeholder, one.children.length ? "" : one.textContent]
         ).filter(Boolean)"""
     )
-    german = {words[1] for words in _WORDS.values()}
-    english = {words[0] for words in _WORDS.values()} - german
+    german = {words[1] for words in WORDS.values()}
+    english = {words[0] for words in WORDS.values()} - german
     assert [text for text in shown if text in english] == []
     assert page.evaluate("document.documentElement.lang") == "de"
     page.close()

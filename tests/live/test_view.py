@@ -5,6 +5,7 @@ import time
 from pathlib import Path
 
 import pytest
+from support.insides import story_of
 
 from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
@@ -152,8 +153,8 @@ def test_a_shared_session_follows_commands() -> None:
         shared.do(lambda session: session.step(3))
         shared.do(lambda session: session.write({"V.E.VALUE": 1}, "page"))
         shared.do(lambda session: session.step(1))
-        with shared._lock:
-            shown = shared._look(None)
+        with shared.lock:
+            shown = shared.snapshot_of(None)
         assert shown.tick == 4
         assert shown.values["V.E.COUNT"] == 1
         (state,) = shown.cycles[-1].branches
@@ -180,8 +181,8 @@ def test_another_channel_can_be_shown() -> None:
     try:
         shared.look_at(2, files[2])
         shared.do(lambda session: session.run("2 ticks"))
-        with shared._lock:
-            shown = shared._look(None)
+        with shared.lock:
+            shown = shared.snapshot_of(None)
         assert shared.prefix == "CH2."
         assert shared.axes == ["X"]
         assert shared.scope[-1] == "CH2.V.E.OWN"
@@ -310,7 +311,7 @@ def test_only_a_session_that_stays_where_it_is_is_explained() -> None:
 def test_a_controller_that_is_lost_is_told_once() -> None:
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
-        (process,) = shared.session._story._timeline._workshop._processes
+        (process,) = story_of(shared.session).timeline._workshop._processes
         process.kill()
         process.wait()
         end_s = time.monotonic() + 20.0
@@ -333,7 +334,7 @@ def test_a_page_that_did_not_keep_up_listens_anew() -> None:
     try:
         audience, ask = shared.session._audience, shared.session._thread.ask
         shared.do(lambda session: session.step(1))
-        with shared._lock:
+        with shared.lock:
             for _ in range(MAX_NOTICES + 100):
                 ask(audience.tell, "travelled")
         shared.do(lambda session: session.play(1.0))

@@ -13,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 
 import nctakt
 from nctakt.base.failure import Failure
@@ -401,7 +402,7 @@ def test_the_plc_and_a_cycle_take_an_axis_from_each_other() -> None:
         there(hli, execute=True, position=10, velocity=500)
         again(hli, execute=hli.tick >= 80, position=20, velocity=500)
         if hli.tick == 49:
-            assert controller._machine.single_axes.absolute(0, 0.0, 500.0, 0, 2, 1) == 0
+            assert machine_of(controller).single_axes.absolute(0, 0.0, 500.0, 0, 2, 1) == 0
 
     plc = Cell(call, there, again)
     made = controller.run(NcText("p.nc", WAIT), plc=plc, signals=["X.ACS.ACT_POS"])

@@ -12,6 +12,7 @@ import random
 from pathlib import Path
 
 import pytest
+from support.insides import machine_of
 
 from nctakt.cli import main
 from nctakt.decoder.cycles.builder import CycleDefinition
@@ -124,7 +125,7 @@ def test_most_of_a_run_through_is_what_the_checker_says(file: Path) -> None:
     """RC-501: the checker, which warns of costly cycles, and the listing have one opinion."""
     controller = Controller()
     for definition in definitions(file.read_text("utf-8"), controller):
-        names = controller._machine.names
+        names = machine_of(controller).names
         assert list_cycle(definition).max_count == max_steps(definition.statement.body, names)
 
 

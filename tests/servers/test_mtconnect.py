@@ -161,11 +161,11 @@ def test_an_agent_that_asks_and_never_reads_is_disconnected() -> None:
 
     async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
         await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
-        (client,) = door._clients
+        (client,) = door.clients
         for _ in range(1001):  # nothing is sent meanwhile
             client._queue("* PONG 10000")
         async with asyncio.timeout(30.0):
-            while door._clients:
+            while door.clients:
                 await asyncio.sleep(0.01)
 
     assert at_the_door(act) == ["reads too slowly"]

@@ -126,7 +126,7 @@ class AnySession(RuleBasedStateMachine):
         """Go back to an event: the record leads to where running again does."""
         stop, story = read_stop(text), self.there
         before = story.tick
-        by_running = story._timeline.previous([replace(stop, only_if="1 > 0")])
+        by_running = story.timeline.previous([replace(stop, only_if="1 > 0")])
         done = story.back_to([stop])
         assert (None if done is None else story.tick) == by_running
         assert done is None or story.tick < before
@@ -139,8 +139,8 @@ class AnySession(RuleBasedStateMachine):
         """
         story = self.there
         stop = read_stop(text)
-        by_running = story._timeline.previous([replace(stop, kind="condition", text="0 > 1"), stop])
-        assert story._timeline.previous([stop]) == by_running
+        by_running = story.timeline.previous([replace(stop, kind="condition", text="0 > 1"), stop])
+        assert story.timeline.previous([stop]) == by_running
         if story.back_to([stop]) is not None and story.tick > 1:
             tick = story.tick
             story.back()

@@ -156,10 +156,10 @@ def test_writes_and_signals_are_found_in_the_record(
         assert story.back_to([stop]) is not None
         assert story.tick == found
         story.go_to(600)
-    by_running = story._timeline.previous([StopAt("written", "V.E.COUNT", only_if="1 > 0")])
+    by_running = story.timeline.previous([StopAt("written", "V.E.COUNT", only_if="1 > 0")])
     with monkeypatch.context() as patch:
         patch.setattr(RemoteEngine, "last_hit", None)
         patch.setattr(RemoteEngine, "run", None)
-        assert story._timeline.previous([read_stop("written V.E.COUNT")]) == by_running
+        assert story.timeline.previous([read_stop("written V.E.COUNT")]) == by_running
         for text in ("V.RTA.ACS.ACT_POS.X > 30000", "changes V.E.VALUE", "written V.E.VALUE"):
-            assert story._timeline.previous([read_stop(text)]) is None
+            assert story.timeline.previous([read_stop(text)]) is None

@@ -225,11 +225,11 @@ def test_a_stop_at_an_event_is_found_without_running(
     """Blocks, functions and firings by the record; the same as by running again."""
     for text in ("line 7", "line 8", "M100", "fires 2", "message", "M101"):
         stop = read_stop(text)
-        by_running = story._timeline.previous([StopAt(**_fields(stop) | {"only_if": "1 > 0"})])
+        by_running = story.timeline.previous([StopAt(**_fields(stop) | {"only_if": "1 > 0"})])
         with monkeypatch.context() as patch:
             patch.setattr(RemoteEngine, "last_hit", None)
             patch.setattr(RemoteEngine, "run", None)
-            assert story._timeline.previous([stop]) == by_running, text
+            assert story.timeline.previous([stop]) == by_running, text
 
 
 def _fields(stop: StopAt) -> dict[str, Any]:
@@ -237,23 +237,23 @@ def _fields(stop: StopAt) -> dict[str, Any]:
 
 
 def test_the_latest_of_several_stops_is_found(story: Story) -> None:
-    single = [story._timeline.previous([read_stop(text)]) for text in ("M100", "changes V.E.COUNT")]
+    single = [story.timeline.previous([read_stop(text)]) for text in ("M100", "changes V.E.COUNT")]
     stops = [read_stop("M100"), read_stop("changes V.E.COUNT")]
-    assert story._timeline.previous(stops) == max(filter(None, single))
+    assert story.timeline.previous(stops) == max(filter(None, single))
 
 
 def test_events_of_another_branch_are_not_found(story: Story) -> None:
     """A branch has the events before its first tick, and its own."""
-    found = story._timeline.previous([read_stop("M100")])
+    found = story.timeline.previous([read_stop("M100")])
     assert found is not None
     story.go_to(200)
-    earlier = story._timeline.previous([read_stop("M100")])
+    earlier = story.timeline.previous([read_stop("M100")])
     story.write({"HLI.FEED_HOLD": True}, "page")
     story.step(200)
     assert story.branch.number == 2
-    assert story._timeline.previous([read_stop("M100")]) == earlier
+    assert story.timeline.previous([read_stop("M100")]) == earlier
     story.go_to(600, 1)
-    assert story._timeline.previous([read_stop("M100")]) == found
+    assert story.timeline.previous([read_stop("M100")]) == found
 
 
 @pytest.mark.parametrize("seed", range(20))

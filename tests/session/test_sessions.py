@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.insides import story_of
 
 from nctakt import Controller, Failure, NcText
 from nctakt.run.inputs import Input
@@ -292,7 +293,7 @@ def test_a_function_is_acknowledged_by_hand() -> None:
 )
 def test_a_forged_input_is_refused_at_the_door(session: Session, values: tuple[str, Any]) -> None:
     with pytest.raises(Failure):
-        session._story._timeline.post([Input(0, "page", *values)])
+        story_of(session).timeline.post([Input(0, "page", *values)])
     assert session.step().state == "running"
 
 
@@ -408,7 +409,7 @@ def test_a_controller_that_is_gone_is_told_and_left_behind() -> None:
     with opened() as session:
         session.run("100 ms")
         session.back(50)
-        session._story._timeline.live._connection.close()
+        story_of(session).timeline.live._connection.close()
         with pytest.raises(Failure, match="901153"):
             session.step()
         assert session.go_to(20).tick == 20

@@ -25,15 +25,15 @@ from nctakt.cli.terminal import print_diagnostics
 from nctakt.lists.machine.files import DEMO_FOLDER
 
 #: The machine of the cell; it shares lists with the others.
-_MACHINE = DEMO_FOLDER.parent / "cell"
+MACHINE = DEMO_FOLDER.parent / "cell"
 
 #: Where the programs and the PLC are, and their names.
-_CELL = DEMO_FOLDER.parent.parent / "live" / "demo"
+CELL = DEMO_FOLDER.parent.parent / "live" / "demo"
 _PROGRAM, _OTHER, _PLC = "mill.nc", "loader.nc", "cell.st"
 
 #: The area before the gate: free, occupied when the mill asks, free again.
-_AREA = "V.E.AREA_FREE"
-_STIMULI = (("3.5s", f"{_AREA}=0"), ("3.9s", f"{_AREA}=1"))
+AREA = "V.E.AREA_FREE"
+STIMULI = (("3.5s", f"{AREA}=0"), ("3.9s", f"{AREA}=1"))
 
 
 @described(
@@ -91,15 +91,15 @@ def command(port: int, stays_closed: bool, language: Language) -> int:
 def _options(language: Language) -> Options:
     """Return the options of the cell's run; its programs and its PLC are copied to here."""
     for name in (_PROGRAM, _OTHER, _PLC):
-        shutil.copyfile(_CELL / name, name)
-    run, _ = split_words({"assignments": (f"{_AREA}=1",), "stimuli": _STIMULI})
+        shutil.copyfile(CELL / name, name)
+    run, _ = split_words({"assignments": (f"{AREA}=1",), "stimuli": STIMULI})
     return Options(
         programs=(_PROGRAM,),
         others=(("2", _OTHER),),
-        machine=str(_MACHINE),
+        machine=str(MACHINE),
         plcs=(_PLC,),
         run=run,
         language=language,
         compiled=None,
-        confined=(".", str(_MACHINE.parent)),
+        confined=(".", str(MACHINE.parent)),
     )

@@ -78,7 +78,7 @@ class SharedSession:
         self.stops: list[str] = []
         self.busy = 0
         self._passing: StopAt | None = None
-        self._lock = threading.Lock()
+        self.lock = threading.Lock()
         self._wake = threading.Event()
         self._is_closed = False
         self._serial = self._number = 0
@@ -113,7 +113,7 @@ class SharedSession:
         self.stopped_at: tuple[int, str] = (0, "")
         self._looked_at: tuple[object, ...] = ()
         self._passing = None
-        self.snapshot = self._look(None)
+        self.snapshot = self.snapshot_of(None)
 
     def _set_axes(self) -> None:
         self.axes = view.axes_of(self.units, self.prefix)
@@ -188,7 +188,7 @@ class SharedSession:
         except Failure:
             self.program = before
             raise
-        with self._lock:
+        with self.lock:
             old = self.session
             self._start(session)
         old.close()
@@ -196,14 +196,14 @@ class SharedSession:
 
     def choose(self, signals: Sequence[str]) -> None:
         """Show these signals in the scope; unknown ones are left out."""
-        with self._lock:
+        with self.lock:
             self.scope = [name for name in signals if name in self.units]
             self._show()
         self._wake.set()
 
     def look_at(self, channel: int, file: str) -> None:
         """Show this channel and this program."""
-        with self._lock:
+        with self.lock:
             self.channel, self.file = channel, file
             self.lines = list(self.texts.get(file, ()))
             self.track.clear()
@@ -272,7 +272,7 @@ class SharedSession:
         if was_woken:
             self._wake.clear()
         notices = listener.notices()
-        with self._lock:
+        with self.lock:
             if session is not self.session:
                 return
             for notice in notices:
@@ -287,7 +287,7 @@ class SharedSession:
                 with contextlib.suppress(Failure):
                     session.set_stops(*self.stops)
             if frame is not None or was_woken or notices:
-                self.snapshot = self._look(frame)
+                self.snapshot = self.snapshot_of(frame)
         if frame is None and not was_woken and not notices and not session.is_playing:
             time.sleep(0.01)
 
@@ -303,7 +303,7 @@ class SharedSession:
             self.explainer.cut(self._serial, frame.branch, tick)
         self.track.note(frame.events, self.channel, self.file)
 
-    def _look(self, frame: Frame | None) -> Snapshot:
+    def snapshot_of(self, frame: Frame | None) -> Snapshot:
         """Return what there is to see of the session now."""
         session = self.session
         is_playing = session.is_playing

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Language
 
-_WORDS: dict[str, tuple[str, str]] = {
+WORDS: dict[str, tuple[str, str]] = {
     # The bar.
     "tick_number": ("Tick", "Takt"),
     "before_first": ("before tick 0", "vor Takt 0"),
@@ -293,4 +293,4 @@ class Texts:
 
     def __getitem__(self, name: str) -> str:
         """Return the word or sentence of this name."""
-        return _WORDS[name][self._index]
+        return WORDS[name][self._index]

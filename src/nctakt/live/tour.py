@@ -119,11 +119,11 @@ class Tour:
         if (shared.channel, shared.file) != (1, file):
             shared.look_at(1, file)
         found: list[int | None] = []
-        shared.do(lambda session: found.append(_brought(session, file, self._line(), name)))
+        shared.do(lambda session: found.append(brought(session, file, self._line(), name)))
         return found[0]
 
 
-def _brought(session: Session, file: str, line: int, name: str) -> int | None:
+def brought(session: Session, file: str, line: int, name: str) -> int | None:
     """Bring a session to a step; return the tick of the question, 0 before it has come up.
 
     ``None``, where nobody has asked, or the answer was another one than the tour tells of.

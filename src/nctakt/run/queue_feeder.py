@@ -101,7 +101,7 @@ class QueueFeeder:
         if budget is not None:
             budget.forgive()
         blocks = self._channel.queue.look_ahead.blocks
-        self._high_water = max(blocks + HIGH_WATER, self._channel.low_water + LOW_WATER)
+        self.high_water = max(blocks + HIGH_WATER, self._channel.low_water + LOW_WATER)
         self._channel.executor.taken_source = 0
         self._channel.decoder_open = True
         self._channel.wants_slot = False
@@ -125,7 +125,7 @@ class QueueFeeder:
     def can_decode(self) -> bool:
         """Whether the decoder does not wait and the queue is below its mark."""
         channel = self._channel
-        return bool(channel.decoder_open and channel.queue.timed_count < self._high_water)
+        return bool(channel.decoder_open and channel.queue.timed_count < self.high_water)
 
     def _queue_paid_command(self) -> bool:
         """Queue the held command once its decode time has been granted; return whether it was."""
@@ -210,7 +210,7 @@ class QueueFeeder:
     def _take(self, command: Command) -> None:
         if isinstance(command, PlainRun):
             tick = self._machine.kernel.tick
-            command.blocks.fill(self._channel.queue, self._high_water, tick)
+            command.blocks.fill(self._channel.queue, self.high_water, tick)
             return
         if isinstance(command, commands.LoadCycle):
             self._load(command)

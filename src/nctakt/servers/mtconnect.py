@@ -55,7 +55,7 @@ class MtconnectDoor:
         self._address = address
         self._items = data_items(host.machine, host.catalogue)
         self._device = describe_device(host.machine, self._items)
-        self._clients: dict[_Client, asyncio.Task[None]] = {}
+        self.clients: dict[_Client, asyncio.Task[None]] = {}
         self._server: asyncio.Server | None = None
         self._stop_listening: Callable[[], None] = _nothing
         self._stop_hearing: Callable[[], None] = _nothing
@@ -83,7 +83,7 @@ class MtconnectDoor:
         self._stop_listening = self._stop_hearing = _nothing
         if self._server is not None:
             self._server.close()
-        served = dict(self._clients)
+        served = dict(self.clients)
         for client in served:
             client.leave()
         if served:
@@ -96,13 +96,13 @@ class MtconnectDoor:
         """Serve one agent until it leaves."""
         client = _Client(self._host, writer)
         watch(writer.transport)
-        if len(self._clients) >= MAX_CLIENTS and not self._make_room():
+        if len(self.clients) >= MAX_CLIENTS and not self._make_room():
             self._host.log.refuse(_DOOR, client.name, "too many clients")
             writer.close()
             return
         task = asyncio.current_task()
         assert task is not None
-        self._clients[client] = task
+        self.clients[client] = task
         self._host.log.visit("connected", _DOOR, client.address, client=client.name)
         try:
             client.greet(self._device)
@@ -111,14 +111,14 @@ class MtconnectDoor:
         except (OSError, asyncio.IncompleteReadError):
             pass  # it has gone
         finally:
-            self._clients.pop(client)
+            self.clients.pop(client)
             client.abort()
             self._host.log.visit("disconnected", _DOOR, client.address, client=client.name)
 
     def _make_room(self) -> bool:
         """End the oldest client that has never sent a ping, as agents do, if there is one."""
         latest_s = self._host.loop.time() - _SILENT_S
-        silent = (one for one in self._clients if one.is_silent and one.begun_s < latest_s)
+        silent = (one for one in self.clients if one.is_silent and one.begun_s < latest_s)
         oldest = min(silent, key=lambda one: one.begun_s, default=None)
         if oldest is None:
             return False
@@ -128,9 +128,9 @@ class MtconnectDoor:
 
     def _take(self, frame: Frame) -> None:
         """Tell all agents what a frame has changed."""
-        if self._clients:
+        if self.clients:
             shown = self._shown()
-            for client in self._clients:
+            for client in self.clients:
                 client.take(frame.tick, shown)
 
     def _shown(self) -> dict[str, str]:
@@ -141,7 +141,7 @@ class MtconnectDoor:
     def _hear(self, notice: ServerNotice) -> None:
         """Send messages of programs and diagnostics to all agents."""
         for line in _lines_of(notice):
-            for client in tuple(self._clients):
+            for client in tuple(self.clients):
                 client.put(notice.tick, line)
 
 

@@ -55,33 +55,33 @@ class Story:
     """
 
     def __init__(self, setup: Setup, poll: Poll = lambda: None) -> None:
-        self._timeline = Timeline(setup, poll)
-        self.description: Description = self._timeline.description
+        self.timeline = Timeline(setup, poll)
+        self.description: Description = self.timeline.description
         self.stops: tuple[StopAt, ...] = ()
         self.delay: int | None = None
-        self._latest = self._timeline.run(0)
+        self._latest = self.timeline.run(0)
 
     # --- where it stands ------------------------------------------------------------------------
 
     @property
     def tick(self) -> int:
         """The tick that comes next."""
-        return self._timeline.tick
+        return self.timeline.tick
 
     @property
     def took_s(self) -> float:
         """How long the controller took for its latest ticks, in seconds, however long it waited."""
-        return self._timeline.took_s
+        return self.timeline.took_s
 
     @property
     def branch(self) -> Branch:
         """The branch of the tape that it is in."""
-        return self._timeline.branch
+        return self.timeline.branch
 
     @property
     def branches(self) -> Sequence[Branch]:
         """All branches of the tape."""
-        return self._timeline.branches
+        return self.timeline.branches
 
     @property
     def is_over(self) -> bool:
@@ -91,7 +91,7 @@ class Story:
     @property
     def progress(self) -> tuple[int, int] | None:
         """How many of how many ticks of the past have been run again, while some are."""
-        return self._timeline.progress
+        return self.timeline.progress
 
     @property
     def latest(self) -> Slice:
@@ -121,14 +121,14 @@ class Story:
         watched = self.stops if stops is None else tuple(stops)
         last = _NEVER if end is None else end
         if self.delay is None:
-            self._latest = self._timeline.run(last, watched, events=events, rests=rests)
+            self._latest = self.timeline.run(last, watched, events=events, rests=rests)
         else:
             self._latest = self._run_acknowledging(last, watched, self.delay, rests=rests)
         return self._latest
 
     def with_events(self) -> Slice:
         """Return the latest slice with the events that were left for later."""
-        self._latest = joined(self._latest, self._timeline.run(self.tick))
+        self._latest = joined(self._latest, self.timeline.run(self.tick))
         return self._latest
 
     def _run_acknowledging(
@@ -139,7 +139,7 @@ class Story:
         watched = (*stops, HANDED)
         while True:
             self._plan_acknowledgements(delay)
-            done = self._timeline.run(end, watched, rests=rests)
+            done = self.timeline.run(end, watched, rests=rests)
             hits = [hit for hit in done.hits if hit < len(stops)]
             is_on_way = bool(done.hits) and not hits and done.run_state is None and done.tick < end
             done = replace(done, hits=tuple(hits))
@@ -149,7 +149,7 @@ class Story:
 
     def _plan_acknowledgements(self, delay: int) -> None:
         """Let what waits be acknowledged by its time, unless the tape does that already."""
-        branch = self._timeline.branch
+        branch = self.timeline.branch
         if self.tick < branch.latest:
             return
         planned = {(one.kind, one.values) for one in branch.all_inputs() if one.tick >= self.tick}
@@ -158,7 +158,7 @@ class Story:
             due = max(self.tick, entry.time_us // cycle_us + delay)
             answer = _acknowledgement(due, channel, entry, AUTOMATIC)
             if (answer.kind, answer.values) not in planned:
-                self._timeline.post([answer])
+                self.timeline.post([answer])
 
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""
@@ -171,7 +171,7 @@ class Story:
 
         Where it is interrupted it stays where it was.
         """
-        self._latest = self._timeline.go_to(tick, branch)
+        self._latest = self.timeline.go_to(tick, branch)
         return self._latest
 
     def back(self, ticks: int = 1) -> Slice:
@@ -180,7 +180,7 @@ class Story:
 
     def back_to(self, stops: Sequence[StopAt]) -> Slice | None:
         """Go back to the last time that one of these stops held; ``None``, and stay, if never."""
-        tick = self._timeline.previous(stops)
+        tick = self.timeline.previous(stops)
         return None if tick is None else self.go_to(tick)
 
     # --- stops ----------------------------------------------------------------------------------
@@ -194,7 +194,7 @@ class Story:
         """Return stops that this machine can watch; raises ``Failure`` with all mistakes."""
         if all(stop in (NEXT_BLOCK, NEXT_REACTION) for stop in stops):
             return cast("tuple[StopAt, ...]", tuple(stops))
-        return cast("tuple[StopAt, ...]", self._timeline.live.ask("read_stops", tuple(stops)))
+        return cast("tuple[StopAt, ...]", self.timeline.live.ask("read_stops", tuple(stops)))
 
     # --- inputs ---------------------------------------------------------------------------------
 
@@ -204,7 +204,7 @@ class Story:
         Returns whether another branch of the tape has begun. Raises ``Failure`` for a wrong name or
         value.
         """
-        return self._timeline.post(
+        return self.timeline.post(
             [Input(self.tick, source, WRITE, (name, value)) for name, value in values.items()]
         )
 
@@ -218,40 +218,40 @@ class Story:
             [Input(self.tick, source, WRITE, pair) for pair in values.items()]
             for values, source in requests
         ]
-        begins, refused = self._timeline.post_each(groups)
+        begins, refused = self.timeline.post_each(groups)
         answers += [self.tick if failure is None else failure for failure in refused]
         return begins
 
     def select(self, program: str, channel: int, source: str) -> bool:
         """Select a program file for a channel, counted from 1; returns as ``write``."""
         values = channel - 1, program
-        return self._timeline.post([Input(self.tick, source, SELECT, values)])
+        return self.timeline.post([Input(self.tick, source, SELECT, values)])
 
     def acknowledge(self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str) -> bool:
         """Acknowledge an entry of ``waiting``; returns as ``write``."""
-        return self._timeline.post([_acknowledgement(self.tick, channel, entry, source)])
+        return self.timeline.post([_acknowledgement(self.tick, channel, entry, source)])
 
     # --- looking --------------------------------------------------------------------------------
 
     def read(self, names: Sequence[str]) -> list[float | bool | str]:
         """Return signals and variables at this tick; raises ``Failure`` for an unknown name."""
-        return self._timeline.live.read(tuple(names))
+        return self.timeline.live.read(tuple(names))
 
     def evaluate(self, text: str, channel: int = 1) -> float:
         """Return the value of an expression in the controller's language at this tick."""
-        return cast("float", self._timeline.live.ask("evaluate", text, channel))
+        return cast("float", self.timeline.live.ask("evaluate", text, channel))
 
     def undefined(self, text: str, channel: int) -> Text | None:
         """Return why an expression is not defined at this tick, ``None`` where it is."""
-        return cast("Text | None", self._timeline.live.ask("undefined", text, channel))
+        return cast("Text | None", self.timeline.live.ask("undefined", text, channel))
 
     def cycles(self) -> list[CycleState]:
         """Return the living realtime cycles at this tick."""
-        return self._timeline.live.cycles()
+        return self.timeline.live.cycles()
 
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
         """Return what waits for its acknowledgement, each with its channel."""
-        waiting = self._timeline.live.ask("waiting")
+        waiting = self.timeline.live.ask("waiting")
         return cast("list[tuple[int, TechnologyEntry | SpindleEntry]]", waiting)
 
     def look(
@@ -266,23 +266,23 @@ class Story:
         first = min(max(0, first), end)
         count = max(1, min(rows, MAX_ROWS))
         every = max(1, -(-(end - first) // count))
-        engine = self._timeline.trial(first)
+        engine = self.timeline.trial(first)
         try:
             data = engine.ask("look", end, list(signals), every)
-            self._timeline.confirm(engine, end)
+            self.timeline.confirm(engine, end)
         finally:
             engine.close()
         return every, memoryview(data).cast("d")
 
     def ahead(self) -> RemoteEngine | None:
         """Return a copy that can run ahead, or ``None`` if the future cannot be predicted."""
-        return self._timeline.ahead()
+        return self.timeline.ahead()
 
     def compare(self, one: int, other: int, poll: Poll) -> BranchDifference:
         """Return where all signals of two branches differ first."""
         signals = self.description.signals
         shorter = (name.removeprefix("CH1.") for name in signals)
-        return self._timeline.compare(one, other, tuple(dict.fromkeys(shorter)), poll)
+        return self.timeline.compare(one, other, tuple(dict.fromkeys(shorter)), poll)
 
     def happened(self, first: int, end: int) -> Slice:
         """Return what the ticks from ``first`` up to ``end`` have done.
@@ -290,15 +290,15 @@ class Story:
         The session stays where it is.
         """
         end = min(end, self.branch.latest)
-        return self._timeline.happened(min(max(0, first), end), end)
+        return self.timeline.happened(min(max(0, first), end), end)
 
     def glance(self, names: Sequence[str]) -> Glance:
         """Return values, cycles and what waits, all of this tick."""
-        return cast("Glance", self._timeline.live.ask("glance", list(names)))
+        return cast("Glance", self.timeline.live.ask("glance", list(names)))
 
     def past(self) -> Past:
         """Return what it takes to run the session up to here again."""
-        timeline = self._timeline
+        timeline = self.timeline
         marks = tuple(timeline.branch.marks_between(-1, self.tick))
         return Past(timeline.setup, tuple(timeline.tape()), self.tick, marks)
 
@@ -306,19 +306,19 @@ class Story:
 
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""
-        return cast("Inventory", self._timeline.live.ask("inventory"))
+        return cast("Inventory", self.timeline.live.ask("inventory"))
 
     def instructions(self) -> list[tuple[str, ListedCycle]]:
         """Return the realtime cycles that live at this tick as their elementary instructions."""
-        return cast("list[tuple[str, ListedCycle]]", self._timeline.live.ask("instructions"))
+        return cast("list[tuple[str, ListedCycle]]", self.timeline.live.ask("instructions"))
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders that have a program open at this tick."""
-        return cast("list[DecoderState]", self._timeline.live.ask("decoders"))
+        return cast("list[DecoderState]", self.timeline.live.ask("decoders"))
 
     def result(self) -> Run:
         """Return the result of the run so far; the session stays where it is."""
-        engine = self._timeline.trial(self.tick)
+        engine = self.timeline.trial(self.tick)
         try:
             return cast("Run", engine.ask("result"))
         finally:
@@ -326,27 +326,27 @@ class Story:
 
     def restart_schedule(self) -> None:
         """Let a real schedule begin anew behind a pause."""
-        self._timeline.restart_schedule()
+        self.timeline.restart_schedule()
 
     def schedule_table(self, language: Language) -> str:
         """Return the table of a real schedule; empty without one."""
-        return self._timeline.schedule_table(language)
+        return self.timeline.schedule_table(language)
 
     def tape(self) -> list[Input]:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
-        return self._timeline.tape()
+        return self.timeline.tape()
 
     def news(self, first: int) -> tuple[int, int, list[Input]]:
         """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
-        return self._timeline.news(first)
+        return self.timeline.news(first)
 
     def abandon(self) -> None:
         """Kill a controller that does not answer."""
-        self._timeline.abandon()
+        self.timeline.abandon()
 
     def close(self) -> None:
         """End the session."""
-        self._timeline.close()
+        self.timeline.close()
 
 
 def _acknowledgement(

@@ -212,7 +212,7 @@ def test_who_has_vanished_makes_room(served):
         client = patient_client(served.url)
         await client.connect()
         await client.create_subscription(50, None)
-        session = served.door._server.iserver.client_sessions[-1]
+        session = served.door.server.iserver.client_sessions[-1]
         client.uaclient.protocol.transport.abort()
         with contextlib.suppress(Exception):
             await client.disconnect()
@@ -220,7 +220,7 @@ def test_who_has_vanished_makes_room(served):
         return session
 
     async def work():
-        server = served.door._server.iserver
+        server = served.door.server.iserver
         await until(lambda: not server.client_sessions)
         async with connected(served) as client:
             gone = [await vanish(number) for number in range(7)]
@@ -230,7 +230,7 @@ def test_who_has_vanished_makes_room(served):
                 others.append(patient_client(served.url))
                 await others[-1].connect()  # at once
             assert [one for one in gone if one in server.client_sessions] == gone[3:]
-            assert len(served.door._subscriptions.subscriptions) == 4
+            assert len(served.door.subscriptions.subscriptions) == 4
             assert await client.get_node(f"{CHANNEL}.Id").read_value() == 1
             for other in others:
                 await other.disconnect()
@@ -251,7 +251,7 @@ def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
             self.statuses.append(status.Status.name)
 
     async def work():
-        held = served.door._subscriptions.subscriptions
+        held = served.door.subscriptions.subscriptions
         await until(lambda: not held)
         async with contextlib.AsyncExitStack() as stack:
             for count in (3, 3, 3, 3, 2):
@@ -274,7 +274,7 @@ def test_who_asks_later_learns_that_a_subscription_has_ended(served):
     """A subscription that ends while its client asks for nothing says so at the next request."""
 
     async def work():
-        held = served.door._subscriptions.subscriptions
+        held = served.door.subscriptions.subscriptions
         await until(lambda: not held)
         async with contextlib.AsyncExitStack() as stack:
             silent = await stack.enter_async_context(connected(served))
@@ -349,7 +349,7 @@ def test_a_client_that_vanishes_in_a_write_leaves_nothing(served):
                 with contextlib.suppress(Exception, asyncio.CancelledError):
                     await task
         await is_well(served)
-        server = served.door._server.iserver
+        server = served.door.server.iserver
         await until(lambda: not server.client_sessions)
 
     asyncio.run(work())
@@ -399,7 +399,7 @@ def test_who_asks_for_no_publishing_keeps_the_latest(served):
             data = await protocol.send_request(request)
             answer = ua.ua_binary.struct_from_binary(ua.CreateSubscriptionResponse, data)
             number = answer.Parameters.SubscriptionId
-            known = served.door._subscriptions.subscriptions
+            known = served.door.subscriptions.subscriptions
             assert number in known
             await until(lambda: number not in known)
         await is_well(served)
@@ -528,7 +528,7 @@ def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypa
         return replace(host.store.frame, tick=tick, values=dict.fromkeys(host.store.values, -1.0))
 
     async def moments():
-        space = served.door._space
+        space = served.door.space
         watched = [live for live in space.live.values() if live.needs_glance or live.signal][:20]
         watched += [live for live in space.live.values() if live.needs_glance][:2]
         first = await space.watch(watched)

@@ -58,32 +58,32 @@ class OpcuaDoor:
         self._address = address
         self._limits = limits or Limits()
         self.max_connections = self._limits.connections
-        self._security = None if is_loopback(address[0]) else Security(folder)
+        self.security = None if is_loopback(address[0]) else Security(folder)
         self._tasks: list[asyncio.Task[None]] = []
         self._unlisten: list[Callable[[], None]] = []
 
     async def prepare(self) -> None:
         """Build the address space."""
         host, limits = self._host, self._limits
-        self._server = server = CncServer(limits, host.log, self._security)
+        self.server = server = CncServer(limits, host.log, self.security)
         await server.init()
         uris = (CNC_URI, OWN_URI, DI_URI, MACHINERY_URI, MACHINE_TOOL_URI)
         cnc, own, *others = [await server.register_namespace(uri) for uri in uris]
         register_position(cnc)
         internal = server.iserver
         nodes = Nodes(internal.aspace)
-        self._space = space = LiveSpace(internal.aspace, host, host.clock)
-        self._subscriptions = Subscriptions(space, limits, internal.make_room, internal.refuse)
-        internal.subscription_service = internal.isession.subscription_service = self._subscriptions
+        self.space = space = LiveSpace(internal.aspace, host, host.clock)
+        self.subscriptions = Subscriptions(space, limits, internal.make_room, internal.refuse)
+        internal.subscription_service = internal.isession.subscription_service = self.subscriptions
         types = CompanionTypes(nodes, cnc)
         types.add_all()
         machine = MachineSpace(nodes, types, space, host, own)
         machine.add_all(ProgramTexts(_known_texts(host), self._read_text))
         self._cycles = CycleSpace(nodes, machine, space)
-        self._tool = tool = MachineToolSpace(nodes, space, host, machine, Indices(*others))
+        self.tool = tool = MachineToolSpace(nodes, space, host, machine, Indices(*others))
         tool.add_all()
         self._alarms = Alarms(
-            host, types, machine, self._subscriptions, host.clock, EventTypes(internal.aspace), tool
+            host, types, machine, self.subscriptions, host.clock, EventTypes(internal.aspace), tool
         )
         nodes.refer(standard(ua.ObjectIds.Server), refs.HAS_NOTIFIER, machine.interface)
         for channel in machine.channels.values():
@@ -98,15 +98,15 @@ class OpcuaDoor:
     async def open(self) -> str:
         """Serve clients from now on; return the address. Raises ``Failure``."""
         host = self._host
-        _, address = await listen_at("OPC UA", self._address, self._server.listen)
+        _, address = await listen_at("OPC UA", self._address, self.server.listen)
         self._tasks = [asyncio.get_running_loop().create_task(self._look())]
         self._unlisten = [
             host.notices.listen(self._alarms.take),
             host.store.listen(lambda _: self._alarms.look()),
-            host.store.listen(self._tool.states.take),
+            host.store.listen(self.tool.states.take),
         ]
-        if self._security is not None and self._security.made_password:
-            host.log.note("first user", door="opcua", folder=str(self._security.folder))
+        if self.security is not None and self.security.made_password:
+            host.log.note("first user", door="opcua", folder=str(self.security.folder))
         return f"opc.tcp://{address}/"
 
     def _read_text(self, file: str) -> Sequence[str]:
@@ -129,8 +129,8 @@ class OpcuaDoor:
             task.cancel()
         while self._unlisten:
             self._unlisten.pop()()
-        self._subscriptions.stop()
-        await self._server.stop()
+        self.subscriptions.stop()
+        await self.server.stop()
 
 
 def _known_texts(host: Host) -> dict[str, Sequence[str]]:

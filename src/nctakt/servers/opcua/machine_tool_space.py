@@ -63,7 +63,7 @@ class MachineToolSpace:
         self._live = live
         self._host = host
         self._machine = machine
-        self._indices = indices
+        self.indices = indices
         self._types = self._add_types()
         self.states = ProgramStates(host)
         self.root = machine.id(_ROOT)
@@ -78,12 +78,12 @@ class MachineToolSpace:
 
     def _add_types(self) -> CompanionTypes:
         group, group_number = model.FUNCTIONAL_GROUP
-        base = self._add_type(self._indices.di, group, group_number, _FOLDER)
+        base = self._add_type(self.indices.di, group, group_number, _FOLDER)
         for name, number in model.MACHINERY_TYPES:
-            base = self._add_type(self._indices.machinery, name, number, base)
+            base = self._add_type(self.indices.machinery, name, number, base)
         types = CompanionTypes(
             self._nodes,
-            self._indices.machine_tool,
+            self.indices.machine_tool,
             model.TYPES,
             model.ENUMERATIONS,
             {model.MACHINE_IDENTIFICATION: base},
@@ -116,7 +116,7 @@ class MachineToolSpace:
 
     def add_all(self) -> None:
         """Add all nodes of the machine."""
-        index = self._indices.machinery
+        index = self.indices.machinery
         machines = ua.NodeId(model.MACHINES, index)
         self._nodes.add_object(machines, ua.QualifiedName("Machines", index), _FOLDER)
         self._nodes.refer(_OBJECTS, refs.ORGANIZES, machines)
@@ -151,7 +151,7 @@ class MachineToolSpace:
 
     def _add_identification(self) -> None:
         """Add maker and name of the machine: those of nctakt, not of a real plate."""
-        di, machine = self._indices.di, self._host.machine
+        di, machine = self.indices.di, self._host.machine
         path = f"{_ROOT}.Identification"
         node = self._nodes.add_object(
             self._machine.id(path),

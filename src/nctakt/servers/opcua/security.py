@@ -71,7 +71,7 @@ class Security:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.made_password = False
-        self._failures: dict[str, deque[float]] = {}
+        self.failures: dict[str, deque[float]] = {}
         try:
             folder.mkdir(parents=True, exist_ok=True)
             self.key = self._private_key()
@@ -128,7 +128,7 @@ class Security:
     def is_user(self, name: str | None, password: str | None, address: str) -> bool:
         """Return whether a user's password is right; after too many wrong ones none is there."""
         now, source = time.monotonic(), _network(address)
-        failures = self._failures.get(source, deque())
+        failures = self.failures.get(source, deque())
         while failures and now - failures[0] > _FAILURE_S:
             failures.popleft()
         if len(failures) >= MAX_FAILURES:
@@ -137,9 +137,9 @@ class Security:
         is_right = hmac.compare_digest(_hash(password or "", salt or b"none"), digest)
         if not is_right:
             failures.append(now)
-            if source not in self._failures and len(self._failures) >= _MAX_ADDRESSES:
-                del self._failures[next(iter(self._failures))]
-            self._failures[source] = failures
+            if source not in self.failures and len(self.failures) >= _MAX_ADDRESSES:
+                del self.failures[next(iter(self.failures))]
+            self.failures[source] = failures
         return is_right
 
     # --- trust ----------------------------------------------------------------------------------

@@ -54,11 +54,18 @@ def test_a_delay_is_found_with_its_block(capsys: pytest.CaptureFixture[str]) -> 
     assert text.endswith("beyond the tolerances\n")
 
 
+def test_ticks_earlier_or_later(capsys: pytest.CaptureFixture[str]) -> None:
+    """Four ticks of 1 ms cover a delay of 3 ms, one does not."""
+    assert main(["compare", "scope.csv", "part.nc", "--tolerance", "0.05+4ticks"]) == 0
+    assert main(["compare", "scope.csv", "part.nc", "--tolerance", "0.05+1ticks"]) == 1
+    capsys.readouterr()
+
+
 def test_tolerances_mapping_and_data(capsys: pytest.CaptureFixture[str]) -> None:
     """A tolerance for each signal; the mapping's counts; the figures as JSON."""
     Path("map.toml").write_text(
         '[signals]\n"X.ACS.ACT_POS" = "Axis X ActPos"\n'
-        '"Y.ACS.ACT_POS" = { log = "Axis Y ActPos", tolerance = 0.4 }\n',
+        '"Y.ACS.ACT_POS" = { log = "Axis Y ActPos", tolerance = "0.4" }\n',
         "utf-8",
     )
     words = ["compare", "scope.csv", "part.nc", "--map", "map.toml", "--format", "json"]

@@ -12,7 +12,7 @@ from nctakt.comparison.alignment import Alignment, Curve, align
 from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.deviations import deviation_of
 from nctakt.comparison.log import LogColumn, Samples
-from nctakt.comparison.mapping import Pair, suggestion
+from nctakt.comparison.mapping import Pair, Tolerance, suggestion
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal
 
@@ -74,12 +74,47 @@ def test_deviations_by_hand() -> None:
     times = numpy.array([-500.0, 500.0, 1500.0, 2500.0, 3500.0, 4500.0, 9000.0])
     values = numpy.array([9.0, 1.5, 1.5, 2.75, 3.75, 4.5, 9.0])
     pair = Pair(Signal("X", "mm"), COLUMN, 1.0, 0.0, None, False)
-    found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), 0.2)
+    found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), Tolerance(0.2))
     assert found is not None
     assert (found.samples, found.greatest, found.greatest_us) == (5, 1.0, 500)
     assert (found.first_us, found.beyond) == (2500, 2)
     assert found.mean == pytest.approx(0.3)
     assert found.rms == pytest.approx((1.125 / 5) ** 0.5)
+
+
+@pytest.mark.parametrize(
+    ("text", "beyond"),
+    [
+        ("0.2", 4),
+        ("4%", 4),  # of a span of 5 mm
+        ("30%", 2),
+        ("1ticks", 2),  # at 2.5 ms the run has 1 to 4 within a tick around, at 3.5 ms 2 to 5
+        ("0.9 + 1ticks", 2),
+        ("1+1ticks", 0),
+        ("2ticks", 1),  # 3.5 ms is alone then
+    ],
+)
+def test_tolerances_of_each_kind_by_hand(text: str, beyond: int) -> None:
+    """In the signal's unit, in % of its span, earlier or later (LG-706)."""
+    curve = Curve(1000.0, numpy.arange(6.0))
+    times = numpy.array([500.0, 1500.0, 2500.0, 3500.0, 4500.0])
+    values = numpy.array([1.5, 2.5, 5.0, 6.0, 4.5])
+    pair = Pair(Signal("X", "mm"), COLUMN, 1.0, 0.0, None, False)
+    tolerance = Tolerance.of(text)
+    found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), tolerance)
+    assert found is not None
+    assert found.greatest == 2.5
+    assert found.beyond == (0 if beyond < 2 else beyond)
+
+
+NO_TOLERANCES = ("", "-1", "wide", "1 mm", "+2ticks", "1%%", "2%2", "1ticks+2", "1e999", "1.2.3")
+
+
+@pytest.mark.parametrize("text", NO_TOLERANCES)
+def test_what_is_no_tolerance(text: str) -> None:
+    """Signs, units, infinite numbers, parts in another order."""
+    with pytest.raises(ValueError):
+        Tolerance.of(text)
 
 
 def test_edges_of_truths_may_jitter_by_a_sample() -> None:
@@ -89,7 +124,7 @@ def test_edges_of_truths_may_jitter_by_a_sample() -> None:
     times = numpy.arange(7) * 1000.0
     for late, beyond in ((1, 0), (2, 2)):
         values = (numpy.arange(7) >= 2 + late).astype(float)
-        found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), 0.0)
+        found = deviation_of(pair, Samples(times, values), curve, Alignment(0.0), Tolerance())
         assert found is not None
         assert found.beyond == beyond
 

@@ -19,7 +19,7 @@ from nctakt.messages.comparison import TOLERANCE_UNREADABLE
 
 if TYPE_CHECKING:
     from nctakt.comparison.log import Log
-    from nctakt.comparison.mapping import Pair
+    from nctakt.comparison.mapping import Pair, Tolerance
     from nctakt.run.controller import Controller
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
@@ -36,8 +36,10 @@ _TOLERANCE = option(
     metavar="[NAME=]VALUE",
     multiple=True,
     text=Text(
-        "How far a signal, or each, may be off, in its unit; may be repeated.",
-        "Wie weit ein Signal oder jedes abweichen darf, in seiner Einheit; mehrfach möglich.",
+        "How far a signal, or each, may be off: in its unit, in % of its span, and with +Nticks "
+        "that much earlier or later; may be repeated.",
+        "Wie weit ein Signal oder jedes abweichen darf: in seiner Einheit, in % seiner Spanne, und "
+        "mit +Nticks so viele Takte früher oder später; mehrfach möglich.",
     ),
 )
 _OFFSET = option(
@@ -64,7 +66,7 @@ class LogWords:
     tolerances: tuple[str, ...]
     offset: str | None
 
-    def read_limits(self) -> dict[str, float]:
+    def read_limits(self) -> dict[str, Tolerance]:
         """Return the tolerances by signals, "" for all others; raises ``Failure`` (902529)."""
         return dict(_tolerance(text) for text in self.tolerances)
 
@@ -75,7 +77,7 @@ class OpenedLog:
 
     log: Log
     pairs: Sequence[Pair]
-    limits: Mapping[str, float]
+    limits: Mapping[str, Tolerance]
     offset_us: float | None
 
     @property
@@ -105,13 +107,12 @@ def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> O
     )
 
 
-def _tolerance(text: str) -> tuple[str, float]:
+def _tolerance(text: str) -> tuple[str, Tolerance]:
     """Return signal ("" for all) and tolerance; raises ``Failure`` (902529)."""
+    from nctakt.comparison.mapping import Tolerance  # noqa: PLC0415 - the mode is chosen before
+
     name, _, value = text.rpartition("=")
     try:
-        number = float(value)
+        return name.strip(), Tolerance.of(value)
     except ValueError:
-        number = -1.0
-    if not 0.0 <= number < float("inf"):
-        raise Failure(diagnostic(TOLERANCE_UNREADABLE, text=text))
-    return name.strip(), number
+        raise Failure(diagnostic(TOLERANCE_UNREADABLE, text=text)) from None

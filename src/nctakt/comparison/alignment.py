@@ -71,6 +71,19 @@ class Curve:
         """Return the values of the ticks in which times lie."""
         return self._at(times // self.period_us)
 
+    def outside(self, times: Numbers, values: Numbers, around: int) -> Numbers:
+        """Return how far values are from all that the signal has within ``around`` ticks."""
+        first = (times // self.period_us).astype(numpy.int64) - around
+        wide, count = 2 * around + 2, len(self.values)  # both ticks beside a time, those around
+        low, high = int(first.min()), int(first.max()) + wide
+        missing = max(-low, 0), max(high - count, 0)
+        part = numpy.pad(self.values[max(low, 0) : min(high, count)], missing, mode="edge")
+        windows = numpy.lib.stride_tricks.sliding_window_view(part, wide)
+        first -= low
+        lowest, highest = windows.min(axis=1).take(first), windows.max(axis=1).take(first)
+        away: Numbers = numpy.maximum(numpy.maximum(lowest - values, values - highest), 0.0)
+        return away
+
     def _at(self, ticks: Numbers) -> Numbers:
         if not len(ticks):
             return ticks

@@ -14,7 +14,7 @@ from nctakt.comparison.alignment import Alignment, Curve, align, aligned_before
 from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
 from nctakt.comparison.log import Log, Samples
-from nctakt.comparison.mapping import Pair
+from nctakt.comparison.mapping import Pair, Tolerance
 from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
 from nctakt.messages.comparison import NO_OVERLAP, TIMES_NOT_ALIGNED
@@ -70,7 +70,7 @@ def compare(
     run: Run,
     recorded: Recorded,
     pairs: Sequence[Pair],
-    tolerances: Mapping[str, float],
+    tolerances: Mapping[str, Tolerance],
     offset_us: float | None = None,
     *,
     is_drawn: bool = False,
@@ -133,7 +133,7 @@ def _beside(
     cycle_time_us: int,
     alignment: Alignment,
     *,
-    tolerances: Mapping[str, float],
+    tolerances: Mapping[str, Tolerance],
     is_drawn: bool,
     is_thinned: bool,
 ) -> tuple[list[Deviation], list[Delay]]:
@@ -155,7 +155,7 @@ def _beside(
     return [one for one in deviations if one is not None], delays.found()
 
 
-def _tolerance(pair: Pair, tolerances: Mapping[str, float]) -> float | None:
+def _tolerance(pair: Pair, tolerances: Mapping[str, Tolerance]) -> Tolerance | None:
     if pair.tolerance is not None:
         return pair.tolerance
     return tolerances.get(pair.signal.name, tolerances.get(""))

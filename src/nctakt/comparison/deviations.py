@@ -19,7 +19,7 @@ from nctakt.comparison.alignment import Alignment, Curve
 from nctakt.comparison.columns import Numbers, range_of
 from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.log import Samples
-from nctakt.comparison.mapping import Pair
+from nctakt.comparison.mapping import Pair, Tolerance
 
 #: The share of the percentile that is told.
 _SHARE = 0.99
@@ -31,11 +31,15 @@ _Part = tuple[Numbers, Numbers, Numbers]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Overlaid:
-    """Both sides of a pair at the log's stamps, as times of the run in µs, to be drawn."""
+    """Both sides of a pair at the log's stamps, as times of the run in µs, to be drawn.
+
+    ``sizes``: what counts against the tolerance.
+    """
 
     times: Numbers
     values: Numbers
     differences: Numbers
+    sizes: Numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,7 +48,8 @@ class Deviation:
 
     ``samples``: those that lie within the run. ``first_us``: where it begins to be more than the
     tolerance for two samples or longer, ``None`` for nowhere or without a tolerance; ``beyond``:
-    how many samples are; ``overlaid``: what a picture shows, if it is asked for.
+    how many samples are. ``tolerance``: in the signal's unit, ``ticks`` earlier or later.
+    ``overlaid``: what a picture shows, if it is asked for.
     """
 
     pair: Pair
@@ -57,6 +62,7 @@ class Deviation:
     first_us: int | None
     beyond: int
     tolerance: float | None = None
+    ticks: int = 0
     overlaid: Overlaid | None = None
 
 
@@ -65,7 +71,7 @@ def deviation_of(
     samples: Samples,
     curve: Curve,
     alignment: Alignment,
-    tolerance: float | None,
+    tolerance: Tolerance | None,
     *,
     delays: BlockDelays | None = None,
     is_drawn: bool = False,
@@ -79,12 +85,19 @@ def deviation_of(
     parts = _beside(pair, samples, curve, alignment, delays)
     if pair.signal.integral:
         parts = _without_jitter(parts)
-    sums = DeviationSums(len(samples), tolerance)
+    limit = None if tolerance is None else tolerance.amount
+    if tolerance is not None and tolerance.is_share:
+        limit = tolerance.amount / 100.0 * range_of(curve.values)
+    around = 0 if tolerance is None else tolerance.ticks
+    sums = DeviationSums(len(samples), limit)
     drawn = _Drawn(MAX_DRAWN if is_thinned else len(samples)) if is_drawn else None
     for times, values, differences in parts:
-        sums.add(times, differences)
+        sizes = numpy.abs(differences)
+        if around:
+            sizes = numpy.where(sizes > 0.0, curve.outside(times, values, around), 0.0)
+        sums.add(times, differences, sizes)
         if drawn is not None:
-            drawn.add(times, values, differences)
+            drawn.add(times, values, differences, sizes)
     if not sums.samples:
         return None
     sums.finish()
@@ -98,7 +111,8 @@ def deviation_of(
         sums.percentile,
         None if sums.first_us is None else _whole_us(sums.first_us),
         sums.beyond,
-        tolerance,
+        limit,
+        around,
         None if drawn is None else drawn.overlaid(),
     )
 
@@ -164,8 +178,8 @@ class DeviationSums:
         self._held = numpy.empty(0), numpy.empty(0, dtype=bool)
         self._before = False
 
-    def add(self, times: Numbers, differences: Numbers) -> None:
-        """Add a stretch that is not empty."""
+    def add(self, times: Numbers, differences: Numbers, sizes: Numbers) -> None:
+        """Add a stretch that is not empty; ``sizes`` count against the tolerance."""
         size = numpy.abs(differences)
         at = int(size.argmax())
         if not self.samples or size[at] > abs(self.greatest):
@@ -178,7 +192,7 @@ class DeviationSums:
             self._top = numpy.partition(self._top, -self._kept)[-self._kept :]
             self._limit = float(self._top[0])
         if self._tolerance is not None:
-            self._count(times, size > self._tolerance)
+            self._count(times, sizes > self._tolerance)
 
     def _count(self, times: Numbers, is_beyond: NDArray[numpy.bool_]) -> None:
         """Count those beyond the tolerance; the last one waits for its neighbour."""

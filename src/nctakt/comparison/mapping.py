@@ -8,6 +8,7 @@ none is taken.
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from collections import defaultdict
@@ -38,7 +39,7 @@ _PAIR_KEYS: Mapping[str, tuple[type, ...]] = {
     "unit": (str,),
     "factor": (int, float),
     "offset": (int, float),
-    "tolerance": (int, float),
+    "tolerance": (int, float, str),
 }
 _TOKEN = re.compile(r"[A-Z]?[a-zäöüß]+|[A-Z]+(?![a-z])|\d+")
 _MEANINGS = {
@@ -54,6 +55,36 @@ _OTHERS = frozenset(
 )
 
 
+_TOLERANCE = re.compile(
+    r"(?:(?P<amount>[\d.]+(?:[eE][-+]?\d+)?)\s*(?P<share>%)?)?"
+    r"(?:(?(amount)\s*\+\s*)(?P<ticks>\d{1,3})\s*ticks?)?"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Tolerance:
+    """How far a log may be from a run: ``amount``, in the signal's unit or in % of its span.
+
+    ``ticks``: that much earlier or later, too: what counts is how far the log is from all that the
+    run has in this time.
+    """
+
+    amount: float = 0.0
+    is_share: bool = False
+    ticks: int = 0
+
+    @classmethod
+    def of(cls, text: str) -> Tolerance:
+        """Return that of ``0.05``, ``2%``, ``3ticks`` or ``0.05+3ticks``; raises ``ValueError``."""
+        match = _TOLERANCE.fullmatch(text.strip())
+        if match is None or not text.strip():
+            raise ValueError(text)
+        amount = float(match["amount"] or 0.0)
+        if not math.isfinite(amount):
+            raise ValueError(text)
+        return cls(amount, bool(match["share"]), int(match["ticks"] or 0))
+
+
 @dataclass(frozen=True, slots=True)
 class Wish:
     """What a mapping file says of a signal."""
@@ -62,7 +93,7 @@ class Wish:
     unit: str = ""
     factor: float = 1.0
     offset: float = 0.0
-    tolerance: float | None = None
+    tolerance: Tolerance | None = None
 
 
 @dataclass(slots=True)
@@ -81,7 +112,7 @@ class Pair:
     column: LogColumn
     factor: float
     offset: float
-    tolerance: float | None
+    tolerance: Tolerance | None
     is_suggested: bool
 
 
@@ -111,7 +142,10 @@ def read_mapping(path: str | Path, access: FileAccess) -> MappingFile:
         for key, value in words.items():
             if not isinstance(value, _PAIR_KEYS.get(key, ())) or isinstance(value, bool):
                 raise refuse(f"signals.{signal}.{key}")
-        found.wishes[signal] = _wish(words)
+        try:
+            found.wishes[signal] = _wish(words)
+        except ValueError:
+            raise refuse(f"signals.{signal}.tolerance") from None
     return found
 
 
@@ -122,7 +156,7 @@ def _wish(words: Mapping[str, Any]) -> Wish:
         words.get("unit", ""),
         float(words.get("factor", 1.0)),
         float(words.get("offset", 0.0)),
-        None if tolerance is None else float(tolerance),
+        None if tolerance is None else Tolerance.of(str(tolerance)),
     )
 
 

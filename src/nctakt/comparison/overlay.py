@@ -45,7 +45,7 @@ def _curve(one: Deviation, cycle_time_us: int) -> LoggedCurve:
     kept = _kept(both.values)
     beyond: list[tuple[float, float]] = []
     if one.tolerance is not None:
-        is_beyond = numpy.abs(both.differences) > one.tolerance
+        is_beyond = both.sizes > one.tolerance
         is_beyond &= ~single_samples(is_beyond)
         edges = numpy.flatnonzero(numpy.diff(numpy.concatenate(([False], is_beyond, [False]))))
         pairs = zip(edges[::2], edges[1::2] - 1, strict=True)

@@ -54,7 +54,7 @@ def _draw(upper: Any, lower: Any, one: Deviation, both: Overlaid, language: Lang
     upper.set_ylabel(f"{one.pair.signal.name}{unit}", fontsize=8)
     lower.plot(seconds, differences, color=INK, linewidth=0.8)
     lower.set_ylabel(_DIFFERENCE.get(language), fontsize=8)
-    if one.tolerance is not None:
+    if one.tolerance is not None and not one.ticks:
         for limit in (-one.tolerance, one.tolerance):
             lower.axhline(limit, color=RAPID, linewidth=0.8, linestyle="--")
     if one.first_us is not None:

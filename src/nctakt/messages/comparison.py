@@ -168,8 +168,8 @@ TOLERANCE_UNREADABLE = error(
     902529,
     en="'{text}' is no tolerance",
     de="'{text}' ist keine Toleranz",
-    remedy_en="Write a number for all signals, or SIGNAL=NUMBER.",
-    remedy_de="Eine Zahl für alle Signale schreiben, oder SIGNAL=ZAHL.",
+    remedy_en="Write 0.05, 2%, 3ticks or 0.05+3ticks for all signals, or SIGNAL= before it.",
+    remedy_de="0.05, 2%, 3ticks oder 0.05+3ticks für alle Signale schreiben, oder SIGNAL= davor.",
     text=("the text", "der Text"),
 )
 SHARE_DIFFERS = warning(

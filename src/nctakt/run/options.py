@@ -650,7 +650,7 @@ def command_words(row: RunOption, words: Any) -> Iterator[str]:
         case Stimuli() | ChannelPrograms():
             for pair in words:
                 yield from (row.option, *pair)
-        case Assignments() | Folders():
+        case Assignments() | Folders() | Instances():
             for word in words:
                 yield from (row.option, word)
         case _:

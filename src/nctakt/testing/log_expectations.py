@@ -12,7 +12,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.comparison import compare
 from nctakt.comparison.log_file import open_log
-from nctakt.comparison.mapping import pairs_of
+from nctakt.comparison.mapping import Tolerance, pairs_of
 from nctakt.comparison.recorded import RecordedTrace
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import time_stamp
@@ -54,7 +54,7 @@ def wrong_beside_log(run: NcRun, name: str, expectation: Expectation, folder: Pa
             )
         )
     comparison = compare(
-        log, run.run, RecordedTrace(run.run), pairs, {name: expectation.within * factor}
+        log, run.run, RecordedTrace(run.run), pairs, {name: Tolerance(expectation.within * factor)}
     )
     found = next(one for one in comparison.deviations if one.pair.signal.name == name)
     if found.first_us is None:

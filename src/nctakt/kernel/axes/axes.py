@@ -20,7 +20,7 @@ it. The cells of an axis are written where its positions are others than those s
 ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
 (MO-13); ``independent_pct`` is the override of the latter (RC-305). These, ``command`` and
 ``target`` have one element more, for places of a channel without an axis (``path_axes.py``).
-So has ``locked``: the axes that a PLC does not release, which brake and stand.
+So has ``locked``: the axes that a PLC does not release, which brake and stay at rest.
 """
 
 from __future__ import annotations
@@ -408,7 +408,7 @@ class Axes:
         self.max_override_pct[index] = max_pct
 
     def refer(self, axis: int, position: float) -> None:
-        """Let the place where an axis stands be this position (G74); nothing moves."""
+        """Declare the axis' present place to be this position (G74); nothing moves."""
         shift = position - self.command[axis]
         self.command[axis] = position
         self.target[axis] = position
@@ -421,7 +421,7 @@ class Axes:
         self.publish()
 
     def set_gantry(self, index: int, master: int, allowed_d: float, offset: float) -> None:
-        """Let an axis follow ``master`` for ever, ``offset`` beside it (P-AXIS-00070, 00073).
+        """Let an axis follow ``master`` forever, ``offset`` beside it (P-AXIS-00070, 00073).
 
         ``allowed_d``: how far their actual positions may differ (P-AXIS-00072), 0: any way.
         """

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """What each axis does on its own, and its tick (MO-11): the motions behind ``single_axes.py``.
 
-Each axis has at most one present motion and one that waits behind it. ``begin`` only stores the
-command; ``step``, once a tick behind the cycles and the paths, plans from the present state
+Each axis has at most one present motion and one that waits for it. ``begin`` only stores the
+command; ``step``, once a tick after the cycles and the paths, plans from the present state
 (``trajectory.py``) wherever the motion or its speed limit has changed, and puts the axes where the
 plan has them. So another target, an override, a hold and its end take over speed and acceleration
 without a step.
 
 Targets are those of the axis' own system (ACS), mm or degrees. Positions of modulo axes run on
-while they move, and are put back into the range when they stand.
+while they move, and are put back into the range when they are at rest.
 """
 
 from __future__ import annotations
@@ -312,7 +312,7 @@ class AxisMotions:
                 self.step_axis(axis)
 
     def follow_masters(self) -> None:
-        """Let slaves follow their masters, in front of the drives (``couplings.py``)."""
+        """Let slaves follow their masters, before the drives (``couplings.py``)."""
         if self.axes.couplings.count > 0:
             self.axes.follow_masters()
 

@@ -35,7 +35,7 @@ class CAxis:
         self.spindle = spindle
 
     def can_take(self, axis: int) -> int:
-        """Return whether the path can have an axis: the spindle stands."""
+        """Return whether the path can have an axis: the spindle is at rest."""
         if axis != self.axis or self.spindles.has_no_axis[self.spindle]:
             return 1
         return self.spindles.is_resting(self.spindle)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Axes that follow others: pairs of a slave and its master (``#AX LINK``, gantries of the lists).
 
-The command of a slave is where it stood when the pair began, plus a factor times the way of its
-master since then. The pairs of the lists stand first and are computed last, since their masters may
+The command of a slave is where it was when the pair began, plus a factor times the way of its
+master since then. The pairs of the lists come first and are computed last, since their masters may
 be slaves of a program.
 """
 
@@ -110,7 +110,7 @@ class Couplings:
             raise ValueError(f"axis {slave} cannot follow axis {master}")
 
     def fix(self, slave: int, master: int, allowed_d: float, offset: float) -> None:
-        """Let an axis follow another one for ever, ``offset`` beside it; before the first tick."""
+        """Let an axis follow another one forever, ``offset`` beside it; before the first tick."""
         self.check(slave, master)
         self.fixed_count += 1
         self.couple(slave, master, 1.0, allowed_d, offset, 0.0)

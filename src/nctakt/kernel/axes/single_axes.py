@@ -103,7 +103,7 @@ class SingleAxes(AxisMotions):
         mode: int,
         owner: int,
     ) -> None:
-        """Store a motion: behind the present one (BUFFERED), or in its place."""
+        """Store a motion: after the present one (BUFFERED), or in its place."""
         if mode == codes.ABORTING:
             self.drop(axis)
         self.next_kind[axis] = kind
@@ -194,7 +194,7 @@ class SingleAxes(AxisMotions):
     def hold(self, owner: int) -> None:
         """Brake the owner's motions from this tick on; they keep their targets (RC-111).
 
-        One that waits behind another owner's motion is held as soon as that one has ended.
+        One that waits for another owner's motion is held as soon as that one has ended.
         """
         if self.active_count == 0:
             return
@@ -340,7 +340,7 @@ class SingleAxes(AxisMotions):
         self.clear_fault(axis)
 
     def reopen(self, axis: int) -> None:
-        """Let the axis take commands again behind the channel's reset; it follows no master."""
+        """Let the axis take commands again after the channel's reset; it follows no master."""
         self.closed[axis] = 0
         self.axes.couplings.uncouple(axis)
 
@@ -361,7 +361,7 @@ class SingleAxes(AxisMotions):
         return 1 if self.kind[axis] == codes.IDLE else 0
 
     def stands(self, axis: int) -> int:
-        """Return whether the axis stands: without a motion, or held."""
+        """Return whether the axis is at rest: without a motion, or held."""
         if self.kind[axis] == codes.IDLE:
             return 1
         return 1 if self.held[axis] and self.speed[axis] == 0.0 else 0
@@ -376,7 +376,7 @@ class SingleAxes(AxisMotions):
         return shown
 
     def is_ending(self, axis: int) -> int:
-        """Return whether the axis will stand without another command."""
+        """Return whether the axis will come to rest without another command."""
         if self.kind[axis] == codes.BRAKING:
             return 1
         if self.kind[axis] == codes.IDLE:
@@ -502,5 +502,5 @@ class SingleAxes(AxisMotions):
         return not self.is_free(axis)
 
     def ending_count(self) -> int:
-        """Number of axes that will stand by themselves: a run waits for them (RC-006)."""
+        """Number of axes that will come to rest by themselves: a run waits for them (RC-006)."""
         return sum(self.is_ending(axis) for axis in range(self.count))

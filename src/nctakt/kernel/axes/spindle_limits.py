@@ -46,7 +46,7 @@ class SpindleLimits:
 
     def execute(self, queue: memoryview[float], row: int) -> None:
         """Keep the limits of a tool for the next start (P-TOOL-00013 … 00015), 0: none; or take
-        those of another gear step, while the spindle stands.
+        those of another gear step, while the spindle is at rest.
         """
         spindle = int(queue[row + rows.LIMITED_SPINDLE])
         if queue[row + rows.LIMITED_BY_GEAR] != 0.0:
@@ -69,7 +69,7 @@ class SpindleLimits:
         return self.tool_low_v[spindle], self.tool_v[spindle]
 
     def take_over(self, spindle: int) -> None:
-        """Limit a spindle that stands as its axis list and its tool say."""
+        """Limit a spindle at rest as its axis list and its tool say."""
         self.speed_v[spindle] = lower(self.own_v[spindle], self.tool_v[spindle])
         self.acceleration_a[spindle] = lower(self.own_a[spindle], self.tool_a[spindle])
         self.low_v[spindle] = min(self.tool_low_v[spindle], self.speed_v[spindle])

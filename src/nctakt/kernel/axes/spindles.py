@@ -26,7 +26,7 @@ from nctakt.kernel.base.record import Record
 
 
 class Spindles:
-    """``count`` spindles, whose signals stand from ``first_cell`` on.
+    """``count`` spindles, whose signals begin at ``first_cell``.
 
     ``first_number`` counts those of the channels before: events have the machine's numbers.
     """
@@ -207,7 +207,7 @@ class Spindles:
     def remaining_angle(self, spindle: int) -> float:
         """Degrees to the position of a job: where braking ends, then on in the direction.
 
-        Without a direction a spindle that turns keeps turning, one that stands takes the shorter
+        Without a direction a spindle that turns keeps turning, one at rest takes the shorter
         way, forward where both are equal.
         """
         direction = self.direction[spindle]
@@ -257,7 +257,7 @@ class Spindles:
         self.publish(spindle)
 
     def uncouple(self, spindle: int) -> None:
-        """Leave a coupled spindle to itself, where it stands."""
+        """Leave a coupled spindle to itself, where it is."""
         self.mode[spindle] = codes.STANDING
         self.speed_v[spindle] = 0.0
         self.acceleration[spindle] = 0.0
@@ -332,7 +332,7 @@ class Spindles:
         return 1 if self.is_open[spindle] or self.plc_state[spindle] else 0
 
     def is_resting(self, spindle: int) -> int:
-        """Return whether the spindle stands and no job on its way turns it."""
+        """Return whether the spindle is at rest and no job on its way turns it."""
         if self.speed_v[spindle] != 0.0 or self.plc_state[spindle]:
             return 0
         return 1 if self.mode[spindle] == codes.STANDING else 0

@@ -8,7 +8,7 @@ phase. With the jerk 0 the acceleration may step: a trapezoid of at most three p
 are at most seven: two changes of speed, each with three phases (the acceleration builds up, is
 kept, fades), and a constant speed between them; one more where what is there fades first.
 
-Which change of speed is looked for: let the axis brake at once, and see where it would stand. If
+Which change of speed is looked for: let the axis brake at once, and see where it would stop. If
 the target lies beyond, it has to go on in that direction, else to come back; mirrored where need
 be, what is left to find is one number: the highest speed, or, where the axis is braking already (or
 is too fast) and only has to brake less, the acceleration between two brakings. The distance covered
@@ -77,7 +77,7 @@ class Trajectories:
         limit_a: float,
         limit_j: float,
     ) -> None:
-        """Plan to stand after ``distance_d``, at most with ``top_v`` (> 0) but at the start."""
+        """Plan to stop after ``distance_d``, at most with ``top_v`` (> 0) but at the start."""
         self.begin(axis, top_v, limit_a, limit_j)
         beyond_d = distance_d - self.stopping_d(start_v, start_a, limit_a, limit_j)
         self.side = 1.0 if beyond_d >= 0.0 else -1.0

@@ -53,12 +53,12 @@ class Transformations:
     # --- the tip --------------------------------------------------------------------------------
 
     def second_step(self, row: int) -> int:
-        """Return the row of the second step behind that of a map, 0 if it has none."""
+        """Return the row of the second step after that of a map, 0 if it has none."""
         second = int(self.maps.values[row + map_rows.SECOND_STEP])
         return second * map_rows.MAP_WIDTH
 
     def joint(self, number: int, k: int) -> int:
-        """Return the column of a joint of map ``number``; those of a second step come behind."""
+        """Return the column of a joint of map ``number``; those of a second step come after."""
         row = number * map_rows.MAP_WIDTH
         count = int(self.maps.values[row + map_rows.JOINT_COUNT])
         if k >= count:

@@ -140,7 +140,7 @@ class Record:
         return 1 if self.probe_count + probes <= self.probe_capacity else 0
 
     def reserve(self, events: int, probes: int) -> None:
-        """Make the empty buffers large enough for a tick with so many events and probes."""
+        """Make the empty buffers large enough for a tick with this many events and probes."""
         if events > self.event_capacity and self.event_count == 0:
             self.event_capacity = 2 * events
             self.events = memoryview(bytearray(8 * rows.EVENT_WIDTH * self.event_capacity)).cast(

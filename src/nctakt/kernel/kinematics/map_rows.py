@@ -46,7 +46,7 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     PROGRAMMING,  # ``MACHINE_ANGLES`` …
     JOINT_COUNT,
     LEADING_COUNT,  # rotary joints before the first linear one
-    TRAILING_FIRST,  # the first of the rotary joints behind the last linear one
+    TRAILING_FIRST,  # the first of the rotary joints after the last linear one
     SECOND_STEP,  # number of the map that leads on from the results of this one; 0: none
     IS_SPLIT,  # 1: no rotary joint between two linear ones
     TOOL,  # three columns: the tool's tip with all axes at 0

@@ -4,7 +4,7 @@
 A map is a row of numbers (``map_rows.py``) that never changes. A chain is the product of the rigid
 motions of its joints, from the workpiece to the tool, applied to the tool's tip. With the rotary
 axes given the tip is affine in the three linear axes, so one system of three equations leads back;
-where no rotary joint lies between two linear ones its matrix is constant. Positions stand in the
+where no rotary joint lies between two linear ones its matrix is constant. Positions are in the
 order of the channel's axes: the first three are those of the tip, those of the rotary axes stay
 what they are (RTCP) or say the tool's direction (complete).
 
@@ -32,7 +32,7 @@ class KinematicMaps:
     """The maps of a machine of ``axis_count`` axes; ``used`` is the number of the next one.
 
     ``x``, ``y``, ``z`` hold the point that the joints move, ``columns`` the directions of the three
-    linear axes as the joints behind them turn them; ``between`` what lies between two steps.
+    linear axes as the joints before them turn them; ``between`` what lies between two steps.
     """
 
     def __init__(self, axis_count: int) -> None:
@@ -351,7 +351,7 @@ class KinematicMaps:
         return self.solve_columns(row, x - self.x, y - self.y, z - self.z, results)
 
     def turn_columns(self, row: int, k: int, angle: float) -> None:
-        """Turn the directions of the linear joints behind rotary joint ``k``."""
+        """Turn the directions of the linear joints after rotary joint ``k``."""
         turned = row + map_rows.JOINTS + k * map_rows.JOINT_WIDTH + map_rows.JOINT_DIRECTION
         count = int(self.values[row + map_rows.JOINT_COUNT])
         for further in range(k + 1, count):

@@ -3,7 +3,7 @@
 
 Two angles a, b turn a direction t about the axes p and q into u = R(p, a)·R(q, b)·t. The component
 of u along p settles b but for a sign, and with b what is left is a turn about p. Where the tool
-stands along p (the pole) any a will do: the present one stays.
+lies along p (the pole) any a will do: the present one stays.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kinematics import map_rows
 
-#: Sine of the angle to the first axis below which the tool stands along it.
+#: Sine of the angle to the first axis below which the tool lies along it.
 POLE = 1e-12
 #: Squared sine that rounding may miss of a direction at the limit of the reach.
 ROUNDING = 1e-13

@@ -7,7 +7,7 @@ The arc is seen as *pieces* of equal angle, 6° at most (3° where the speed of 
 the first and the last one divided further, because the path may start or stop there. Of a vector
 that turns, no part grows between the two ends of a piece beyond that at an end by more than
 1 / cos(half the piece's angle): what keeps that share of the limits at both ends keeps them on the
-whole piece. Speeds stand as squares, since the conditions are linear in them.
+whole piece. Speeds are kept as squares, since the conditions are linear in them.
 
 Within a piece the path may always keep its speed: ``caps`` is the highest for which that holds.
 From any speed that is not above the line between those of the piece's two borders the path can go

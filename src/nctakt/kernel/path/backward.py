@@ -7,7 +7,7 @@ over the same segments to its *front*, where it turned, and continues. Nothing b
 meanwhile: no command is taken, dwells are passed over.
 
 Stages (``geometry.py``) and corners are passed with the speeds of forward motion; where the path
-had stopped it stops again. Under a jerk limit it walks stretches (``history.py``), stand to stand.
+had stopped it stops again. Under a jerk limit it walks stretches (``history.py``), stop to stop.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class BackwardMotion(History):
         self.entered = -1.0
 
     def can_take_over(self) -> int:
-        """Return whether the path, stopped by backward motion, stands and can go back."""
+        """Return whether the path, stopped by backward motion, is at rest and can go back."""
         return 1 if self.path.speed_v == 0.0 and self.can_go_back() else 0
 
     def can_go_back(self) -> int:
@@ -109,7 +109,7 @@ class BackwardMotion(History):
     # --- begin, turn, end -----------------------------------------------------------------------
 
     def leave(self) -> None:
-        """Leave the front and go back from here; the path stands."""
+        """Leave the front and go back from here; the path is at rest."""
         self.path.is_retracing = True
         self.path.is_front_over = not self.path.is_active
         self.has_failed = False
@@ -132,14 +132,14 @@ class BackwardMotion(History):
         self.go(-1)
 
     def turn(self, direction: int) -> None:
-        """Go on in ``direction``; the path stands."""
+        """Go on in ``direction``; the path is at rest."""
         if direction > 0 and self.number == self.front_number:
             self.return_to_front(self.path.covered_d)
         else:
             self.go(direction)
 
     def go(self, direction: int) -> None:
-        """Begin to walk in ``direction``, out of the stand."""
+        """Begin to walk in ``direction``, from rest."""
         self.path.direction = direction
         self.path.speed_v = 0.0
         self.path.jerk_profile.acceleration_a = 0.0
@@ -368,7 +368,7 @@ class BackwardMotion(History):
         return self.keeps_moving()
 
     def keeps_moving(self) -> int:
-        """Return whether the path moves on behind a border in this tick or the next one."""
+        """Return whether the path moves on past a border in this tick or the next one."""
         if not self.path.is_active or self.path.speed_v == 0.0:
             return 0
         if self.path.left_t > 0.0:
@@ -403,7 +403,7 @@ class BackwardMotion(History):
         return 0
 
     def stay(self, refusal: int) -> None:
-        """Stand where the walk cannot go on: backward at the start of the history."""
+        """Stop where the walk cannot go on: backward at the start of the history."""
         self.is_blocked = True
         self.path.speed_v = 0.0
         source = int(self.path.history_rows[self.path.row + rows.SOURCE])
@@ -450,7 +450,7 @@ class BackwardMotion(History):
             self.replan(self.path.limit_v)
 
     def stop_between(self) -> None:
-        """Stand between two segments: single block pauses there."""
+        """Stop between two segments: single block pauses there."""
         if self.path.is_retracing and not self.is_blocked:
             self.path.limit_v = -1.0
             if self.path.is_single and not self.is_inside():
@@ -478,7 +478,7 @@ class BackwardMotion(History):
         return 1
 
     def has_ended_with_jerk(self, now_t: float) -> int:
-        """``has_ended`` with limited jerk: the walk stands at its stretch's end."""
+        """``has_ended`` with limited jerk: the walk has stopped at its stretch's end."""
         is_over = self.path.jerk_profile.advance(now_t)
         self.path.speed_v = self.path.jerk_profile.speed_v
         if is_over == 0:

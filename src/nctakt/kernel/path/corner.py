@@ -16,7 +16,7 @@ from nctakt.kernel.path.segment_limits import SegmentLimits
 class Corner:
     """The directions at one corner, and what the segment before it has left.
 
-    ``entering`` and ``leaving``: each axis' part of the length behind the corner and in front of
+    ``entering`` and ``leaving``: each axis' part of the length after the corner and before
     it; ``entering_curve`` and ``leaving_curve``: the change of these per mm. ``steps``, ``shares``
     and ``turns``: what the corner asks of each axis, as it is passed. ``centripetal_share``: of an
     arc's acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit
@@ -53,7 +53,7 @@ class Corner:
         self.last_is_bent = False
 
     def enter(self, segments: memoryview[float], row: int, centripetal_share: float) -> None:
-        """Take the start of the newest segment as the one behind the corner."""
+        """Take the start of the newest segment as the one after the corner."""
         self.centripetal_share = centripetal_share
         self.corner_v = 0.0
         self.is_rounded = False
@@ -78,7 +78,7 @@ class Corner:
         geometry.tangent(segments, row, self.limits.count, 0, self.entering)
 
     def enter_curve(self, segments: memoryview[float], row: int) -> None:
-        """Take the curvature at the start of the newest segment as the one behind the corner."""
+        """Take the curvature at the start of the newest segment as the one after the corner."""
         if segments[row + rows.TRANSFORMATION] > 0.0:
             for i in range(self.limits.count):
                 self.entering_curve[i] = self.limits.transformed.entering_curve[i]

@@ -2,9 +2,9 @@
 """Rounded corners with limited jerk: a rounding between two lines, within the deviation (MO-3).
 
 An arc or a parabola has a curvature from its first point on, which would be a step in acceleration.
-The direction of a rounding changes by 2·u² up to its middle and in the mirror image of this behind
+The direction of a rounding changes by 2·u² up to its middle and in the mirror image of this after
 it, u being the covered part of its length: its curvature rises and falls evenly. On a rounding that
-begins and ends ``h`` in front of and behind the corner, with the step ``s`` of the axis' part of
+begins and ends ``h`` before and after the corner, with the step ``s`` of the axis' part of
 the length, the speed v, the acceleration a and the jerk j along it, an axis with the part ``p`` of
 the length has at most
 
@@ -75,7 +75,7 @@ class CornerRounding:
     def rounding_half(self, segments: memoryview[float], before: int, row: int) -> float:
         """Length of a rounding on either line, in mm: less than half of the line.
 
-        In front of it three ticks are left where the line begins with a corner that uses the jerk.
+        Before it three ticks are left where the line begins with a corner that uses the jerk.
         """
         size2 = 0.0
         for i in range(self.limits.count):

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """A piece of a spline: a cubic with four control points, by its length (MO-18).
 
-Start, target and two inner control points of each axis stand in the row of a segment (``rows.py``).
+Start, target and two inner control points of each axis are in the row of a segment (``rows.py``).
 The cubic's own parameter is a polynomial of fifth degree over the part of the length, whose value,
 slope and curve fit at both ends: so the speed is that of the path on pieces that are short enough,
-and exact where two of them meet. Where the cubic nearly stands at an end, the parameter is the part
+and exact where two of them meet. Where the cubic nearly stops at an end, the parameter is the part
 of the length itself.
 """
 

@@ -2,8 +2,8 @@
 """Moving to a fixed stop: axes of the path that run into an obstacle and notice it (MO-12).
 
 An axis is monitored from the command that says so (``take``) to ``disarm``. It is at its stop when
-its command is farther from its actual position than its limit for so many ticks, within a part of
-the block's length. Each axis shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS
+its command is farther from its actual position than its limit for a given number of ticks, within a
+part of the block's length. Each axis shows it in its cells FIXED_STOP.ACTIVE, DETECTED and ACS.POS
 (``axes.py``).
 """
 

@@ -43,7 +43,7 @@ def pieces(segments: memoryview[float], row: int) -> int:
 
 
 def moves_axis(segments: memoryview[float], row: int, count: int, i: int) -> int:
-    """Return whether a segment, or the curve behind it, moves its axis ``i``."""
+    """Return whether a segment, or the curve after it, moves its axis ``i``."""
     start = row + rows.START + i
     target = start + count
     if segments[start] != segments[target]:

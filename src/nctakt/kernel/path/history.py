@@ -3,8 +3,8 @@
 
 A segment is known by its running number, its *number*. With a limit of the jerk the walk goes over
 *stretches*: segments between which the path had passed without a stop. On each segment the walk has
-the least acceleration and jerk of it and those behind it, up to a rounding; with these it brakes
-for goals as the path does (``jerk_lookahead.py``), and stands at the stretch's end. A rounding is
+the least acceleration and jerk of it and those after it, up to a rounding; with these it brakes
+for goals as the path does (``jerk_lookahead.py``), and stops at the stretch's end. A rounding is
 driven with its own ones, and is a goal at either end, which the walk comes to without acceleration.
 """
 
@@ -144,7 +144,7 @@ class History:
     def take_over(self, before: int, row: int) -> None:
         """Take the limits of the segment before ``row`` into account.
 
-        Acceleration that it brings into a segment in front of a rounding has to fade on it. A
+        Acceleration that it brings into a segment before a rounding has to fade on it. A
         rounding it comes to without any; if it cannot, the rounding's limits count
         (``Goal.carried_a``).
         """

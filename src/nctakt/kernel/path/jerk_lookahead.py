@@ -5,17 +5,17 @@ A corner where an axis changes its speed in a step, or its acceleration because 
 changes, is passed so slowly that the axis keeps its jerk in each tick; what the corner uses is
 missing on the two segments.
 
-The path brakes for *goals*: corners, lesser feeds and the stand at the end, each with its speed and
-no acceleration. A point where the path that brakes for a goal behind it is slow enough anyway is
-none. Each segment keeps the nearest goal at or behind its end: the distance to it, its speed, and
+The path brakes for *goals*: corners, lesser feeds and the stop at the end, each with its speed and
+no acceleration. A point where the path that brakes for a later goal is slow enough anyway is
+none. Each segment keeps the nearest goal at or after its end: the distance to it, its speed, and
 acceleration and jerk on this distance. So ramps go over any number of segments.
 
 At each point the following holds: the speed that would be left once the acceleration has faded is
 not above that of the goal at this point, or the goal ahead can still be reached. A goal's speed is
 therefore one from which the next goal can be reached even where the path comes with all its
 acceleration (``Goal.slowing_distance``). Acceleration and jerk of a segment are at most those of
-the next one, and of those behind it where that is short, since the acceleration may not have faded
-before. Both ends of a rounding (``corner_rounding.py``) are goals; the line in front of it keeps
+the next one, and of those after it where that is short, since the acceleration may not have faded
+before. Both ends of a rounding (``corner_rounding.py``) are goals; the line before it keeps
 what it has, since it ends with no acceleration, whatever is commanded.
 """
 
@@ -117,7 +117,7 @@ class JerkLookAhead:
         """Settle the goals of the segments before ``number``, which ends at a standstill.
 
         ``oldest`` is the first command of the queue that is not current. 0 where the current
-        segment has been promised (``is_promised``) more than can be kept: some segment behind it
+        segment has been promised (``is_promised``) more than can be kept: some segment after it
         has less acceleration or jerk by now.
         """
         row = number % self.capacity * self.width

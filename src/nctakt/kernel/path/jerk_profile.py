@@ -17,7 +17,7 @@ from nctakt.kernel.axes.trajectory import Trajectories
 class JerkProfile:
     """Plan of one path with limited jerk, and the acceleration that it has reached.
 
-    ``distance_d``, ``speed_v``: what ``advance`` has found; ``left_t``: time left behind the end of
+    ``distance_d``, ``speed_v``: what ``advance`` has found; ``left_t``: time left after the end of
     the segment.
     """
 
@@ -51,9 +51,9 @@ class JerkProfile:
 
         ``row``: where the segment's row begins. In single block the segment's end is the goal if
         the path can still stop there; it brakes with the segment's own limits, and so may come too
-        fast to the goal ahead, which asks for less, when single block is taken away: then it stands
+        fast to the goal ahead, which asks for less, when single block is taken away: then it stops
         at the end nevertheless. It does not once the goal has come within reach, since it then
-        leaves the distance on which it could stand there.
+        leaves the distance on which it could stop there.
         """
         limit_a = segments[row + rows.CARRIED_ACCELERATION]
         limit_j = segments[row + rows.CARRIED_JERK]
@@ -88,16 +88,16 @@ class JerkProfile:
             self.fade_by_end(goal_v, speed_v, limit_a, limit_j)
 
     def can_stop(self, speed_v: float, limit_a: float, limit_j: float) -> int:
-        """Return whether the path can still stand at the segment's end, up to rounding.
+        """Return whether the path can still stop at the segment's end, up to rounding.
 
-        A path that brakes for that stand must not miss it where it is held, too: a lesser speed can
+        A path that brakes for that stop must not miss it where it is held, too: a lesser speed can
         be a longer distance, so it might find none up to the end but one that is far too high.
         """
         stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
         return 1 if stop_d <= self.rest_d + 1e-10 else 0
 
     def stand_at_end(self, speed_v: float, limit_v: float, limit_a: float, limit_j: float) -> None:
-        """Plan to stand at the segment's end."""
+        """Plan to stop at the segment's end."""
         is_met = self.head_for(self.rest_d, 0.0, speed_v, limit_v, limit_a, limit_j)
         self.ends_in_time = is_met > 0
 
@@ -138,7 +138,7 @@ class JerkProfile:
     ) -> int:
         """Plan for ``goal_v`` after a distance (0: soon); return 1 if it can be reached.
 
-        The jerk up to the goal may be less than that of the segment. Where the path would stand
+        The jerk up to the goal may be less than that of the segment. Where the path would stop
         before a braking has faded, it fades so that it just has then; where the path would get
         faster than it may, or to the goal too fast, the acceleration first fades with the jerk of
         the segment.

@@ -33,7 +33,7 @@ from nctakt.kernel.path.segment_limits import SegmentLimits
 class LookAhead:
     """The preparation of one channel: how its segments go on into each other.
 
-    Its parts: the ``limits`` of a segment, the ``corner`` in front of the newest one, and for a
+    Its parts: the ``limits`` of a segment, the ``corner`` before the newest one, and for a
     limited jerk the ``rounding`` of corners and the look-ahead ``jerk``. ``blocks``: how many
     blocks are looked ahead; ``capacity``: rows of the queue.
     """

@@ -26,7 +26,7 @@ from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 class Path(PathAxes):
     """Path of one channel over those of the machine's axes that belong to it.
 
-    ``history_size`` blocks behind the current one are kept, from the running number ``oldest`` on.
+    ``history_size`` blocks before the current one are kept, from the running number ``oldest`` on.
     ``front`` is the row of the newest segment. While the path ``is_retracing`` from it the current
     row is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
     tells that the newest segment was at its end before.
@@ -175,7 +175,7 @@ class Path(PathAxes):
         return self.history_rows[self.front + rows.CONTINUES] > 0.0
 
     def set_remaining(self, remaining: float) -> None:
-        """Set what is left of the block behind the newest segment.
+        """Set what is left of the block after the newest segment.
 
         With a limit of the jerk its length, else the highest speed that reaches 0 at its end.
         """
@@ -368,7 +368,7 @@ class Path(PathAxes):
     def stands_in_single_block(self, limit_v: float) -> int:
         """Return whether single block stops at the segment's end with limited jerk.
 
-        Where the block goes on it does so only if it could not stand at the block's end.
+        Where the block goes on it does so only if it could not stop at the block's end.
         """
         if self.history_rows[self.row + rows.CONTINUES] == 0.0:
             return 1
@@ -407,7 +407,7 @@ class Path(PathAxes):
     def finish(self) -> int:
         """Put the axes exactly to the segment's end; return 1 if the path moves on.
 
-        A path that still moves goes on even where no time is left: what stands between the blocks
+        A path that still moves goes on even where no time is left: what comes between the blocks
         may have to wait, and must not stop the path in a step (MO-1).
         """
         self.is_active = False
@@ -433,7 +433,7 @@ class Path(PathAxes):
             self.axes.command[self.members[i]] = self.positions[i]
 
     def abandon(self) -> None:
-        """Drop the rest of the segment where the axes stand, to be read at once (reset)."""
+        """Drop the rest of the segment where the axes are, to be read at once (reset)."""
         self.is_active = False
         self.is_retracing = False
         self.direction = 1

@@ -12,11 +12,11 @@ from nctakt.kernel.path import geometry
 class PathAxes:
     """Axes of one channel's path, ``members`` among those of the machine.
 
-    The axis at index i of ``members`` is the one at place i of the channel; the number behind the
-    last axis of the machine stands at a place without one. ``room``: how many places there can be.
+    The axis at index i of ``members`` is the one at place i of the channel; the number after the
+    last axis of the machine marks a place without one. ``room``: how many places there can be.
 
     ``maps``: the transformations; ``standing``: the axes at one end of a transformed segment.
-    ``row``: where the row of the current segment stands in ``history_rows``; ``direction``: 1
+    ``row``: where the row of the current segment begins in ``history_rows``; ``direction``: 1
     forward over it, -1 backward. ``moved``: the axes that the path has.
     """
 
@@ -57,7 +57,7 @@ class PathAxes:
         return [int(self.members[i]) for i in range(self.count)]
 
     def is_place_free(self, i: int) -> int:
-        """Return whether no axis stands at a place of the channel."""
+        """Return whether a place of the channel has no axis."""
         return 1 if self.members[i] == self.axes.count else 0
 
     def locked_axis(self) -> int:
@@ -84,7 +84,7 @@ class PathAxes:
     def refusal(self, queue_row: int, queue: memoryview[float]) -> int:
         """Return the message that refuses a segment; 0 if the path can take it.
 
-        The axes that it moves must stand where it starts, since the path never jumps (RC-409), and
+        The axes that it moves must be where it starts, since the path never jumps (RC-409), and
         have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
         """
         self.stand(queue_row, queue, queue_row + rows.START)
@@ -120,7 +120,7 @@ class PathAxes:
             self.maps.inverse(number, self.unmapped, self.near, self.standing)
 
     def is_there(self, segments: memoryview[float], row: int, column: int, i: int) -> int:
-        """Return whether axis ``i`` stands at its position at ``column``.
+        """Return whether axis ``i`` is at its position at ``column``.
 
         Transformed within a micrometre's millionth part (``standing``), which rounding leaves.
         """

@@ -129,7 +129,7 @@ class SegmentLimits:
             self.vector[first + i] = limits[i]
 
     def keep(self) -> None:
-        """Keep the limits of the segment before until the corner behind it is settled."""
+        """Keep the limits of the segment before until the corner after it is settled."""
         if not self.has_changed:
             for i in range(self.count):
                 self.kept_rapid_a[i] = self.rapid_a[i]

@@ -220,7 +220,7 @@ class Threads:
             return 0.5 * path_v * path_v / limit_a
         return path_v * self.lead_t(self.path.history_rows, row, path_v)
 
-    # --- behind the path's step -----------------------------------------------------------------
+    # --- after the path's step ------------------------------------------------------------------
 
     def settle(self) -> None:
         """Turn a spindle that taps, or end the threads; warn of one that had no speed."""
@@ -291,7 +291,7 @@ class Threads:
             self.state = codes.WITHOUT_THREAD
 
     def stands_before(self, thread: float) -> int:
-        """Return whether the path stands between a thread and the segment that follows.
+        """Return whether the path is at rest between a thread and the segment that follows.
 
         The next tick decides when it goes on; ``thread``: that of the segment.
         """

@@ -61,7 +61,7 @@ class ToolLife:
         self.time_t = self.begin_t + self.ticks * self.cycle_time_us / 1e6 * self.time_factor
 
     def before(self, is_ahead: int) -> float:
-        """Return the distance up to a command; ``is_ahead``: the present segment is behind it."""
+        """Return the distance up to a command; ``is_ahead``: the present segment comes after it."""
         return self.begin_d if is_ahead else self.distance_d
 
     def go_on(self, time_t: float, distance_d: float, is_ahead: int) -> None:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Measuring with a touch probe within a block (G100): where the axes were at its signal.
 
-The block is armed while the path stands. The signal is HLI.PROBE at its level, a fixed stop of an
-axis, or that of a simulated probe: at a part of the block's length, or after a number of ticks. It
-latches the positions of the axes; the path brakes and drops the rest of the block, or continues to
-its end.
+The block is armed while the path is at rest. The signal is HLI.PROBE at its level, a fixed stop of
+an axis, or that of a simulated probe: at a part of the block's length, or after a number of ticks.
+It latches the positions of the axes; the path brakes and drops the rest of the block, or continues
+to its end.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ class TouchProbe:
         self.touch(covered_d)
 
     def touch(self, covered_d: float) -> None:
-        """Note the signal, ``covered_d`` mm behind the start of the block."""
+        """Note the signal, ``covered_d`` mm after the start of the block."""
         self.is_seeking = False
         self.has_touched = True
         self.is_braking = not self.continues

@@ -77,7 +77,7 @@ class TransformedLimits:
         self.leaving_curve = memoryview(bytearray(room)).cast("d")
 
     def start_at(self, axes: memoryview[float], members: memoryview[int]) -> None:
-        """Take where the axes stand: of two solutions the next segment starts at the nearer one."""
+        """Take where the axes are: of two solutions the next segment starts at the nearer one."""
         for i in range(self.count):
             self.near[i] = axes[members[i]]
 

@@ -92,7 +92,7 @@ class TrapezoidProfile:
     ) -> None:
         """Plan ``length_d`` by the lengths of its ramps to ``cruise_v`` and to ``end_v``.
 
-        With a ``cruise_v`` of 0 the motion is stopped behind the first ramp.
+        With a ``cruise_v`` of 0 the motion is stopped after the first ramp.
         """
         self.length_d = length_d
         self.start_v = start_v

@@ -31,7 +31,7 @@ def look_ahead(
     max_override_pct: float,
     room: int = 0,
 ) -> LookAhead:
-    """Return the look-ahead of a channel with these axes, and room for so many."""
+    """Return the look-ahead of a channel with these axes, and room for this many."""
     ahead = LookAhead(len(axes), cycle_time_us, blocks, max_override_pct / 100.0, room)
     apply_axis_limits(ahead.limits, axes)
     return ahead
@@ -133,7 +133,7 @@ AXIS_BYTES = 24
 
 
 def history_blocks(memory_bytes: int, axis_count: int) -> int:
-    """Return how many blocks behind the current one fit into the memory of backward motion
+    """Return how many blocks before the current one fit into the memory of backward motion
     (MO-7).
     """
     return memory_bytes // (BLOCK_BYTES + AXIS_BYTES * axis_count)

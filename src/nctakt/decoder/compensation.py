@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Tool radius compensation: contours of the program -> paths of the tool's centre (MO-9).
 
-A stage behind the decoder: commands in, commands out. Between G41 or G42 and the motion with which
+A stage after the decoder: commands in, commands out. Between G41 or G42 and the motion with which
 G40 leaves the contour, a motion in the plane is held until the next one determines its end
-(``tool_path.py``); commands in between stay behind it. With contour masking (G141), and with the
+(``tool_path.py``); commands in between stay after it. With contour masking (G141), and with the
 detection of contour damage (P-CHAN-00219), as many motions are held as a loop of the path may span.
 Other held commands are bounded by ``MAX_BETWEEN``.
 
-The first motion in the plane approaches the contour, the one behind G40 leaves it: as straight
+The first motion in the plane approaches the contour, the one after G40 leaves it: as straight
 lines that are not shifted themselves (G138, G139), with motions of their own (G237), or not at all,
 so that the contour ends at the tool's position (G239). A closed contour that begins in an inner
 corner (G238) is held as a whole, because its last motion determines where both ends meet.
@@ -237,7 +237,7 @@ class Compensation:
             self._values.fail(TOOL_TOO_LARGE_FOR_ARC, self._path.span, radius=abs(d))
 
     def _keep(self, segment: Segment, before: float) -> None:
-        """Hold the motion until the next one arrives; ``before``: the distance in front of it."""
+        """Hold the motion until the next one arrives; ``before``: the distance before it."""
         number, compensation = self.tool.number, self._state.compensation
         misfit = LINE_REVERSED_BY_RADIUS if segment.arc is None else ARC_REVERSED_BY_RADIUS
         if segment.arc is not None and not self.tool.last_motion_fits():
@@ -371,7 +371,7 @@ class Compensation:
     def can_export(self) -> bool:
         """Return whether plain blocks may continue the contour (``compensated_lines.py``).
 
-        That needs exactly one held line with nothing behind it, whose end depends on the next
+        That needs exactly one held line with nothing after it, whose end depends on the next
         motion only.
         """
         compensation = self._state.compensation
@@ -467,7 +467,7 @@ class Compensation:
                 if self.tool.crossed:
                     self._tell_crossing()
             except DecodeError:
-                self._motions.clear()  # commands behind a mistake are not run
+                self._motions.clear()  # commands after a mistake are not run
                 self.tool.give_up()
                 raise
             self.is_releasing = True
@@ -475,7 +475,7 @@ class Compensation:
             self.is_releasing = False
 
     def _commands(self, motion: PendingMotion) -> list[Command]:
-        """Return the pieces of a motion and the commands behind it."""
+        """Return the pieces of a motion and the commands after it."""
         plane = self._state.plane_axes
         pieces = self._pieces(motion)
         commands: list[Command] = list(

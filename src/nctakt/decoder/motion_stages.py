@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The stages behind the decoder that change motions, one behind the other.
+"""The stages after the decoder that change motions, one after the other.
 
 Shapes of several blocks, then the compensation of the tool's radius, then the curves of contoured
 corners. Each holds motions until it knows the next one; what is held counts as taken.

@@ -28,7 +28,7 @@ _COMMENT = re.compile(r"[;(].*")
 
 @dataclass(slots=True)
 class PendingMotion:
-    """A motion in the plane and the commands behind it.
+    """A motion in the plane and the commands after it.
 
     ``radius``: of the tool, mm; ``misfit``: the message if the tool does not fit. ``time_s``: the
     duration of its block under G93, 0 without. ``adapts``: F applies to the contour (G11).

@@ -143,7 +143,7 @@ def cubics_of(
     begin = math.atan2(start[second] - arc[3], start[first] - arc[2])
 
     def point(number: int, ahead: float) -> Point:
-        """A point of the arc, or so many handles ahead of it along its tangent."""
+        """A point of the arc, or ``ahead`` handles on from it along its tangent."""
         angle = begin + number * step
         position = list(start) if number == 0 else list(target)
         if 0 < number < count:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``#ANG``: lines by their angle in the plane -> the axis words that are missing (MO-4).
 
-A line has its angle and one axis of the plane in its block. Or two lines stand in two blocks: the
+A line has its angle and one axis of the plane in its block. Or two lines are in two blocks: the
 first one has its angle only, the second one angle and target; they meet in one point. The angle
 counts from the first axis of the plane, as it is programmed.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Feeds that change within a block: G193 and G293, and G13 in front of the block's end.
+"""Feeds that change within a block: G193 and G293, and G13 before the block's end.
 
 In: the segment of a block, the feed in force before it. Out: pieces of it, each with the feed that
 the ramp has in its middle, so that override and feed hold act as ever. None is shorter than a few

@@ -2,7 +2,7 @@
 """M40 … M45, G112 and speeds that choose a gear step -> commands for the spindle.
 
 A change lets the spindle turn to the position of the active step, waits for the M function, and
-takes the limits of the new step. G112 takes them only, of a spindle that stands.
+takes the limits of the new step. G112 takes them only, of a spindle that is at rest.
 """
 
 from __future__ import annotations

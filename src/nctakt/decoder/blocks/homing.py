@@ -87,7 +87,7 @@ class Homing:
 
 
 def _braking_distance(axis: AxisConfiguration) -> float:
-    """Return the signed distance that the axis needs to stop behind its zero pulse."""
+    """Return the signed distance that the axis needs to stop after its zero pulse."""
     homing = axis.homing
     acceleration = axis.max_acceleration
     speed = min(homing.speed, arithmetic.square_root(2.0 * acceleration * abs(homing.distance)))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Marks in the queue where something else comes into force.
 
-In: the modal state behind the words of a block. Out: a mark where it has changed, so that whoever
+In: the modal state after the words of a block. Out: a mark where it has changed, so that whoever
 watches a run sees it from the tick on in which the block begins.
 """
 

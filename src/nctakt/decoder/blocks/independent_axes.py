@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """``X[INDP_SYN …]`` and ``X[INDP_ASYN …]``: axes that a program moves beside the path.
 
-The rules SA-1 … SA-9 stand in docs/conformance/single-axes.md. A command waits until the axis
-stands whose position is uncertain, a motion that the program itself has begun included (SA-4); from
-the target on that it gives, the decoder computes further.
+The rules SA-1 … SA-9 are in docs/conformance/single-axes.md. A command waits until an axis
+whose position is uncertain is at rest, even in a motion that the program itself has begun (SA-4);
+from the target on that it gives, the decoder computes further.
 """
 
 from __future__ import annotations

@@ -252,7 +252,7 @@ class Measuring:
             self._state.measured[index] = replace(before, has_touched=False)
 
     def _extended(self, segment: Segment, words: Sequence[tree.AxisWord]) -> Segment:
-        """Return the motion with the way behind the target that type 2 has (P-AXIS-00114)."""
+        """Return the motion with the way beyond the target that type 2 has (P-AXIS-00114)."""
         overtravel = self._of(words[0]).overtravel if self.type == ONE_AXIS else 0.0
         if overtravel == 0.0 or self._state.needs_signal is not None:
             return segment
@@ -320,7 +320,7 @@ class Measuring:
     def _keep(
         self, answer: Sequence[float], segment: Segment, words: Sequence[tree.AxisWord]
     ) -> None:
-        """Keep the answer of the realtime part: where the axes stand, and what was measured."""
+        """Keep the answer of the realtime part: where the axes are, and what was measured."""
         count = len(segment.target)
         has_touched, positions = bool(answer[0]), list(answer[1 : 1 + count])
         of_axes = answer[1 + count : 1 + 2 * count]

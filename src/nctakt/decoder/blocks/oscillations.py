@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``X[OSC ON …]`` and ``X[OSC OFF …]``: axes that a program lets move to and fro beside the path.
 
-The rules SA-11 … SA-17 stand in docs/conformance/single-axes.md. From OSC ON on the position of the
+The rules SA-11 … SA-17 are in docs/conformance/single-axes.md. From OSC ON on the position of the
 axis is uncertain until a command requests it, which ends the oscillation at its second position.
 """
 

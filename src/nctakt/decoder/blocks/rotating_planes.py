@@ -150,7 +150,7 @@ class RotatingPlanes:
         return RotatingPlane(command.shown, plane, rotary[0], linear[0], beside=beside)
 
     def _beside(self, radial: int, span: Span, number: int) -> Generator[Command, Answer, float]:
-        """Return where the axis across the radial one stands, which stays there."""
+        """Return where the axis across the radial one is, which stays there."""
         across = 1 - radial if radial < 2 else -1
         if (
             not 0 <= across < len(self._environment.axes)

@@ -222,7 +222,7 @@ class SpindleWords:
             yield from self.cutting.functions(numbers, index, span, number)
 
     def exchange(self, command: SpindleCommand, number: int) -> Generator[Command, Answer]:
-        """Let a spindle that stands give its axis, or take it again."""
+        """Let a spindle that is at rest give its axis, or take it again."""
         (word,) = command.exchanges
         name, span = f"{command.name}[{word}]", command.span
         state = self.values.state

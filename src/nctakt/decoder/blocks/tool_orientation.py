@@ -5,7 +5,7 @@ With ``#TOOL ORI CS`` the rotary axes turn the tool along an axis of the coordin
 axis is that of P-CHAN-00188, in the active ``#CS`` or else in the machine; P-CHAN-00189 chooses
 between the two positions of the rotary axes that give the direction. They go there in rapid
 motion: with a transformation about the tip, without one with the linear axes at rest. ``#ECS`` is
-the inverse: a system with the third axis along the tool as it stands.
+the inverse: a system with the third axis along the tool as it is.
 """
 
 from __future__ import annotations

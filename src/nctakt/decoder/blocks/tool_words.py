@@ -50,7 +50,7 @@ class ToolWords:
         content.updates_tool_offsets = content.selects_tool = True
 
     def flush_before_t(self, span: Span, number: int) -> Generator[Command, Answer]:
-        """Let the path stand before T goes out, where the list says so (P-CHAN-00106)."""
+        """Let the path come to rest before T goes out, where the list says so (P-CHAN-00106)."""
         if self._selection.flushes_before_t:
             yield self._flush("T", span, number, waits=False)
 

@@ -219,7 +219,7 @@ class TransformationCommands:
             self._values.fail(TRANSFORMATION_DURING_COMPENSATION, span, command=shown)
 
     def stop(self, shown: str, span: Span, number: int) -> Generator[Command, Answer, list[float]]:
-        """Let the path stop; return where it stands, as it is programmed."""
+        """Let the path stop; return where it is, as it is programmed."""
         self._values.check_flush_allowed(shown, span)
         answer = yield PositionRequest(self._environment.source_id(span), number)
         assert isinstance(answer, tuple)

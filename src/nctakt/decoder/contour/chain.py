@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pieces of the tool's path one behind the other, and where it crosses itself (MO-9).
+"""The pieces of the tool's path one after the other, and where it crosses itself (MO-9).
 
 Each new piece is compared with those of the last motions, and a crossing is reported; or
 (``masks``) the loop that it closes is left out, with the motions in it. A loop that is left out is
@@ -18,7 +18,7 @@ class Chain:
     ``side``: where the tool is, 1 left, -1 right of the contour. ``number``: of the newest motion,
     counted from 1. ``crossed``: the motion whose path that of ``crossing`` crosses, 0 none.
     ``crosses_lead``: one of both leads to the contour, or from it.
-    ``leading``: the motion to the contour, whose pieces stand behind those of loops, 0 none.
+    ``leading``: the motion to the contour, whose pieces come after those of loops, 0 none.
     ``radius``: of the tool, mm.
     """
 
@@ -70,7 +70,7 @@ class Chain:
         self.put(is_contour)
 
     def put(self, is_contour: int) -> None:
-        """Append the row behind the pieces as a piece of the newest motion."""
+        """Append the row after the pieces as a piece of the newest motion."""
         row = self.count * rows.PIECE_WIDTH
         self.rows[row + rows.MOTION] = self.number
         is_gap = self.rows[row + rows.SHAPE] == rows.GAP
@@ -207,7 +207,7 @@ class Chain:
         self.note(last)
 
     def note(self, last: int) -> None:
-        """Note a crossing that closes no loop; one behind it may still leave out both."""
+        """Note a crossing that closes no loop; one after it may still leave out both."""
         crossed_piece = self.search(last, 0.0)
         if crossed_piece >= 0:
             self.cross(last, crossed_piece)
@@ -249,7 +249,7 @@ class Chain:
     def leave_out(self, first: int, last: int) -> None:
         """Leave out the loop between two pieces that cross, and the first one if nothing is left.
 
-        The piece behind the loop keeps its end, so that it stays even where it has no length.
+        The piece after the loop keeps its end, so that it stays even where it has no length.
         """
         table = self.rows
         x = self.crossings.x
@@ -288,7 +288,7 @@ class Chain:
         self.left_out_count -= behind - first
 
     def end_of_loop(self, piece: int) -> int:
-        """Row behind the last piece of a loop."""
+        """Row after the last piece of a loop."""
         while self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.LOOP_END:
             piece += 1
         return piece

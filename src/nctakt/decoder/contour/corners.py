@@ -15,7 +15,7 @@ from nctakt.kernel.base import arithmetic
 
 
 class Corners:
-    """Motions at a corner: the one before it, the one behind it, and the contour's first.
+    """Motions at a corner: the one before it, the one after it, and the contour's first.
 
     ``by_arc``: around outer corners in an arc. ``is_direct``: to a contour and from it without a
     path around a corner. Found by ``join``: the tool passes the first motion up to ``end_x``,

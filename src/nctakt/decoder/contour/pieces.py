@@ -25,7 +25,7 @@ def put_line(
 def put_arc(
     table: memoryview[float], row: int, centre_x: float, centre_y: float, angle: float
 ) -> None:
-    """Make the row, whose start and end stand in it, an arc."""
+    """Make the row, whose start and end are in it, an arc."""
     table[row + rows.SHAPE] = rows.ARC
     table[row + rows.CENTRE_X] = centre_x
     table[row + rows.CENTRE_Y] = centre_y

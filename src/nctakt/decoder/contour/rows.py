@@ -28,7 +28,7 @@ from __future__ import annotations
     LINE,
     ARC,
     GAP,  # between two pieces that do not meet
-    LOOP_END,  # the row behind a loop that was left out
+    LOOP_END,  # the row after a loop that was left out
 ) = range(-1, 4)
 
 #: Further columns of a piece.
@@ -72,15 +72,15 @@ MOTIONS = 3
     HIDDEN_WIDTH,
 ) = range(5)
 
-#: So many of them are known.
+#: How many of them are known at most.
 MAX_HIDDEN = 64
 
-#: So many motions before a new one its path is compared with; of so many the path waits where it is
-#: cut (``Chain.masks``).
+#: How many motions before a new one its path is compared with; the path of as many waits where it
+#: is cut (``Chain.masks``).
 REACH = 50
 
 #: Pieces that there is room for: of two reaches, with all that can join two motions; as many of
-#: loops that were left out stand behind them, each loop with a row behind it.
+#: loops that were left out come after them, each loop with a row after it.
 ROOM = 1024
 
 #: Pieces from which on those are forgotten that are neither compared nor waited for; up to how many

@@ -24,7 +24,7 @@ class ToolPath(Chain):
     """Path of the tool's centre beside one contour.
 
     ``is_open``: the newest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
-    behind the pieces so far. ``parts``: what comes behind the newest motion is not compared with
+    after the pieces so far. ``parts``: what comes after the newest motion is not compared with
     what was. ``first``: the motion that the tool has begun with; ``contour_start``: the first one
     of the contour, 0 none; ``closed``: the one that has ended where that begins. ``is_begun``: the
     next piece begins at ``begin_x``, ``begin_y``, where one has been left out.
@@ -300,7 +300,7 @@ class ToolPath(Chain):
         """Pass a motion that does not fit and both its neighbours whole.
 
         So the path of one neighbour crosses that of another one where they really meet. The path
-        beside the newest motion is the row behind the pieces then, or a gap.
+        beside the newest motion is the row after the pieces then, or a gap.
         """
         corners = self.corners
         if self.cut_off_number == self.number:

@@ -107,7 +107,7 @@ _PROBES_OF_A_CONDITION = 3
 class CycleBuilder:
     """Builds one cycle; ``first_probe``: its number in the probe rows.
 
-    The numbers behind it belong to its conditions, ``$ELSE`` included. ``is_repeatable``: what is
+    The numbers after it belong to its conditions, ``$ELSE`` included. ``is_repeatable``: what is
     built depends on the statement and on the units alone, and nothing is reported or registered.
     """
 

@@ -40,6 +40,6 @@ def built_cycle(values: Values, statement: tree.RealtimeCycle, at: CyclePlace) -
     builder = CycleBuilder(values, at.first_probe)
     built = builder.build(statement, at.serial, at.identity, at.scope)
     if kept is not None and builder.is_repeatable:
-        # The definition holds its statement; the names, which the key has as well, stand beside it.
+        # The definition holds its statement; the names, which the key has as well, are next to it.
         kept.keep(key, (built, environment.names), built.cycle)
     return built

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""An expression of the controller's language -> the node that is looked at behind a tick.
+"""An expression of the controller's language -> the node that is looked at after a tick.
 
 In: a text such as ``V.E.COUNT > 5 && V.RTA.ACS.ACT_POS.X < 20``. Out: an expression of the realtime
 part in which each variable has its present value, or the mistakes of the text.

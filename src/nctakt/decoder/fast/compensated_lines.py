@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Plain blocks along a compensated contour -> rows of the queue, without objects.
 
-In: the lines of plain blocks during compensation, one motion behind (``tool_path.py``). Out: rows
+In: the lines of plain blocks during compensation, one motion late (``tool_path.py``). Out: rows
 equal to the bit to those of ``compensation.py``, which exports its contour and imports it again. A
 line that needs a message is left to the tree.
 """

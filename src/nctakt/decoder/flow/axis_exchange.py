@@ -220,7 +220,7 @@ class AxisExchange:
     # --- the exchange ---------------------------------------------------------------------------
 
     def _change(self, target: Places, span: Span, number: int) -> Decoded:
-        """Let path and axes stand, give the axes that go, then take those that come."""
+        """Let path and axes come to rest, give the axes that go, then take those that come."""
         places = self._places
         source = self._environment.source_id(span)
         before = places.present

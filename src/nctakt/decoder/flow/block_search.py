@@ -5,7 +5,7 @@ In: the commands of the program from its start on, with the shapes of its motion
 block motions, dwells, functions, messages and signals are left out; offsets, variables, realtime
 cycles and limits come into force. There spindles get their gear step and their last job, and the
 axes move at rapid traverse, in a straight line, to where the block begins; a cycle with scope BLOCK
-that waits for it comes behind. ``#BLOCKSEARCH LOCKED`` forbids a start in a part of a program.
+that waits for it comes after that. ``#BLOCKSEARCH LOCKED`` forbids a start in a part of a program.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ _PASSING = (
 
 
 class _BlockCycles:
-    """Cycles with scope BLOCK that are started and wait for the block behind them (RC-105).
+    """Cycles with scope BLOCK that are started and wait for the block after them (RC-105).
 
     ``waiting``: the commands from the first of them on that define and control cycles. They are
     kept in their order until the next block: if that is left out, so are its cycles.
@@ -246,7 +246,7 @@ class BlockSearch:
             commands.close()
 
     def _take(self, command: Command, span: Span) -> Generator[Command, Answer, Answer]:
-        """Process a command in front of the start block; return its answer."""
+        """Process a command before the start block; return its answer."""
         if isinstance(command, StartReached):
             self.is_active = False
             yield from self._begin_at(command)

@@ -64,7 +64,7 @@ class CAxisCommands:
         return trimmed([None if one is None or one.index == index else one for one in present])
 
     def _with(self, command: CAxisCommand, statement: tree.HashCommand) -> Places:
-        """Return the present axes with that of the spindle at the first free index behind 2."""
+        """Return the present axes with that of the spindle at the first free index above 2."""
         places = list(self._places.present)
         new = AxisPlace(self._name(command), self._places.c_axis)
         for other in places:

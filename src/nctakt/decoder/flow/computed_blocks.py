@@ -47,7 +47,7 @@ def check(
     is_main: bool = False,
     named_programs: Iterable[str] = (),
 ) -> None:
-    """Check statements that stand at ``span``; the first mistake gives the program up."""
+    """Check statements that are at ``span``; the first mistake gives the program up."""
     mistake = environment.first_mistake(statements, span, line, is_main, named_programs)
     if mistake is not None:
         fail(mistake.message, span, **mistake.values)

@@ -266,7 +266,7 @@ class Couplings:
         yield from self._follow_limits(released, source, number)
 
     def _stop(self, source: int, number: int) -> Generator[Command, Answer]:
-        """Let path and axes stand, and know their positions."""
+        """Let path and axes come to rest, and know their positions."""
         axes = [slot.index for slot in self._places.present if slot is not None]
         answer = yield PositionRequest(source, number, tuple(axes))
         assert isinstance(answer, tuple)

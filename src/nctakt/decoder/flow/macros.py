@@ -3,7 +3,7 @@
 
 In: definitions ``"NAME" = "text"``, and blocks that use them. Out: the statements that the block
 then is. The text is read and checked when the block is decoded, since only then it is known. Upper
-and lower case of names count. Within a text other macros stand between ``\\"`` and ``\\"``.
+and lower case of names count. Within a text other macros are put between ``\\"`` and ``\\"``.
 """
 
 from __future__ import annotations

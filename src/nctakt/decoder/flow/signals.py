@@ -53,7 +53,7 @@ Decoded = Generator[Command, Answer]
 class Signals:
     """Decodes these commands for one program.
 
-    ``request``: requests positions when the path and the axes of these names stand.
+    ``request``: requests positions when the path and the axes of these names are at rest.
     """
 
     def __init__(
@@ -96,7 +96,7 @@ class Signals:
             yield NextTick(source, number)
 
     def _axes(self, command: tree.HashCommand, number: int) -> Decoded:
-        """Wait until the path and axes in independent motion stand."""
+        """Wait until the path and axes in independent motion are at rest."""
         if command.arguments:
             (bracket,) = command.arguments
             assert isinstance(bracket, tree.Bracket)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A kinematic chain in mm and degrees -> the row of its map (``kernel.kinematics``).
 
-A chain stands as it is with all axes at 0, in the coordinate system of the workpiece; its joints go
+A chain is described with all axes at 0, in the coordinate system of the workpiece; its joints go
 from the workpiece to the tool.
 """
 

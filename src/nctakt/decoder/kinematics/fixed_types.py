@@ -159,7 +159,7 @@ def _tool_a(hd: Parameters) -> Chain:
 def _oblique_head(hd: Parameters) -> Chain:
     """Type 33: oblique head C A whose axes meet in the tool's tip; C and A are those of a head CA.
 
-    The axis A stands at the angle HD3 to C: at 90° along X.
+    The axis A is at the angle HD3 to C: at 90° along X.
     """
     oblique = arithmetic.sine(hd(3)), 0.0, arithmetic.cosine(hd(3))
     walk = Walk().linear().move(hd(4), hd(5), hd(6))

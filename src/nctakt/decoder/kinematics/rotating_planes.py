@@ -18,7 +18,7 @@ class RotatingPlane:
     ``axes``: those that form it, in the order of the command; one of them is the ``rotary`` one.
     ``radial``: the axis that leads to the axis of rotation, and is in the plane (``#FACE``); ``-1``
     on a cylinder. ``radius``: that of the cylinder in mm. ``zero_angle``: of the rotary axis where
-    0 is on the cylinder. ``beside``: how far the tool stands beside the radial axis' line, in mm.
+    0 is on the cylinder. ``beside``: how far the tool is beside the radial axis' line, in mm.
     ``command``: as it is written.
     """
 
@@ -32,7 +32,7 @@ class RotatingPlane:
 
     @property
     def mapped(self) -> tuple[int, ...]:
-        """The axes that stand elsewhere than what is programmed for them."""
+        """The axes that are elsewhere than what is programmed for them."""
         return (self.rotary,) if self.radial < 0 else (self.radial, self.rotary)
 
 

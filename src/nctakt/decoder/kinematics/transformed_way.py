@@ -21,7 +21,7 @@ STEP = 1.5
 JUMP = 3.0
 MAX_SAMPLES = 2048
 #: A block that begins in a pole turns at once into its direction: by how many degrees an axis may
-#: have turned behind this share of a block.
+#: have turned after this share of a block.
 BEGIN_JUMP = 0.001
 BEGIN = 1e-9
 
@@ -62,7 +62,7 @@ class TransformedWay:
             self.newest[i] = axes[i]
 
     def standing(self) -> list[float]:
-        """Return where the axes stand behind the last block."""
+        """Return where the axes are after the last block."""
         return list(self.newest)
 
     def first_outside(self, start: list[float], target: list[float], arc: list[float]) -> int:

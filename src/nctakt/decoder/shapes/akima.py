@@ -23,7 +23,7 @@ class AkimaCurve:
     where all follow from the vertices.
     """
 
-    #: How many vertices behind its end a piece needs to be known.
+    #: How many vertices after its end a piece needs to be known.
     AHEAD = 2
     #: How many vertices a curve has at least.
     FEWEST = 3
@@ -36,7 +36,7 @@ class AkimaCurve:
         self._slopes: list[Point] = []
 
     def add(self, point: Point, chord: float) -> None:
-        """Append a vertex ``chord`` mm behind the last one."""
+        """Append a vertex ``chord`` mm after the last one."""
         before = self.points[-1]
         self.points.append(point)
         self.chords.append(chord)
@@ -49,7 +49,7 @@ class AkimaCurve:
         return len(self.points) >= (2 if given else self.FEWEST)
 
     def piece(self, number: int) -> Cubic:
-        """Return the piece behind vertex ``number``; what is not there ends the curve."""
+        """Return the piece after vertex ``number``; what is not there ends the curve."""
         slopes = (self._slope_at(number), self._slope_at(number + 1))
         ends = (self.points[number], self.points[number + 1])
         return hermite(*ends, slopes, self.chords[number])

@@ -17,7 +17,7 @@ DEGREE = 3
 class BsplineCurve:
     """A curve of control points."""
 
-    #: How many control points behind its own a block needs to be known.
+    #: How many control points after its own a block needs to be known.
     AHEAD = 4
     #: How many control points a curve has at least.
     FEWEST = 4

@@ -135,7 +135,7 @@ def smallest_turn(before: Segment, behind: Segment) -> float:
 def distances(
     before: Joint, behind: Joint, turn: float, deviation: float, requested: tuple[float, float]
 ) -> tuple[float, float]:
-    """Return how far in front of the corner and behind it the curve begins and ends, mm.
+    """Return how far before the corner and after it the curve begins and ends, mm.
 
     ``deviation``: at the corner, both are as long as that allows; 0: they are ``requested``.
     """

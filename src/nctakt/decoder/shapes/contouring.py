@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Curves over corners that the realtime part does not round itself (``#CONTOUR MODE``, MO-3).
 
-The last stage of the decoder, behind the compensation of the tool's radius: commands in, commands
+The last stage of the decoder, after the compensation of the tool's radius: commands in, commands
 out. The realtime part rounds corners of two lines that meet without anything between them. Here are
-those with arcs, those with M and H functions, which act in front of the curve, at its interim point
-or behind it, and those whose curve begins and ends at different distances or has a given interim
+those with arcs, those with M and H functions, which act before the curve, at its interim point
+or after it, and those whose curve begins and ends at different distances or has a given interim
 point, and all under a transformation. A motion that contours is held until the next one arrives.
 """
 
@@ -55,11 +55,11 @@ NO_DISTANCE_MM = 1e-6
 #: How often a curve beside an arc is shortened at most until it keeps the deviation.
 MAX_STEPS = 12
 
-#: Maximum number of commands behind a held motion.
+#: Maximum number of commands after a held motion.
 MAX_BETWEEN = 1000
 
 _ACTIONS = TechnologyOutput | AwaitAcknowledge | SpindleJob | AwaitSpindle
-#: What may stand between two motions that a curve joins.
+#: What may come between two motions that a curve joins.
 _WITHOUT_CONTOUR = (
     _ACTIONS
     | BlockMark
@@ -75,7 +75,7 @@ _WITHOUT_CONTOUR = (
 
 @dataclass(slots=True)
 class _Held:
-    """A motion that contours, with what stands behind it.
+    """A motion that contours, with what comes after it.
 
     ``form``: the curve at its end. ``used``: what the curve at its begin has taken of it, mm.
     ``is_compensated``: it is a piece of a compensated contour. ``standing``: the axes at its end
@@ -92,7 +92,7 @@ class _Held:
 
     @property
     def has_actions(self) -> bool:
-        """Whether M or H functions stand behind the motion."""
+        """Whether M or H functions come after the motion."""
         return any(isinstance(command, _ACTIONS) for command in self.between)
 
     def joins(self, segment: Segment, is_compensated: bool) -> bool:
@@ -116,7 +116,7 @@ class _Held:
 
 
 class Releasing(Protocol):
-    """The stage in front of this one."""
+    """The stage before this one."""
 
     @property
     def is_releasing(self) -> bool:
@@ -251,7 +251,7 @@ class Contouring:
             yield from self._release(held)
 
     def _release(self, held: _Held) -> Iterator[Command]:
-        """Yield a motion whose corner is left to the realtime part, and what stands behind it."""
+        """Yield a motion whose corner is left to the realtime part, and what comes after it."""
         segment = held.segment
         if held.form.is_own:
             segment = replace(segment, deviation=held.form.plain_deviation)
@@ -266,7 +266,7 @@ class Contouring:
     # --- the curve ------------------------------------------------------------------------------
 
     def _join(self, held: _Held, segment: Segment) -> Generator[Command, None, Segment]:
-        """Yield what stands up to the end of the curve between two motions; return the rest.
+        """Yield what comes up to the end of the curve between two motions; return the rest.
 
         Where no curve fits, the corner is left to the realtime part.
         """
@@ -330,7 +330,7 @@ class Contouring:
         )
 
     def _motions(self, half: list[cubics.Cubic], before: Segment, behind: Segment) -> list[Segment]:
-        """Return a half of the curve as motions of the block in front of the corner.
+        """Return a half of the curve as motions of the block before the corner.
 
         It is rapid only between rapid motions, and has the lower one of two feeds.
         """

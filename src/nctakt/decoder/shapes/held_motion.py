@@ -11,9 +11,9 @@ from nctakt.decoder.state.shape_commands import InsertCorner
 
 @dataclass(slots=True)
 class HeldMotion:
-    """A motion and the commands behind it; ``time_s``: the duration of its block under G93.
+    """A motion and the commands after it; ``time_s``: the duration of its block under G93.
 
-    ``corner``: what is inserted at its end, behind ``corner_at`` of these commands.
+    ``corner``: what is inserted at its end, after ``corner_at`` of these commands.
     """
 
     segment: Segment

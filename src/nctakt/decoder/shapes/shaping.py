@@ -3,7 +3,7 @@
 
 A stage between the decoder and the compensation of the tool's radius: commands in, commands out. A
 program that may insert chamfers or roundings has each motion held until the next one arrives; what
-stands between them waits behind it. A command that waits for the realtime part releases all motions
+comes between them is kept after it. A command that waits for the realtime part releases all motions
 before, so that nothing is inserted across it. In a spline the pieces of the curve take the place of
 the motions; arcs of an Akima spline stay, and the curve fits them at both ends.
 """
@@ -64,7 +64,7 @@ from nctakt.messages.splines import (
     NO_MOTION_BEHIND_SPLINE,
 )
 
-#: Maximum number of other commands behind a held motion; then nothing is inserted at its end.
+#: Maximum number of other commands after a held motion; then nothing is inserted at its end.
 MAX_BETWEEN = 1000
 
 _BEFORE = Text("in front of", "vor")
@@ -94,7 +94,7 @@ class Shaping:
 
     @property
     def needs_next(self) -> bool:
-        """Whether the next motion shapes what is held: behind a corner, or in a spline."""
+        """Whether the next motion shapes what is held: after a corner, or in a spline."""
         held = self._held
         return self._spline is not None or (held is not None and held.corner is not None)
 
@@ -170,7 +170,7 @@ class Shaping:
         return None
 
     def _hold(self, command: Command) -> Iterator[Command]:
-        """Keep a command behind the newest motion that is held."""
+        """Keep a command after the newest motion that is held."""
         newest = self._newest
         assert newest is not None
         newest.between.append(command)
@@ -213,7 +213,7 @@ class Shaping:
         yield from self._release(held, None)
 
     def _release(self, held: HeldMotion, inserted: Segment | None) -> Iterator[Command]:
-        """Yield a motion, then what stands behind it with what is inserted there."""
+        """Yield a motion, then what comes after it with what is inserted there."""
         yield from self._as_programmed(held.segment, held.span, held.time_s)
         self._before = held.segment
         self.is_releasing = True
@@ -241,7 +241,7 @@ class Shaping:
     # --- splines --------------------------------------------------------------------------------
 
     def _begin_spline(self, command: SplineBegin) -> Iterator[Command]:
-        """Begin a spline behind the motion before."""
+        """Begin a spline after the previous motion."""
         yield from self._finish()
         spline = Spline(self._values, self._path, command.kind, command.span)
         if command.kind != BSPLINE and command.start == TANGENTIAL and self._before is None:
@@ -259,11 +259,11 @@ class Shaping:
             yield from self._close_spline(None)
 
     def _waits_for_end(self, spline: Spline, end: SplineEnd) -> bool:
-        """Return whether the end of a spline depends on the motion behind it."""
+        """Return whether the end of a spline depends on the motion after it."""
         return end.end == TANGENTIAL and spline.last is not None and not spline.is_bspline
 
     def _vertex(self, spline: Spline, segment: Segment) -> Iterator[Command]:
-        """Process a motion while a spline is on, or the one behind it."""
+        """Process a motion while a spline is on, or the one after it."""
         if self._end is not None:
             yield from self._close_spline(segment)
             yield from self._segment(segment)
@@ -277,7 +277,7 @@ class Shaping:
             yield from self._release_pieces(held, pieces)
 
     def _pause(self, spline: Spline, arc: Segment) -> Iterator[Command]:
-        """Let the curve end at an arc, and another one begin behind it."""
+        """Let the curve end at an arc, and another one begin after it."""
         if spline.is_bspline:
             self._values.fail(ARC_IN_BSPLINE, self._path.span)
         end = SplineEnd(arc.source, arc.number, self._path.span, TANGENTIAL, ())
@@ -306,7 +306,7 @@ class Shaping:
             yield from self._release_pieces(held, pieces)
 
     def _release_pieces(self, held: HeldMotion, pieces: list[Segment]) -> Iterator[Command]:
-        """Yield the pieces of a motion, then what stands behind it."""
+        """Yield the pieces of a motion, then what comes after it."""
         for piece in pieces:
             yield from self._as_programmed(piece, held.span, 0.0)
         self._before = pieces[-1]
@@ -330,7 +330,7 @@ class Shaping:
     # --- chamfers and roundings -----------------------------------------------------------------
 
     def _corner(self, corner: InsertCorner) -> None:
-        """Keep what is inserted behind the held motion."""
+        """Keep what is inserted after the held motion."""
         if self._spline is not None:
             self._values.fail(CORNER_IN_SPLINE, corner.span, word=corner.word)
         held = self._held

@@ -56,7 +56,7 @@ def slope_of(segment: Segment, linear: Sequence[int], *, at_end: bool) -> list[f
 
 
 class Spline:
-    """A spline that begins behind a motion; ``span``: of the block that has switched it on."""
+    """A spline that begins after a motion; ``span``: of the block that has switched it on."""
 
     def __init__(self, values: Values, path: PathMotion, kind: str, span: Span) -> None:
         self._values = values

@@ -9,7 +9,7 @@ from nctakt.decoder.state.commands import Command
 
 @dataclass(frozen=True, slots=True)
 class Home(Command):
-    """An axis begins to move to its zero pulse, by so many mm or degrees with mm/s or degrees/s."""
+    """An axis begins to move to its zero pulse, by ``distance`` mm or degrees; ``speed``: per s."""
 
     axis: int
     distance: float
@@ -18,7 +18,7 @@ class Home(Command):
 
 @dataclass(frozen=True, slots=True)
 class Refer(Command):
-    """The place where an axis stands is this position, in mm or degrees."""
+    """The place where an axis is now is this position, in mm or degrees."""
 
     axis: int
     position: float

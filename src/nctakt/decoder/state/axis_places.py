@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The places of a channel, and the axes that stand at them: by their lists, and as exchanged.
+"""The places of a channel, and the axes at them: by their lists, and as exchanged.
 
 A place is an index into the positions of the path; 0 … 2 are those of the main axes. A place
 without an axis has a name that no program can write, and an axis that never moves.
@@ -112,7 +112,7 @@ class ChannelPlaces:
         return self.names[slot]
 
     def is_free(self, slot: int) -> bool:
-        """Return whether no axis stands at a place at this moment of decoding."""
+        """Return whether no axis is at a place at this moment of decoding."""
         return self.present[slot] is None
 
     def lacks_any(self, indices: Iterable[int]) -> bool:

@@ -145,7 +145,7 @@ class WriteVariable(Command):
 class WriteText(Command):
     """As ``WriteVariable``, for a part of a character string.
 
-    The characters ``data`` stand from byte ``first`` of the variable on, then come ``zeros``.
+    The characters ``data`` go into the variable from byte ``first`` on, then come ``zeros``.
     """
 
     cell: int
@@ -201,7 +201,7 @@ class SetTurn(Command):
 
 @dataclass(frozen=True, slots=True)
 class SetTransformation(Command):
-    """A map is active from here on, 0: none; ``of_segments``: that of the motions behind it."""
+    """A map is active from here on, 0: none; ``of_segments``: that of the motions after it."""
 
     map_number: int
     of_segments: int
@@ -245,7 +245,7 @@ class UserErrorStop(Command):
 
 @dataclass(frozen=True, slots=True)
 class Flush(Command):
-    """The path stands before what follows is taken; ``waits``: the decoder, too (RC-005)."""
+    """The path comes to rest before what follows is taken; ``waits``: the decoder, too (RC-005)."""
 
     waits: bool
     reason: int = 0
@@ -254,14 +254,14 @@ class Flush(Command):
 
 @dataclass(frozen=True, slots=True)
 class ReadRealtime(Command):
-    """The decoder waits for the value of a cell when the path stands (RC-308)."""
+    """The decoder waits for the value of a cell when the path is at rest (RC-308)."""
 
     cell: int
 
 
 @dataclass(frozen=True, slots=True)
 class PositionRequest(Command):
-    """The decoder waits for the path's positions when it stands, and ``axes`` too (RC-409).
+    """The decoder waits for the path's positions when it is at rest, and ``axes`` too (RC-409).
 
     ``axes``: numbers in the machine.
     """
@@ -283,7 +283,7 @@ class ProgramStop(Command):
 
 @dataclass(frozen=True, slots=True)
 class GiveUp(Command):
-    """Behind what was prepared the channel stops with an error of the decoder."""
+    """After what was prepared the channel stops with an error of the decoder."""
 
     message: int
 
@@ -306,7 +306,7 @@ WAIT_FLUSH, WAIT_READ, WAIT_POSITIONS, WAIT_WRITE = range(4)
 
 @dataclass(frozen=True, slots=True)
 class WaitMark(Command):
-    """Why the command behind it empties the channel; ``cell``: the variable, 0 for none."""
+    """Why the command after it empties the channel; ``cell``: the variable, 0 for none."""
 
     reason: int
     cell: int
@@ -339,8 +339,8 @@ class LoopEnd(Command):
 class FixedStop(Command):
     """``X[FIXED_STOP ON|OFF …]`` for the axis at this place of the channel.
 
-    ``limit``: mm or degrees between command and actual position, for so many ``ticks``. ``begin``,
-    ``end``: parts of the way. ``needed``: an axis that finds no stop is an error.
+    ``limit``: mm or degrees between command and actual position, for this many ``ticks``.
+    ``begin``, ``end``: parts of the way. ``needed``: an axis that finds no stop is an error.
     """
 
     axis: int
@@ -359,7 +359,7 @@ class FixedStopEnd(Command):
 
 @dataclass(frozen=True, slots=True)
 class Measure(Command):
-    """The next motion looks for an edge; ``function`` goes out ``residual`` mm behind it."""
+    """The next motion looks for an edge; ``function`` goes out ``residual`` mm after that."""
 
     function: int
     ticks: int
@@ -374,7 +374,7 @@ class MeasureEnd(Command):
 
 @dataclass(frozen=True, slots=True)
 class ClearHistory(Command):
-    """Nothing in front of this is walked back (``#BACKWARD STORAGE CLEAR``)."""
+    """Nothing before this is walked back (``#BACKWARD STORAGE CLEAR``)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -401,7 +401,7 @@ class SendSignal(Command):
 class AwaitSignal(Command):
     """``#WAIT SYN`` for a signal from the channels of a mask, 0: a broadcast.
 
-    ``overtakes``: also one that its sender has sent behind others.
+    ``overtakes``: also one that its sender has sent after others.
     """
 
     signal: int

@@ -56,8 +56,8 @@ class Placement:
 class LowerOffsets:
     """The offsets of the coordinates below a system, by axis and kind, in mm or degrees.
 
-    ``shift``: their sum by axis without the tool's. ``axis_count``: only those of so many first
-    axes begin anew in the system (P-CHAN-00397).
+    ``shift``: their sum by axis without the tool's. ``axis_count``: only those of this many
+    axes, counted from the first, begin anew in the system (P-CHAN-00397).
     """
 
     values: SavedOffsets
@@ -254,7 +254,7 @@ class CoordinateSystems:
             matrix = _product(matrix, system.placement.matrix)
         self._origin, self._matrix = origin, matrix
         for axis, value in zip(self._axes, origin, strict=True):
-            if axis >= 0:  # an axis stands at the place
+            if axis >= 0:  # an axis is at the place
                 yield SetOrigin(source, number, axis, value)
         first, second, third = self._axes[:3]
         yield SetTurn(source, number, (first, second, third), matrix if self.is_active else ())

@@ -85,7 +85,7 @@ class DecoderEnvironment:
 
 
 class DecodeError(Exception):
-    """Decoding cannot continue; the program ends behind the prepared blocks."""
+    """Decoding cannot continue; the program ends after the prepared blocks."""
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         super().__init__(diagnostic.headline())

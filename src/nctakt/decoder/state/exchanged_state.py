@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The modal state behind an exchange of axes: what a program said of an axis goes with it."""
+"""The modal state after an exchange of axes: what a program said of an axis goes with it."""
 
 from __future__ import annotations
 

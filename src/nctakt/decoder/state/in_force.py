@@ -12,7 +12,7 @@ from nctakt.nc.vocabulary.functions import NUMBERED_ZERO_OFFSET, ZERO_OFFSETS
 class InForce:
     """``functions``: the modal G functions in ascending order; ``tool``: the latest T, 0 without.
 
-    A zero offset that G159 selects stands among the functions as 159.
+    A zero offset that G159 selects is among the functions as 159.
     """
 
     functions: tuple[int, ...]

@@ -39,7 +39,7 @@ def _lower(
 
 @dataclass(frozen=True, slots=True)
 class SetLimits(Command):
-    """The limits of all axes and of the path for the segments behind it; no row of the queue.
+    """The limits of all axes and of the path for the segments after it; no row of the queue.
 
     ``feed`` and ``rapid``: the limits of the path from ``rows.VECTOR_SPEED`` on, 0 none.
     ``is_reduced``: they are not those of the lists. ``rounded_part`` and ``max_bend``: how corners

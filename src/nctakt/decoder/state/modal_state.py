@@ -103,7 +103,7 @@ class CompensationState:
     def take_tangent(
         self, segment: Segment, plane: tuple[int, int], before: float, behind: float
     ) -> Tangent | None:
-        """Return the arc of a motion behind G05 that changes the distance of the tool.
+        """Return the arc of a motion after G05 that changes the distance of the tool.
 
         ``before`` and ``behind``: the distances in mm to the left.
         """

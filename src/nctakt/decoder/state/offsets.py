@@ -165,7 +165,7 @@ class ActiveOffsets:
     ) -> tuple[list[float], int]:
         """Return programmed positions as those of the axes, or the other way round.
 
-        In between lie the offsets, a ``system`` that is not active, and a map; the axes stand at
+        In between lie the offsets, a ``system`` that is not active, and a map; the axes are at
         ``near``. Returns ``REACHED`` as well, or why no position leads there.
         """
         systems = CoordinateSystems(self._axes)

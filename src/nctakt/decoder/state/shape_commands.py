@@ -56,7 +56,7 @@ Vector = tuple[tuple[int, float], ...]
 
 @dataclass(frozen=True, slots=True)
 class SplineBegin(ShapeCommand):
-    """``#SPLINE ON``: the motions behind it are vertices of a spline of this ``kind``.
+    """``#SPLINE ON``: the motions after it are vertices of a spline of this ``kind``.
 
     ``start``: how it begins, ``vector``: with which direction.
     """

@@ -12,7 +12,7 @@ from nctakt.base.dataclass import dataclass
 class SpindleGear:
     """The limits of one gear step: degrees per second (highest, rapid), per s², per s³ (0: none).
 
-    ``change_position``: where the spindle stands while the step is left, in degrees.
+    ``change_position``: where the spindle is while the step is left, in degrees.
     """
 
     speed_v: float

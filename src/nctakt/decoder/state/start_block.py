@@ -12,7 +12,7 @@ from nctakt.decoder.state.commands import Command
 class SingleStep(Command):
     """Single block has no effect from here on, or again (``#SINGLE STEP``).
 
-    ``resolution``: it stops in front of blocks whose numbers are multiples of this, 0: of all;
+    ``resolution``: it stops before blocks whose numbers are multiples of this, 0: of all;
     ``None``: as before, and whether it is disabled counts.
     """
 
@@ -43,7 +43,7 @@ class StartBlock:
 
 @dataclass(frozen=True, slots=True)
 class StartReached(Command):
-    """The start block begins here, behind what the search leaves out; it ends in the search.
+    """The start block begins here, after what the search leaves out; it ends in the search.
 
     ``span``: the block. ``positions``: where the program has the axes. ``uncertain``: the axes that
     realtime cycles may have moved since, which stay where they are. ``steps``: the gear step that

@@ -60,7 +60,7 @@ _LINEAR_AXES = 3
 #: Degrees per second are 1000 of the tool list's units.
 _SPEED_UNITS = 1000.0
 
-#: The largest number behind T or D; the code of a T function has no room for more.
+#: The largest number after T or D; the code of a T function has no room for more.
 MAX_TOOL_NUMBER = 999_999_999
 
 

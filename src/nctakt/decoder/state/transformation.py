@@ -191,7 +191,7 @@ class ActiveTransformation:
     def map_of_length(self, kinematic: Kinematic, difference: float) -> int:
         """Return the number of the map that shifts the linear axes along the tool, by mm.
 
-        The tool is turned by the rotary axes behind the linear ones, about its clamp.
+        The tool is turned by the rotary axes after the linear ones, about its clamp.
         """
         chain = self.kinematics.chain(kinematic)
         last = max(k for k, joint in enumerate(chain.joints) if not joint.is_rotary)

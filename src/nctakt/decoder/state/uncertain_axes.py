@@ -142,7 +142,7 @@ class UncertainAxes:
         (self._uncertain if anywhere else self._independent)[axis] = None
 
     def of_program(self, axes: Iterable[str]) -> tuple[str, ...]:
-        """Return those of these axes that nobody but the program moves beside the path."""
+        """Return those of these axes that no one but the program moves beside the path."""
         return tuple(
             axis for axis in axes if axis in self._independent and axis not in self._uncertain
         )

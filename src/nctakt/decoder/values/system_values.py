@@ -269,7 +269,7 @@ class SystemValues:
         return kinematic
 
     def _indices_of_kinematic(self, variable: Variable, system: SystemVariable) -> tuple[int, ...]:
-        """Return the indices behind that of the kinematic."""
+        """Return the indices after that of the kinematic."""
         sizes = ENTRIES.get(system.subject, (MAX_BASE,))
         if system.subject == PARAMETER:
             sizes = (MAX_PARAMETERS,)

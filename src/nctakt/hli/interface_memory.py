@@ -188,12 +188,12 @@ def _in_order(root: str) -> tuple[tuple[Slot, ...], tuple[int, ...]]:
 
 
 class AreaShape:
-    """What stands behind one pointer, such as ``gpCh[0]``, and what it shows.
+    """What is behind one pointer, such as ``gpCh[0]``, and what it shows.
 
     ``prefix``: that of the names of its channel in the session. ``axes``: the names of a channel's
     axes, or that of the axis itself. ``spindle``: the spindle that the axis turns; empty: none.
     ``channel``: number of the channel whose functions it shows; 0: none. ``elsewhere``: axes and
-    spindles whose functions stand at their own pointers.
+    spindles whose functions are at their own pointers.
     """
 
     def __init__(
@@ -397,7 +397,7 @@ class Area:
         """Return whether an axis has one of its releases."""
         enable, command = (self._slot(f"{unit}.{one}") for one in ("enable_w", "command_w"))
         if not self._get(self._present) and (not self._has_script or not self._get(enable)):
-            return True  # nobody is there to release it, or a script that does not care
+            return True  # no one is there to release it, or a script that does not care
         return bool(self._get(enable) and self._get(command))
 
     def _mode_state(self, values: Mapping[str, Scalar]) -> float:
@@ -653,7 +653,7 @@ def _packed(slot: Slot, value: Scalar) -> float | bytes:
 
 
 def shapes(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[AreaShape]]:
-    """Return what stands behind all pointers; ``prefixes``: of each channel's names."""
+    """Return what is behind all pointers; ``prefixes``: of each channel's names."""
     listed = {axis.logical_number for axis in machine.axes}
     turned: dict[int, tuple[str, str, int]] = {}
     moved: dict[int, tuple[str, int]] = {}

@@ -119,7 +119,7 @@ class Entry:
 
 @dataclass(frozen=True, slots=True)
 class Structure:
-    """A structure of values; ``units``: names of the arrays of ``UNIT`` behind them.
+    """A structure of values; ``units``: names of the arrays of ``UNIT`` after them.
 
     ``is_command``: the PLC writes it; the CNC writes all others.
     """
@@ -446,7 +446,7 @@ COMMAND = Structure(
     is_command=True,
 )
 
-#: The operator's command of a spindle; its cell is behind the spindle's signals.
+#: The operator's command of a spindle; its cell comes after the spindle's signals.
 SPINDLE_OVERRIDE = Entry(
     "override",
     "REAL64",

@@ -82,7 +82,7 @@ def _entries_end(structure: Structure) -> int:
 
 
 def fill_up_of(structure: Structure) -> int:
-    """Return the bytes behind the last value of a structure, up to a multiple of 8."""
+    """Return the bytes after the last value of a structure, up to a multiple of 8."""
     *_, last = entries(structure)
     return -(last.offset + last.size_bytes) % 8
 

@@ -58,7 +58,7 @@ _COMMANDS = {PREFIX + entry.name.upper(): entry for entry in PANEL}
 _SHOWN = {PREFIX + entry.name.upper(): entry for entry in LAMPS}
 #: M19: 0 the shorter way, 1 forward, 2 back.
 _DIRECTIONS = (0, 1, -1)
-#: The sense of turning behind a job: M4 turns backward, behind M5 and M19 a spindle stands.
+#: The sense of turning after a job: M4 turns backward, after M5 and M19 a spindle is at rest.
 _SENSES = {3: 1.0, 4: -1.0}
 _FAMILY = "V.E."
 _MAX_DIGITS = 9

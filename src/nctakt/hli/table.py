@@ -661,7 +661,7 @@ def search(text: str) -> list[Element]:
 
 
 def continuations(text: str) -> list[Element]:
-    """Return what may come behind the last dot of the beginning of a path; none of an unknown one.
+    """Return what may come after the last dot of the beginning of a path; none of an unknown one.
 
     Without a dot: what the pointers are called.
     """

@@ -31,7 +31,7 @@ class NamedVariable:
 
     @property
     def end(self) -> int:
-        """The offset of the byte behind it."""
+        """The offset of the byte after it."""
         return self.offset + self.size_bytes * max(1, self.count)
 
 

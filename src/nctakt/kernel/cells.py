@@ -39,7 +39,7 @@ from __future__ import annotations
 SYSTEM_ACT_POS, SYSTEM_CUR_POS, SYSTEM_CMD_POS, SYSTEM_DIST_TO_GO, SYSTEM_CELLS = range(5)
 
 #: Cells of a channel, in the order of ``CHANNEL_VARIABLES`` in
-#: ``nc/vocabulary/realtime_variables.py``; the timers stand at the end.
+#: ``nc/vocabulary/realtime_variables.py``; the timers are at the end.
 (
     CHANNEL_OVERRIDE_VEL_CYCLE,
     CHANNEL_OVERRIDE_VEL_TOTAL,

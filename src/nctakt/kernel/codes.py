@@ -2,7 +2,7 @@
 """The numbers that say what something is or does in the realtime part: kinds, states, actions.
 
 ``codes.pxd`` has the same names as constants of C; ``scripts/constants`` writes it from this file.
-The numbers of rows and cells stand in ``rows.py``.
+The numbers of rows and cells are in ``rows.py``.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ APPROACH, FORTH, BACK = range(3)
 #: How an oscillation ends: at its second position, at once at another speed to it, at once.
 FINISHES, RETURNS, HALTS = range(3)
 
-#: How a command of independent motion begins: instead of the present motion, behind it.
+#: How a command of independent motion begins: instead of the present motion, after it.
 ABORTING, BUFFERED = range(2)
 
 #: Directions of independent motion: as now, or of modulo axes the shorter one.
@@ -114,7 +114,7 @@ NEGATIVE, PRESENT, POSITIVE, SHORTEST = range(-1, 3)
     SYNCHRONIZED_MOTION,  # the axis belongs to the path
 ) = range(1, 7)
 
-#: The state of an axis for a position request (RC-409); in the last two it never stands.
+#: The state of an axis for a position request (RC-409); in the last two its motion never ends.
 STANDS, MOVES_STILL, MOVES_ENDLESSLY, IS_HELD = range(4)
 
 #: The code of T0; those of M functions are below it, those of H functions below 0.

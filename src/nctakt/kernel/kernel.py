@@ -60,7 +60,7 @@ class Lane:
 
 
 class ChannelLane(Lane):
-    """One channel and those behind it."""
+    """One channel and those after it."""
 
     def __init__(self, channel: Channel, record: Record, number: int, others: Lane) -> None:
         self.channel = channel

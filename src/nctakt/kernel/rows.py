@@ -10,7 +10,7 @@ from __future__ import annotations
 
 # --- commands of the queue ------------------------------------------------------------------------
 
-#: The first columns of each command; what a kind needs stands from ``ARGUMENTS`` on.
+#: The first columns of each command; what a kind needs comes from ``ARGUMENTS`` on.
 (
     KIND,  # one of the kinds below
     SOURCE,  # where in the program's text it comes from, a number of ``base/source_ids.py``
@@ -20,8 +20,8 @@ from __future__ import annotations
 
 #: Kinds of commands, in ``KIND``; 0 is none.
 (
-    SEGMENT,  # the path moves; its columns stand below
-    DWELL,  # the path stands
+    SEGMENT,  # the path moves; its columns are below
+    DWELL,  # the path is at rest
     DEFINE_CYCLE,  # a realtime cycle is defined, and started
     CONTROL_CYCLE,  # START, HOLD, CONTINUE, ABORT ACTION, DELETE
     TECHNOLOGY,  # an M, H or T function goes to the PLC
@@ -29,9 +29,9 @@ from __future__ import annotations
     WRITE_VARIABLE,  # a number goes into a cell
     WRITE_TEXT,  # part of a character string goes into its cells
     MESSAGE,  # #MSG
-    FLUSH,  # waits until the path stands
-    READ,  # waits until the path stands, and answers with the value of a cell
-    POSITIONS,  # waits until the path and some axes stand: a position request
+    FLUSH,  # waits until the path is at rest
+    READ,  # waits until the path is at rest, and answers with the value of a cell
+    POSITIONS,  # waits until the path and some axes are at rest: a position request
     PROGRAM_END,  # M30
     GIVE_UP,  # the channel stops with an error of the decoder
     USER_ERROR,  # #ERROR; its values follow as commands of their own
@@ -67,7 +67,7 @@ from __future__ import annotations
     TOUCH,  # the next motion measures with a touch probe (G100)
     TOUCH_END,  # the motion that measures is over
     HOME,  # an axis begins to move to its zero pulse (G74)
-    REFER,  # the position where an axis stands
+    REFER,  # the position where an axis is
     SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
     SINGLE_STEP,  # #SINGLE STEP
     COUPLE,  # an axis follows another one from here on, or no longer
@@ -130,7 +130,7 @@ CYCLE_SLOT, CYCLE_STARTS = _arguments(2)  # slot of the cycle manager; 1: starte
     TEXT_CELL,  # first cell of the string
     TEXT_FIRST,  # byte of the string where the characters go
     TEXT_COUNT,  # number of characters
-    TEXT_ZEROS,  # number of zeros behind them
+    TEXT_ZEROS,  # number of zeros after them
     TEXT_CHARACTERS,  # the first character; the others follow
 ) = _arguments(5)
 (MESSAGE_TEXT,) = _arguments(1)  # number of the text
@@ -139,7 +139,7 @@ CYCLE_SLOT, CYCLE_STARTS = _arguments(2)  # slot of the cycle manager; 1: starte
     READ_CELL,  # READ
 ) = _arguments(2)
 (
-    POSITIONS_COUNT,  # number of the axes that have to stand, too
+    POSITIONS_COUNT,  # number of the axes that have to be at rest, too
     POSITIONS_AXES,  # the first of their numbers in the machine; the others follow
 ) = range(READ_CELL, READ_CELL + 2)
 (PROGRAM_NUMBER,) = _arguments(1)  # PROGRAM_END
@@ -208,7 +208,7 @@ LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
 ) = _arguments(4)
 (
     TRANSFORMATION_NUMBER,  # of its map; 0: none
-    TRANSFORMATION_OF_SEGMENTS,  # the map of the segments behind it; 0: they are those of the axes
+    TRANSFORMATION_OF_SEGMENTS,  # the map of the segments after it; 0: they are those of the axes
 ) = _arguments(2)
 (STOP_IS_OPTIONAL,) = _arguments(1)  # PROGRAM_STOP: M01
 (
@@ -236,7 +236,7 @@ LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
     TOUCH_PART,  # share of the block's length where the simulated probe touches; below 0: nowhere
     TOUCH_TICKS,  # ticks until it does, below 0: it does not
     TOUCH_LEVEL,  # value of HLI.PROBE that is the signal; or ``codes.FIXED_STOP_SIGNAL``
-    TOUCH_CONTINUES,  # 1: the motion continues to its target behind the signal (G106)
+    TOUCH_CONTINUES,  # 1: the motion continues to its target after the signal (G106)
     TOUCH_IS_NEEDED,  # 1: a signal that does not come is an error
     TOUCH_MAY_BE_PRESSED,  # 1: a probe that is pressed at the start ends the block there
 ) = _arguments(6)
@@ -318,13 +318,13 @@ FED_AXIS, FED_SHARE = _arguments(2)  # FEED_FORWARD: number in the machine
     ACCELERATION,  # /s²
     JERK,  # /s³, 0 without a limit of the jerk
     # from one segment to the next
-    PREDECESSOR,  # how many commands before it the segment stands that it continues; 0: none
+    PREDECESSOR,  # how many commands back the segment is that it continues; 0: none
     CORNER_SPEED,  # /s, at which its end may be passed
     END_SPEED,  # /s at its end
     MAX_END_SPEED,  # /s at its end without regard to feeds
     NEXT_SPEED,  # ``SPEED`` of the next segment, 0: none; before it is known that at its end (E)
     NEXT_IGNORES_OVERRIDE,  # ``IGNORES_OVERRIDE`` of the next segment
-    REMAINING_LENGTH,  # in the path: of its block behind it, with a limit of the jerk
+    REMAINING_LENGTH,  # in the path: of its block after it, with a limit of the jerk
     REMAINING_SPEED,  # in the path: highest speed from which its block ends at a standstill
     # zones beside corners, where part of the acceleration is kept in reserve
     ENTRY_LENGTH,
@@ -347,7 +347,7 @@ FED_AXIS, FED_SHARE = _arguments(2)  # FEED_FORWARD: number in the machine
     GOAL_ACCELERATION,  # on this length
     GOAL_JERK,
     GOAL_KIND,  # ``LIMIT_GOAL`` …
-    CARRIED_ACCELERATION,  # that the segments behind it allow on it
+    CARRIED_ACCELERATION,  # that the segments after it allow on it
     CARRIED_JERK,
     # the rounding that follows, with a limit of the jerk
     ROUNDING_LENGTH,  # 0: none
@@ -358,8 +358,8 @@ FED_AXIS, FED_SHARE = _arguments(2)  # FEED_FORWARD: number in the machine
     # … last two of a cubic: its inner control points
 ) = range(ARGUMENTS, ARGUMENTS + 61)
 
-#: Pieces of an arc of 3° or more, of which the first and the last one are divided further: so many
-#: more there are for that, and at most so many in all.
+#: Pieces of an arc of 3° or more, of which the first and the last one are divided further:
+#: ``MORE_PIECES`` more for that, and at most ``MAX_PIECES`` in all.
 MORE_PIECES = 6
 MAX_PIECES = 126
 
@@ -376,7 +376,7 @@ POSITIONS_OF_AXIS = 4
     ARC_WIDTH,
 ) = range(6)
 
-#: A pace by itself: the columns of a segment from ``SPEED_OVERRIDE`` on; so many.
+#: A pace by itself: how many columns of a segment it has, from ``SPEED_OVERRIDE`` on.
 PACE_WIDTH = 7
 
 #: Limits of ``#VECTOR LIMIT``, of feed blocks and of rapid ones each.
@@ -421,7 +421,7 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_WIDTH,
 ) = range(9)
 
-#: Kinds of events; at each what stands from ``EVENT_A`` on, and in the subject if it is no cycle.
+#: Kinds of events; at each what comes from ``EVENT_A`` on, and in the subject if it is no cycle.
 (
     EVENT_CREATED,  # scope (``codes.BLOCK_SCOPE`` …)
     EVENT_STARTED,
@@ -451,7 +451,7 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_BLOCK,  # subject: number of the block; tick in which it was decoded, open calls, depth
     EVENT_WAIT,  # subject: reason; cell; the source is what waits
     EVENT_LOOP,  # subject: ``LOOP_BEGUN`` …; the source is the loop
-    EVENT_PROBED,  # length that is left of the block behind the joint
+    EVENT_PROBED,  # length that is left of the block after the joint
     EVENT_FIXED_STOP,  # axis, position; the source is its command
     EVENT_RETRACED,  # subject: ``RETRACE_BACKWARD`` …; the source is the block
     EVENT_PAUSED,  # the source is what waits
@@ -498,7 +498,7 @@ MOTION_HELD, MOTION_CONTINUED, MOTION_STOPPED = range(3)
     PROBE_NUMBER,  # of the condition, branch or cycle
     PROBE_LEFT,  # the two sides of a condition
     PROBE_RIGHT,
-    PROBE_NEXT_TICK,  # of a series: the tick behind the last one of the series before, -1: none
+    PROBE_NEXT_TICK,  # of a series: the tick after the last one of the series before, -1: none
     PROBE_WIDTH,
 ) = range(7)
 

@@ -42,7 +42,7 @@ UNREAD = {
     "PathAxes": ("history_rows",),
     "Record": ("events", "probes", "rows"),
 }
-#: Where expressions and statements of cycles stand: they do not change, except these.
+#: Where expressions and statements of cycles are: they do not change, except these.
 TREES = ("nctakt.kernel.cycles.", "nctakt.kernel.st.")
 CHANGING_IN_TREES = (
     "AxisReleases", "ChannelRecords", "CncInterface", "Combination", "Condition", "Connection",

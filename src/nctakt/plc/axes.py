@@ -156,7 +156,7 @@ class MC_Halt(AxisBlock):
     """MC_Halt: brakes any motion to a standstill; the axis accepts commands meanwhile."""
 
     def __call__(self, hli: PlcView, *, execute: bool) -> None:
-        """``done`` when the axis stands, ``command_aborted`` if it moves again before."""
+        """``done`` when the axis is at rest, ``command_aborted`` if it moves again before."""
         self._call(hli, execute, codes.HALT, 0.0, 0.0, 0, SHORTEST)
 
     def _look(self, hli: PlcView) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Places in the source of a PLC's class, for diagnostics about it.
 
-In: a class, a member of it. Out: where it stands; nothing where the source is not available, in an
+In: a class, a member of it. Out: where it is; nothing where the source is not available, in an
 interactive session for example.
 """
 
@@ -18,7 +18,7 @@ from nctakt.run.conditions import CONDITION_COLUMN
 def condition_mistake(kind: type, member: str, text: str, mistake: Diagnostic) -> Diagnostic:
     """Return a mistake in a condition with its place in the file of the class.
 
-    Where the text does not stand there as it is, the place is that in the text.
+    Where the text is not there word for word, the place is that in the text.
     """
     span = mistake.span
     begin, end = (0, len(text)) if span is None else (span.column, span.end_column)

@@ -303,7 +303,7 @@ class StructuredPlc(RealtimePlc):
         return self.program.files
 
     def span_of(self, start: int) -> Span | None:
-        """Return where a statement stands, by its number in events."""
+        """Return where a statement is, by its number in events."""
         return _span(self.program, start)
 
     def _bind_axes(self, machine: AssembledMachine) -> None:

@@ -222,7 +222,7 @@ class AssembledMachine:
         return list(map(self.axes.positions().__getitem__, self.assembled[channel].members))
 
     def path_stands(self, channel: int = 0) -> bool:
-        """Return whether the channel's path stands."""
+        """Return whether the channel's path is at rest."""
         return bool(self.channels[channel].path.has_stopped())
 
     def stands(self) -> bool:

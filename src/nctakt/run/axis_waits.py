@@ -2,7 +2,7 @@
 """Programs that wait for axes of other channels: for whom, and which line would free them.
 
 In: the channels of a machine, and what its programs fetch and give (``AxisUse``). Out: texts for
-``deadlocks.py``, and before the first tick a warning for each axis that nobody gives.
+``deadlocks.py``, and before the first tick a warning for each axis that no one gives.
 """
 
 from __future__ import annotations

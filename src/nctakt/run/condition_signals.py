@@ -22,7 +22,7 @@ def with_condition_signals(
     programs: Mapping[int, Sequence[LoadedProgram]],
     machine: AssembledMachine,
 ) -> list[str]:
-    """Return ``names`` and behind them the further signals that conditions of programs read."""
+    """Return ``names`` followed by the further signals that conditions of programs read."""
     of_cell: dict[int, str] = {}
     for name, (cell, *_) in machine.signals().items():
         of_cell.setdefault(cell, name)

@@ -345,7 +345,7 @@ class Controller:
 
     @alone
     def reset(self, channel: int | None = None) -> None:
-        """Reset one channel or all of them (RC-007); run until they stand, at least one tick."""
+        """Reset one channel or all of them (RC-007); run until at rest, at least one tick."""
         channels = self._loop.channels
         self._loop.reset(channels if channel is None else [channels[self._index(channel)]])
 
@@ -456,7 +456,7 @@ class Controller:
         return program_loader.load(program, self._machine, self.diagnostics, self._index(channel))
 
     def plan(self, inputs: Sequence[Input]) -> None:
-        """Plan further inputs of a run that has begun, behind those of their ticks."""
+        """Plan further inputs of a run that has begun, after those of their ticks."""
         self._machine.inputs.add(inputs)
 
     def begin(

@@ -2,8 +2,8 @@
 """Programs that wait for each other: who for whom, since when, and what would free them.
 
 In: the channels of a machine, and what its programs send and give (``SignalUse``, ``AxisUse``).
-Out: diagnostics: a warning for a signal that nobody sends, before the first tick; an error for each
-channel that waits for ever. ``axis_waits.py`` has what concerns axes.
+Out: diagnostics: a warning for a signal that no one sends, before the first tick; an error for each
+channel that waits forever. ``axis_waits.py`` has what concerns axes.
 """
 
 from __future__ import annotations

@@ -173,7 +173,7 @@ def _assigned_value(report: _Report) -> _Values:
 
 
 def _array(event: Event, machine: AssembledMachine) -> str:
-    """Return the array whose index stands at the position of the event."""
+    """Return the array whose index is at the position of the event."""
     assert event.span is not None
     before = machine.files.line_at(event.span)[: event.span.column - 1]
     match = re.search(r"[\w.\]\[]+(?=\[\s*$)", before)

@@ -56,7 +56,7 @@ class EventRegistry:
         self._past_bodies: Counter[BranchKey] = Counter()
         self._meant_aborts: set[int] = set()
         self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
-        #: Where a statement of the PLC in the tick stands, by its number.
+        #: Where a statement of the PLC in the tick is, by its number.
         self.plc_span: Callable[[int], Span | None] | None = None
 
     # --- names of events ------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a PLC has written into the image of the HLI, by names, so that it can stand on a tape.
+"""What a PLC has written into the image of the HLI, by names, so that it can go on a tape.
 
 In: the layout of a machine's image, its bytes. Out: names and bytes, as hexadecimal digits, of what
 the PLC has changed since the image was published; and such bytes put into an image again:

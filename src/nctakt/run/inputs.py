@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 #: The kinds of inputs, beside ``WRITE``.
 ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "ack", "ack_spindle", "axis"
 IMAGE, SELECT = "image", "select"
-#: What a schedule on a real clock has decided: a channel had so many further commands decoded, a
+#: What a schedule on a real clock has decided: a channel had this many further commands decoded, a
 #: thread was still busy when it was due, the tick was lost.
 DECODED, OVERFLOWED, LOST = "decoded", "overflowed", "lost"
 
@@ -168,7 +168,7 @@ class Inputs:
     # --- the listener ---------------------------------------------------------------------------
 
     def listen(self, listener: InputListener | None) -> None:
-        """Let this listener, or nobody, learn of the inputs from now on."""
+        """Let this listener, or no one, learn of the inputs from now on."""
         self.hand_over()
         self._listener = listener
         self._notes.is_listening = listener is not None
@@ -182,7 +182,7 @@ class Inputs:
 
     @property
     def are_silent(self) -> bool:
-        """Whether nothing is planned and nobody listens."""
+        """Whether nothing is planned and no one listens."""
         return self._listener is None and not self._planned
 
     @property
@@ -197,7 +197,7 @@ class Inputs:
         self._planned = deque(inputs)
 
     def add(self, inputs: Iterable[Input]) -> None:
-        """Plan further inputs, each behind those of its tick and source."""
+        """Plan further inputs, each after those of its tick and source."""
         self._planned = deque(sorted([*self._planned, *inputs], key=in_order))
 
     def check(self, planned: Input) -> None:

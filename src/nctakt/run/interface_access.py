@@ -135,7 +135,7 @@ def range_name(pointer: str, offset: int, size: int) -> str:
 class InterfaceAccess:
     """The interface of a machine by paths and by ranges of bytes; one for all who play its PLC.
 
-    It is state of the run: what is written into it is an input like any other, and stands on the
+    It is state of the run: what is written into it is an input like any other, and is on the
     tape under the name that it was written by.
     """
 

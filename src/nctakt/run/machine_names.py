@@ -2,7 +2,7 @@
 """The names of a machine: its variables, signals and operator's values, and their cells.
 
 In: ``Machine``. Out: ``MachineNames``, worked out once for a machine that is loaded, however many
-controllers are made of it. What stands in the cells belongs to each controller alone.
+controllers are made of it. What is in the cells belongs to each controller alone.
 """
 
 from __future__ import annotations

@@ -22,7 +22,7 @@ _T = TypeVar("_T")
 
 
 class OneAtATime:
-    """A lock that one thread at a time has; ``begin`` and ``end`` stand around its methods."""
+    """A lock that one thread at a time has; ``begin`` comes before a method, ``end`` after it."""
 
     def __init__(self) -> None:
         lock = threading.RLock()

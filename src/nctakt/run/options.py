@@ -57,7 +57,7 @@ class UnknownOptionError(TypeError):
 
 
 class ProgramOptions(TypedDict, total=False):
-    """The options that data can say: they are the same behind every front end."""
+    """The options that data can say: they are the same for every front end."""
 
     set: Mapping[str, float | str] | None
     at: Sequence[StimulusLike]

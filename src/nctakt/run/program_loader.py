@@ -304,7 +304,7 @@ def load(
         lines = machine.file_access.read_lines(arguments.path("program", program))
     loaded = _load(machine, channel, name_of(program), lines, collector, {})
     fetched = loaded.late_names()
-    if fetched:  # a file behind the one that uses them fetches them
+    if fetched:  # a file that comes after the one that uses them fetches them
         collector = Collector()
         loaded = _load(machine, channel, name_of(program), lines, collector, fetched)
     loaded.finish(collector.diagnostics)

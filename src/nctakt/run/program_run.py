@@ -263,7 +263,7 @@ class ProgramRun:
                 )
                 self.state = worst_state(channels, "limit")
                 return
-            # A path that brakes ends the run in the tick in which it stands.
+            # A path that brakes ends the run in the tick in which it comes to rest.
             count = 1 if any(channel.is_braking for channel in channels) else PROGRESS_TICKS
             yield min(end, loop.tick + count)
         state = worst_state(channels, "ended")
@@ -280,7 +280,7 @@ class ProgramRun:
             self.state = "limit" if loop.tick < stop else state
 
     def _select(self, index: int, name: str) -> None:
-        """Let a channel that stands ready have this program next, or report why it cannot."""
+        """Let a channel that is ready have this program next, or report why it cannot."""
         channel = self._loop.channels[index]
         if channel.is_running or channel.is_stopped:
             state = "error" if channel.is_stopped else "running"
@@ -307,7 +307,7 @@ class ProgramRun:
     # --- the result -----------------------------------------------------------------------------
 
     def interrupt(self) -> None:
-        """End the run where it stands."""
+        """End the run where it is."""
         self._loop.recording.drain()
         self.state = "interrupted"
 
@@ -393,7 +393,7 @@ def _drawer(machine: AssembledMachine) -> RunDrawer:
 
 
 def _notebook_of(options: RunKeywords) -> NotebookProgress | None:
-    """Return what shows the progress of a run in a notebook, if nobody else does."""
+    """Return what shows the progress of a run in a notebook, if no one else does."""
     is_shown = options["on_progress"] is None and not options["stays"]
     return notebook_progress("Run") if is_shown else None
 

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 #: The assumed execution time of an elementary instruction, in ns (RC-503).
 INSTRUCTION_COST_NS = 10
 
-#: Cells behind those of the machine, for variables of a PLC that are signals.
+#: Cells after those of the machine, for variables of a PLC that are signals.
 NAMED_SIGNALS = 256
 
 #: How long a PLC that is watched may show no sign of life, in microseconds.

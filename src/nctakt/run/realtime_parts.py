@@ -20,7 +20,7 @@ MACHINES = 16
 
 
 class LentPart:
-    """A realtime part for one run; nobody else has it until it is given back."""
+    """A realtime part for one run; no one else has it until it is given back."""
 
     def __init__(self, part: RealtimePart, shelf: list[LentPart]) -> None:
         self.part = part

@@ -69,12 +69,12 @@ class RecordedSchedule:
         """Do nothing: no clock measures the tick."""
 
     def findings(self) -> list[Diagnostic]:
-        """Return nothing: the recorded run has told what went wrong."""
+        """Return nothing: the recorded run has reported what went wrong."""
         return []
 
 
 def decode(run: ChannelRun, budget: StepBudget, steps: int) -> int:
-    """Let a decoder give so many commands at most; return how many it gave.
+    """Let a decoder give at most ``steps`` commands; return how many it gave.
 
     The end of its program counts as one.
     """

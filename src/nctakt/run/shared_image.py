@@ -394,7 +394,7 @@ def _create(name: str, size: int) -> SharedMemory:
     """Return new shared memory, all zero.
 
     Python's resource tracker knows names of ASCII without colon and line end; it would refuse
-    others behind their creation.
+    others after their creation.
     """
     from multiprocessing.shared_memory import SharedMemory  # noqa: PLC0415 - most runs have none
 

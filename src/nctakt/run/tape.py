@@ -49,7 +49,7 @@ _OWN_FOLDER = Path(__file__).parent.parent
 #: Bytes of a file that are read at a time.
 _CHUNK_BYTES = 1 << 20
 
-#: Head, end, and what stands behind the last line end: nothing.
+#: Head, end, and what comes after the last line end: nothing.
 _MIN_LINES = 3
 
 
@@ -60,7 +60,7 @@ class Tape:
     ``words`` are those of the command that it was started with, ``texts`` its programs that are no
     files, by their names. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how
     it ended. ``digests``: file -> as ``digest_of`` gives it. ``lists``: the texts of lists that
-    were not read as they stand in their files, by the names of these. ``has_checksums``: not one
+    were not read as they are in their files, by the names of these. ``has_checksums``: not one
     that grew until its process was ended (``session/growing_tape.py``).
     """
 

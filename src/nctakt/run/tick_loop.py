@@ -44,7 +44,7 @@ class TickShares(Protocol):
         """Let the decoders work before the next tick; return the shares of the threads in it."""
 
     def end_tick(self) -> None:
-        """Note that a tick is done, with the PLC's call behind it."""
+        """Note that a tick is done, with the PLC's call after it."""
 
     def findings(self) -> list[Diagnostic]:
         """Return what went wrong in the schedule so far, each finding once."""
@@ -56,7 +56,7 @@ class TickLoop:
     ``plc``: a scripted PLC; ``has_plc``: something acknowledges technology functions, be it that
     script or a tape of one. ``scheduled_run``: the limited times of decoder, interpolation and PLC
     under a schedule. ``ends_deadlock``: ``advance`` returns with ``is_deadlocked`` when all
-    programs wait for each other's signals, and nobody outside can do anything about it.
+    programs wait for each other's signals, and no one outside can do anything about it.
     """
 
     def __init__(
@@ -219,7 +219,7 @@ class TickLoop:
         self.scheduled_run.end_tick()
 
     def reset(self, channels: Sequence[ChannelRun]) -> None:
-        """Reset channels (RC-007); run until they stand, at least one tick."""
+        """Reset channels (RC-007); run until they are at rest, at least one tick."""
         for channel in channels:
             channel.request_reset()
         while any(channel.channel.executor.is_resetting for channel in channels):

@@ -203,7 +203,7 @@ def wait_reasons(
 ) -> list[Diagnostic]:
     """Return a note for each program that is waiting for something at the limit.
 
-    With ``limit``, the one that counts where nobody has set any, it is an error unless the program
+    With ``limit``, the one that counts where no one has set any, it is an error unless the program
     goes on by itself.
     """
     reasons = [

@@ -385,7 +385,7 @@ class Pou(Callable):
 
     ``number`` counts blocks and programs from 1: the head of their instances. ``type`` is the
     layout of the instance (``None`` for functions); ``instance`` the offset of a program's only
-    instance in the data area. ``methods`` has actions, too; accessors stand in ``properties``.
+    instance in the data area. ``methods`` has actions, too; accessors are in ``properties``.
     ``members`` has all variables of the instance: those of the bases first.
     """
 

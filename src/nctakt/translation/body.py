@@ -35,7 +35,7 @@ from nctakt.translation.noting import NoteRows
 
 
 class CannotRunError(Exception):
-    """What is valid and does not run here: where it stands and what it is called."""
+    """What is valid and does not run here: where it is and what it is called."""
 
     def __init__(self, node: Node, what: str) -> None:
         super().__init__(what)

@@ -101,7 +101,7 @@ class BuiltIns(Conversions):
         return self.rounded(node, found) if is_real(found) else node
 
     def kept_text(self, unit: int) -> int:
-        """Return where the frame keeps a text with characters of so many bytes."""
+        """Return where the frame keeps a text with characters of ``unit`` bytes."""
         return self.frame.take(unit * kinds.TEXT_BYTES)
 
     def chosen(self, call: Call, truth: Whole, otherwise: Expression, chosen: Expression) -> Node:

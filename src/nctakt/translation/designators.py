@@ -146,7 +146,7 @@ class Designators(CheckFunctions):
         return self.pointed(address.load(self.layout.data_end), found)
 
     def pointed(self, pointer: Whole, found: Type) -> Location:
-        """Return where an address points: so many bytes within the memory."""
+        """Return where an address points: as many bytes as ``found`` has, within the memory."""
         return Location(Origin.COMPUTED, 0, found, PointedPlace(pointer, found.size))
 
     def slot(self, expression: Expression) -> Location:

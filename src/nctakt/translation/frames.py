@@ -7,7 +7,7 @@ from nctakt.translation.layout import aligned
 
 
 class Frame:
-    """Bytes of a frame behind its variables; those of a statement are free after it."""
+    """Bytes of a frame that follow its variables; those of a statement are free after it."""
 
     def __init__(self, size: int) -> None:
         self._begin = aligned(size, 8)

@@ -16,7 +16,7 @@ class Reaction(Counted):
     """Base of a body that runs under a condition.
 
     Counts the body's run-throughs and records the first of each series of consecutive ones.
-    ``next_tick`` is the tick behind the last of them, -1 before the first.
+    ``next_tick`` is the tick after the last of them, -1 before the first.
     """
 
     def __init__(self, condition: Condition, body: Statement, source: int, cost: int) -> None:

@@ -3,7 +3,7 @@
 
 RC-102 … RC-114, RC-505. Python fills a slot ahead of time (``load``); the command queue names the
 slot, the tick arms it; dead slots are freed between runs (``free_ended``). What the tick decides
-with stands in arrays over the slots, what it runs in a tree of groups of four in creation order.
+with is in arrays over the slots, what it runs in a tree of groups of four in creation order.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class RealtimeCycle(RunThrough):
     """A loaded realtime cycle.
 
     ``serial`` names it in events; ``events`` and ``probes`` bound what one run-through can record.
-    ``probe`` is its number in the probe rows, ``next_tick`` the tick behind its last run-through.
+    ``probe`` is its number in the probe rows, ``next_tick`` the tick after its last run-through.
     ``size`` is what it takes of the memory of P-CHAN-00407, in bytes.
     """
 

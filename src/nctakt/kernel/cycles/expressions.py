@@ -3,7 +3,7 @@
 
 RC-206, RC-207. ``value(context)`` answers a float64. An operation that is not defined for its
 operands notes fault 50879 with its operation number in the context and answers 0; the statement
-above sees the fault and stores nothing. Operators stand here, functions in ``functions.py``;
+above sees the fault and stores nothing. Operators are here, functions in ``functions.py``;
 ``fused.py`` has nodes that stand for several of these.
 """
 
@@ -56,7 +56,7 @@ class Index(Expression):
     """The part of an array access that is not fixed: ``next + stride * index`` (RC-307).
 
     An index outside 0 … count-1 notes ``message``, one that is no number 50879; ``further`` is
-    the next dimension's part, ``None`` behind the last one. ``span``: the highest value.
+    the next dimension's part, ``None`` after the last one. ``span``: the highest value.
     """
 
     def __init__(

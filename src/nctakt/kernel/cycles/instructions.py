@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Statements of realtime cycles: trees of small objects, each of which runs itself.
 
-RC-207, RC-307, RC-403, RC-501; ``$IF`` stands in ``branches.py``. ``run(context)`` answers 0 when
+RC-207, RC-307, RC-403, RC-501; ``$IF`` is in ``branches.py``. ``run(context)`` answers 0 when
 the run-through goes on and not 0 when the cycle must stop: a fault or a limit, noted in the
 context. The cost of a statement in elementary instructions is known when it is built and added
-before it runs. Statements stand in a tree of blocks of four, so that a cycle of any length needs
+before it runs. Statements are in a tree of blocks of four, so that a cycle of any length needs
 little recursion.
 """
 

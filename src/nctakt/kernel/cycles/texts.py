@@ -2,7 +2,7 @@
 """Character strings and structures in realtime cycles: compared, assigned, copied.
 
 A string is a row of bytes that ends with its first zero byte; each operation goes through as many
-bytes as the longer variable has, at most, and needs no memory of its own. Behind the text the
+bytes as the longer variable has, at most, and needs no memory of its own. After the text the
 target of an assignment has zeros only. A structure or array is copied leaf by leaf.
 """
 
@@ -17,7 +17,7 @@ from nctakt.kernel.cycles.instructions import Counted
 
 
 class CellRange(Expression):
-    """A variable of ``count`` cells from ``cell`` on, behind what ``index`` computes.
+    """A variable of ``count`` cells from ``cell`` on, offset by what ``index`` computes.
 
     ``value`` is its first cell; an index outside its array is a fault, noted in the context.
     ``span`` are the cells of all elements that the index may choose.
@@ -44,7 +44,7 @@ class Text:
 
 
 def character(text: Text, first: int, number: int) -> int:
-    """Return a byte of a string, whose bytes begin at ``first``; 0 behind the last one."""
+    """Return a byte of a string, whose bytes begin at ``first``; 0 after the last one."""
     if number >= text.size:
         return 0
     return text.characters[first + number]

@@ -2,7 +2,7 @@
 """``#ERROR`` in a realtime cycle: an error of the user's own (RC-402).
 
 A warning (RC 0) is reported and no more. With RC from 1 on the channel is in error state and the
-path brakes from this tick; the statements behind it, its cycle and all others run on until the
+path brakes from this tick; the statements after it, its cycle and all others run on until the
 reset.
 """
 
@@ -20,10 +20,10 @@ class UserValue:
     """Base of a value of the error, and null object: the end of their chain."""
 
     def evaluate(self, context: Context) -> None:
-        """Evaluate this value and those behind it; a fault is in the context."""
+        """Evaluate this value and those after it; a fault is in the context."""
 
     def record(self, context: Context, source: int) -> None:
-        """Record this value and those behind it as events."""
+        """Record this value and those after it as events."""
 
 
 class NumberValue(UserValue):

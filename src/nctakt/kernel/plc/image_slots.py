@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What waits for a PLC in the image of the HLI: M and H functions, jobs of its spindles.
 
-A unit (``cells.UNIT_SERIAL`` …) stands as ``UNIT`` in ``hli/layout.py``. Its serial says which
+A unit (``cells.UNIT_SERIAL`` …) is defined as ``UNIT`` in ``hli/layout.py``. Its serial says which
 function it holds, 0 none; it is written last. The PLC acknowledges by writing the serial into its
 own place of the slot, so that each byte has one writer. A spindle's job goes the same way, in
 ``SPINDLE`` and ``SPINDLE_COMMAND``.
@@ -29,7 +29,7 @@ class Units:
 
 
 class SectionUnits(Units):
-    """The units of one section, and those behind it.
+    """The units of one section, and those after it.
 
     ``first``: the first byte of the units in the image, ``acknowledged``: of the PLC's serials;
     ``published`` are the bytes of the image that the tick knows. ``identifier``: ``cells.POS_RT``
@@ -120,10 +120,10 @@ class SectionUnits(Units):
 
 
 class SpindleUnits(Units):
-    """The jobs of a channel's PLC spindles, and the units behind them.
+    """The jobs of a channel's PLC spindles, and the units after them.
 
     ``job``: the byte of the first spindle's ``job`` in the image, ``acknowledged`` that of its
-    ``ack_job``; the next ones stand ``size`` and ``answer_size`` bytes further.
+    ``ack_job``; the next ones are ``size`` and ``answer_size`` bytes further.
     """
 
     def __init__(

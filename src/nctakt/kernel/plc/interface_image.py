@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
 
-A table says which variable stands at which byte (``hli/positions.py``, and for the packed V.E
+A table says which variable is at which byte (``hli/positions.py``, and for the packed V.E
 ``lists/machine/variables_layout.py``). ``latch`` takes over what the PLC has written where it may:
 bytes that differ from those that were published last. ``publish`` writes the variables that have
 changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers have
@@ -287,7 +287,7 @@ class InterfaceImage:
             self.stale_count += 1
 
     def publish(self, ticks: int) -> None:
-        """Write the changes since the image was published last, after so many ticks.
+        """Write what has changed since the image was last published; ``ticks`` have run so far.
 
         The sequence is odd meanwhile.
         """

@@ -3,7 +3,7 @@
 
 Each value has a cell (``cells.PANEL_OVERRIDE`` …). Whoever plays the PLC writes the commands' cells
 between two ticks; the tick works with the copies that ``latch`` has made. START and RESET are keys:
-the tick that takes one writes 0. START waits while a reset lasts: who presses both, one behind the
+the tick that takes one writes 0. START waits while a reset lasts: who presses both, one after the
 other, need not know which tick comes between them.
 """
 
@@ -17,7 +17,7 @@ class Panel:
     """Override, feed hold, single block, START, RESET, backward motion of a channel, and its lamps.
 
     ``is_armed``: a program is selected and waits for START. ``is_running``: a program runs.
-    ``is_paused``: single block has stopped the channel in front of a block, or the program has
+    ``is_paused``: single block has stopped the channel before a block, or the program has
     (M00). ``is_step_locked``: single block has no effect; ``step_resolution``: it stops
     at multiples of this block number, 0: at all. ``start_taken`` and ``reset_taken`` tell Python
     what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick before.
@@ -123,7 +123,7 @@ class Panel:
             self.start_taken = True
 
     def permits_block(self, line: int, moves_axis: bool, is_started: bool) -> int:
-        """Return whether a command may be taken: single block stops in front of each block.
+        """Return whether a command may be taken: single block stops before each block.
 
         A block is a line of a program; one that moves or dwells again is another one. What the
         path has begun already (``is_started``) goes on, and so does what has no line: the program's
@@ -140,7 +140,7 @@ class Panel:
         return 1
 
     def holds_back(self, line: int, moves_axis: bool, is_started: bool) -> int:
-        """Return whether single block stops in front of a command, which then waits for START."""
+        """Return whether single block stops before a command, which then waits for START."""
         if self.is_same_block(line, moves_axis):
             return 0
         if self.single_block and not self.is_released and not is_started:

@@ -32,7 +32,7 @@ class StringOfWhole(Whole):
         return kept
 
     def write(self, context: PlcContext, at: int, value: int) -> int:
-        """Write the value; return the address behind it."""
+        """Write the value; return the address after it."""
         if self.form == kinds.SIGNED:
             return digits.put_signed(context, at, value)
         if self.form == kinds.UNSIGNED:
@@ -112,7 +112,7 @@ def whole_length(length: float, scale: int) -> int:
 
 
 def truth_at(context: PlcContext, at: int, end: int) -> int:
-    """Return whether ``TRUE`` or a number that is not zero stands there."""
+    """Return whether ``TRUE`` or a number that is not zero is there."""
     if end - at < 4:
         return 1 if digits.read_whole(context, at, end) else 0
     spelled = words.load(context.memory, at, kinds.U32) | characters.SMALL_LETTERS

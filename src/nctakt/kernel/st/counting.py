@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How often conditions were true and false, and bodies ran: only what is asked for is counted.
 
-The nodes stand around those of conditions and bodies; they cost no elementary instructions, so that
+The nodes wrap those of conditions and bodies; they cost no elementary instructions, so that
 a run that counts does the same as one that does not.
 """
 

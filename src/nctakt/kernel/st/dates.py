@@ -109,7 +109,7 @@ def read_length(context: PlcContext, at: int, end: int) -> float:
 
 
 def unit_at(context: PlcContext, at: int, end: int) -> float:
-    """Return the ms of the unit that stands there: d, h, m, s, ms, us, ns."""
+    """Return the ms of the unit that is there: d, h, m, s, ms, us, ns."""
     first = words.load(context.memory, at, kinds.U8) | characters.SMALL if at < end else 0
     second = words.load(context.memory, at + 1, kinds.U8) | characters.SMALL if at + 1 < end else 0
     if first == characters.SMALL_M and second == characters.SMALL_S:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Numbers written into texts, and read from them (ST-307, ST-308).
 
-A writer puts bytes into the memory and returns the address behind them; whoever calls it has room
+A writer puts bytes into the memory and returns the address after them; whoever calls it has room
 for ``kinds.TEXT_BYTES``.
 """
 
@@ -143,7 +143,7 @@ def skip_blanks(context: PlcContext, at: int, end: int) -> int:
 
 
 def skip_prefix(context: PlcContext, at: int, end: int) -> int:
-    """Return the address behind ``INT#`` and the like."""
+    """Return the address after ``INT#`` and the like."""
     i = at
     while i < end and words.load(context.memory, i, kinds.U8) > characters.NINE:
         i += 1
@@ -164,7 +164,7 @@ def read_digits(context: PlcContext, at: int, end: int, base: int) -> int:
 
 
 def behind_digits(context: PlcContext, at: int, end: int) -> int:
-    """Return the address behind the decimal digits that begin there."""
+    """Return the address after the decimal digits that begin there."""
     while at < end:
         if digit_of(context, at, 10) < 0:
             if words.load(context.memory, at, kinds.U8) != characters.UNDERSCORE:

@@ -206,7 +206,7 @@ class ControlUnits:
             self.is_pressed[unit] = kinds.NOT_COMMANDED
 
     def was_pressed(self, unit: int) -> int:
-        """Return whether the PLC itself has pressed a key that nobody has taken yet."""
+        """Return whether the PLC itself has pressed a key that no one has taken yet."""
         return 1 if self.is_pressed[unit] == kinds.IN_FORCE else 0
 
     def show(self) -> None:

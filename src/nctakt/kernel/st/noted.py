@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Nodes that note what leads to a change (``notes.py``): they stand around those that do the work.
+"""Nodes that note what leads to a change (``notes.py``): they wrap those that do the work.
 
 They cost no elementary instructions, so that a run that is explained does the same as another one.
 """

@@ -77,7 +77,7 @@ class LoadRealInstance(Real):
 
 
 class LoadRealAt(Real):
-    """A variable ``offset`` bytes behind a computed address."""
+    """A variable ``offset`` bytes past a computed address."""
 
     def __init__(self, address: Whole, offset: int, kind: int) -> None:
         check_range(offset, 0, kinds.MAX_MEMORY, "offset")

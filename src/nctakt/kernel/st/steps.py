@@ -3,7 +3,7 @@
 
 ``run(context)`` answers how the statement ends: ``kinds.GOES_ON``, a fault, EXIT, CONTINUE or
 RETURN. The cost of a statement in elementary instructions is known when it is built and counted
-before it runs (ST-830). Statements stand in a tree of blocks of four, so that code of any length
+before it runs (ST-830). Statements are in a tree of blocks of four, so that code of any length
 needs little recursion.
 """
 

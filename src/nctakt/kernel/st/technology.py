@@ -112,7 +112,7 @@ class UnitSource:
     """What waits for a PLC as a chain; the base is the null object at its end."""
 
     def show(self, tick: int) -> None:
-        """Show what waits after a tick, and acknowledge what nobody is announced for."""
+        """Show what waits after a tick, and acknowledge what no one is announced for."""
 
     def take(self) -> None:
         """Acknowledge what the PLC has done."""

@@ -77,7 +77,7 @@ class LoadInstance(Whole):
 
 
 class LoadAt(Whole):
-    """A variable ``offset`` bytes behind a computed address."""
+    """A variable ``offset`` bytes past a computed address."""
 
     def __init__(self, address: Whole, offset: int, kind: int) -> None:
         check_range(offset, 0, kinds.MAX_MEMORY, "offset")
@@ -126,7 +126,7 @@ class PassingPlace(Whole):
 
 
 class MemberPlace(Whole):
-    """A fixed number of bytes behind an address."""
+    """A fixed number of bytes past an address."""
 
     def __init__(self, address: Whole, offset: int) -> None:
         self.address = address
@@ -171,7 +171,7 @@ class ElementPlace(Whole):
 
 
 class LoadElement(ElementPlace):
-    """An element of an array, or a part of it ``offset`` bytes behind its begin."""
+    """An element of an array, or a part of it ``offset`` bytes past its begin."""
 
     def __init__(
         self,
@@ -203,7 +203,7 @@ class LoadElement(ElementPlace):
 
 
 class OpenElementPlace(Whole):
-    """An element of a dimension whose bounds stand at an address, each a DINT (``ARRAY[*]``)."""
+    """An element of a dimension whose bounds are at an address, each a DINT (``ARRAY[*]``)."""
 
     def __init__(self, address: Whole, bounds: Whole, index: Whole, stride: Whole) -> None:
         self.address = address
@@ -457,7 +457,7 @@ class ExtremeWhole(Whole):
 
 
 class MoveBits(Whole):
-    """``SHL``, ``SHR``, ``ROL``, ``ROR`` of so many bits (ST-714)."""
+    """``SHL``, ``SHR``, ``ROL``, ``ROR`` of an operand of ``bits`` bits (ST-714)."""
 
     def __init__(self, operand: Whole, count: Whole, operation: int, bits: int) -> None:
         check_range(bits, 1, 64, "bits")
@@ -488,7 +488,7 @@ class MoveBits(Whole):
 
 
 class CycleTime(Whole):
-    """The time of the cycle in so many ns (ST-715, ST-804)."""
+    """The time of the cycle in units of ``unit`` ns (ST-715, ST-804)."""
 
     def __init__(self, unit: int) -> None:
         check_range(unit, 1, 1 << 62, "unit")

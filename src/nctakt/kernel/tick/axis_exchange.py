@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A channel's side of the axis exchange: the axes that it has, and those that it waits for.
 
-Axes change their channel between two ticks, while the path of the channel stands and its queue is
-empty. An axis belongs to one channel or to none; which one it is stands in
-``SingleAxes.in_channel``. A channel takes an axis that no other one has and that stands.
+Axes change their channel between two ticks, while the path of the channel is at rest and its queue
+is empty. An axis belongs to one channel or to none; ``SingleAxes.in_channel`` says to which one.
+A channel takes an axis that no other one has and that is at rest.
 """
 
 from __future__ import annotations

@@ -281,7 +281,7 @@ class Channel:
             self.watch_spindle(factor)
 
     def watch_spindle(self, factor: float) -> None:
-        """Warn once for each stand that the path waits for a spindle (G95, 900819)."""
+        """Warn once for each standstill in which the path waits for a spindle (G95, 900819)."""
         if factor != 0.0:
             self.has_warned_of_spindle = False
         elif not self.has_warned_of_spindle and self.waits.resting_spindle() > 0:
@@ -393,7 +393,7 @@ class Channel:
             position += 1
 
     def end_tick(self) -> None:
-        """Answer what waits for the path to stand; end a reset; publish (RC-005, RC-007)."""
+        """Answer what waits for the path to come to rest; end a reset; publish (RC-005, RC-007)."""
         state = codes.CHANNEL_READY
         if self.executor.is_resetting:
             state = codes.CHANNEL_RESET
@@ -430,7 +430,7 @@ class Channel:
             self.executor.enter_error(message)
 
     def axes_stand(self) -> int:
-        """Return whether the requested axes stand; axes that never will are an error."""
+        """Return whether the requested axes are at rest; a motion that never ends is an error."""
         if self.executor.waiting != rows.POSITIONS:
             return 0
         row = self.queue.head % self.queue.capacity * self.queue.width
@@ -455,7 +455,7 @@ class Channel:
         self.queue.timed_count -= 1
 
     def end_reset(self) -> None:
-        """End a reset once all stands: give up the commands decoded ahead."""
+        """End a reset once everything is at rest: give up the commands decoded ahead."""
         if not self.context.single_axes.all_free(self.path.members, self.path.count):
             return
         self.executor.is_resetting = False
@@ -484,7 +484,7 @@ class Channel:
         self.begin_reset()
 
     def begin_reset(self) -> None:
-        """Latch a reset: until the path stands, at least one tick (RC-007)."""
+        """Latch a reset: until the path is at rest, at least one tick (RC-007)."""
         self.executor.is_resetting = True
         self.is_reset_due = True
         self.executor.is_stopped = self.executor.is_fatal
@@ -502,7 +502,7 @@ class Channel:
         self.executor.error_pending = False
 
     def accept_end(self) -> None:
-        """Accept another program behind M30; raise ``ValueError`` if none has ended."""
+        """Accept another program after M30; raise ``ValueError`` if none has ended."""
         if not self.executor.program_ended:
             raise ValueError("no program has ended")
         self.executor.program_ended = False

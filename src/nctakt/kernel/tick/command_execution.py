@@ -132,7 +132,7 @@ class CommandExecutor:
             self.queue.head += 1
 
     def is_at_stand(self) -> int:
-        """Return whether the path stands between two blocks with none started ahead."""
+        """Return whether the path is at rest between two blocks with none started ahead."""
         moves = self.path.speed_v != 0.0 or self.path.is_active or self.path.continues_block()
         return 0 if moves or self.queue.started >= self.queue.head else 1
 
@@ -363,7 +363,7 @@ class CommandExecutor:
             self.record.written(int(self.queue.rows[row + rows.SOURCE]), 0, cell, self.cells[cell])
 
     def execute_characters(self, row: int) -> None:
-        """Write a part of a string, and zeros behind it."""
+        """Write a part of a string, and zeros after it."""
         cell = int(self.queue.rows[row + rows.TEXT_CELL])
         first = int(self.queue.rows[row + rows.TEXT_FIRST])
         first += 8 * cell

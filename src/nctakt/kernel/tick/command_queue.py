@@ -3,7 +3,7 @@
 
 A command (``decoder/state/packing.py`` packs it) is a row (``rows.py``). A segment is prepared as
 it comes, so that those before it may go faster. Commands that take time are counted
-(``timed_count``); a rounding, which belongs to the segment in front of it, is not.
+(``timed_count``); a rounding, which belongs to the segment before it, is not.
 """
 
 from __future__ import annotations
@@ -227,7 +227,7 @@ class CommandQueue:
             self.rows[first + self.path.count + i] = target[i]
 
     def end_segment(self, row: int) -> None:
-        """Count and prepare the segment that stands in its row."""
+        """Count and prepare the segment that is in its row."""
         self.tail += 1
         self.timed_count += 1
         exact_stop = self.rows[row + rows.EXACT_STOP] > 0.0
@@ -276,7 +276,7 @@ class CommandQueue:
         self.look_ahead.connect(self.rows, self.tail - 1, back, oldest, promised_v, promised_max_v)
 
     def insert_rounding(self, oldest: int) -> int:
-        """Insert the rounding behind ``last_segment``; return the newest segment's row.
+        """Insert the rounding after ``last_segment``; return the newest segment's row.
 
         If it would break the promise to the current segment, the path stops at the corner.
         """
@@ -327,7 +327,7 @@ class CommandQueue:
         return 1 if self.rows[row + rows.THREAD] != rows.NO_THREAD else 0
 
     def next_row(self) -> int:
-        """Row of the next command; there is room for a rounding in front of it."""
+        """Row of the next command; there is room for a rounding before it."""
         if self.tail - self.head + 1 >= self.capacity:
             self.grow()
         return self.tail % self.capacity * self.width
@@ -338,7 +338,7 @@ class CommandQueue:
             self.grow()
 
     def grow(self) -> None:
-        """Double the queue, where many commands without motion stand in a row."""
+        """Double the queue, where many commands without motion come in a row."""
         commands = [self.command(n) for n in range(self.head, self.tail)]
         self.capacity *= 2
         self.look_ahead.resize(self.capacity)
@@ -362,10 +362,10 @@ class CommandQueue:
         return self.tail - self.head
 
     def segment_after(self, number: int) -> int:
-        """Return the number of the segment into which the path continues behind command ``number``.
+        """Return the number of the segment into which the path continues after command ``number``.
 
         Below 0 it is the current one. ``codes.END_OF_QUEUE`` if the queue ends before,
-        ``codes.STANDS_BETWEEN`` if something else comes first that the path stands for.
+        ``codes.STANDS_BETWEEN`` if something else comes first that the path stops for.
         """
         position = number + 1
         if number < 0:
@@ -429,7 +429,7 @@ class CommandQueue:
     def needs_pass(self) -> int:
         """Return whether a path that passes the loop's end needs another pass by now.
 
-        At least one segment behind the next one has to be there, and the way to brake on.
+        At least one segment after the next one has to be there, and the way to brake on.
         """
         if not self.loop_body.is_complete or self.loop_body.ends_at_standstill:
             return 0
@@ -459,7 +459,7 @@ class CommandQueue:
         return length
 
     def repeat_body(self) -> None:
-        """Insert the body again in front of the loop's end, which is the last command."""
+        """Insert the body again before the loop's end, which is the last command."""
         end = (self.tail - 1) % self.capacity * self.width
         for i in range(self.width):
             self.end_row[i] = self.rows[end + i]

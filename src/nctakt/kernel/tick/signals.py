@@ -22,7 +22,7 @@ class SignalBoard:
 
     ``received``, ``received_mask``: values of the signals that were taken last, and which of them
     arrived; ``taken_sender``, ``taken_tick``: sender and tick of the last one of them.
-    ``blocking``: the number of the signal that stands in front of the one that was asked for.
+    ``blocking``: the number of the signal that comes before the one that was asked for.
     ``has_waited``: a channel has had to wait.
     """
 
@@ -60,7 +60,7 @@ class SignalBoard:
         """Add a signal for each of the receivers, or a broadcast; return 0 if there is no room.
 
         ``level``: 1 of a signal sent in the order of the blocks, 0 of one sent by the decoder. The
-        values stand in ``values`` from ``first`` on.
+        values are in ``values`` from ``first`` on.
         """
         if receivers == 0:
             return self.add(number, sender, 0, remaining, level, tick, mask, values, first)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""In front of which commands of a channel's queue single block stops (MO-6, P-CHAN-00015)."""
+"""Before which commands of a channel's queue single block stops (MO-6, P-CHAN-00015)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nctakt.kernel.tick.command_queue import CommandQueue
 
 
 class SingleBlock:
-    """Single block of one channel; ``only_motions``: it stops in front of lines that move."""
+    """Single block of one channel; ``only_motions``: it stops before lines that move."""
 
     def __init__(self, queue: CommandQueue, panel: Panel) -> None:
         self.queue = queue
@@ -47,7 +47,7 @@ class SingleBlock:
         return self.panel.permits_block(self.line(row), self.is_motion(kind), is_started)
 
     def stands_ahead(self) -> int:
-        """Return whether the path stands behind its block: unless it may run into the next one."""
+        """Return whether the path stops after its block, not being allowed into the next one."""
         if self.panel.step_resolution == 0:
             return 1
         continues = self.path.continues_block()
@@ -82,7 +82,7 @@ class SingleBlock:
         return 0
 
     def leads_to_motion(self, number: int) -> bool:
-        """Return whether the first command behind marks, which is there, moves or dwells."""
+        """Return whether the first command after marks, which is there, moves or dwells."""
         while True:
             row = number % self.queue.capacity * self.queue.width
             kind = int(self.queue.rows[row + rows.KIND])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Stops: what ends ``Kernel.run`` behind a tick, for those who watch a run.
+"""Stops: what ends ``Kernel.run`` after a tick, for those who watch a run.
 
 Each stop is looked at after every tick, and sees what the tick has done: the memory, the events of
 the tick, the nodes of the realtime cycles. It changes nothing of the machine's and takes none of
@@ -37,7 +37,7 @@ class Stop:
         """Take the present state as the one before the first tick."""
 
     def holds(self, context: Context, record: Record) -> int:
-        """Return whether the stop holds behind this tick."""
+        """Return whether the stop holds after this tick."""
         return 0
 
 
@@ -240,7 +240,7 @@ class Link:
 
 
 class StopLink(Link):
-    """One stop and those behind it."""
+    """One stop and those after it."""
 
     def __init__(self, stop: Stop, others: Link) -> None:
         self.stop = stop
@@ -279,6 +279,6 @@ class Stops:
         self.is_watching = True
 
     def check(self, tick: int) -> int:
-        """Return whether a stop holds behind this tick."""
+        """Return whether a stop holds after this tick."""
         self.context.tick = tick
         return self.chain.check(self.context, self.record)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tool lives of one channel: commands of the program, and what the PLC is told."""
+"""Tool lives of one channel: commands of the program, and what is reported to the PLC."""
 
 from __future__ import annotations
 

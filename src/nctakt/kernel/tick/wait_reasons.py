@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What holds up the program of a channel, for reports behind a run (``run/wait_reasons.py``)."""
+"""What holds up the program of a channel, for reports after a run (``run/wait_reasons.py``)."""
 
 from __future__ import annotations
 

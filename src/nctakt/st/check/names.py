@@ -101,7 +101,7 @@ class Names:
     def spaces(self, library: str = "", name: str = "") -> Iterator[Namespace]:
         """Yield the namespaces in the order in which names are looked up.
 
-        ``name``: only libraries in whose texts this name stands, which are read now.
+        ``name``: only libraries in whose texts this name occurs, which are read now.
         """
         if library:
             yield self.libraries[library.lower()]
@@ -160,7 +160,7 @@ class Names:
         return None
 
     def all_names(self) -> Iterator[str]:
-        """Yield all names that can stand without prefix; of libraries those of their objects."""
+        """Yield all names that may come without a prefix; of libraries those of their objects."""
         for space in (self.project, *self.libraries.values()):
             if not space.is_read and space.library:
                 yield from self._declared_names(space)

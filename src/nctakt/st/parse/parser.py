@@ -93,7 +93,7 @@ _PREFIX = {"NOT": Operator.NOT, "-": Operator.NEGATE, "+": Operator.PLUS}
 _POSTFIX = frozenset((".", "[", "^", "("))
 _LITERALS = frozenset((NUMBER, TYPED, STRING, "TRUE", "FALSE"))
 
-#: Tokens that can stand in a label of CASE before its colon.
+#: Tokens that can be in a label of CASE before its colon.
 _LABEL_TOKENS = frozenset(
     (NAME, NUMBER, TYPED, STRING, "TRUE", "FALSE", ".", "..", ",", "-", "+", "*", "/")
 )

@@ -70,7 +70,7 @@ ELEMENTARY: dict[str, Type] = {
     "__XWORD": _BIT_STRINGS[3],
 }
 
-#: Types that stand before ``#`` of a literal under another name.
+#: Types that come before ``#`` of a literal under another name.
 LITERAL_PREFIXES: dict[str, Elementary] = {
     "T": TIME,
     "LT": LTIME,

@@ -2,7 +2,7 @@
 """The libraries that nctakt knows, as Structured Text.
 
 A POU with the attribute ``native`` has no body: the runtime computes it. All others run as they
-stand. What belongs to the interface between CNC and PLC is written from its table (``hli.table``).
+are. What belongs to the interface between CNC and PLC is written from its table (``hli.table``).
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def text_of(name: str) -> str:
 
 
 def _each(match: re.Match[str]) -> str:
-    """Return text that stands once in a file, for each of the types that it names."""
+    """Return text that occurs once in a file, for each of the types that it names."""
     return "".join(match[2].replace("{T}", name) for name in match[1].split())
 
 

@@ -86,7 +86,7 @@ class BranchList:
             self._shared.name_branch(number, str(field.value or "")[:_MAX_NAME])
 
     async def _take_up(self, number: int) -> None:
-        """Stand at the end of a branch."""
+        """Go to the end of a branch."""
         await self._commander.do(lambda session: session.go_to(session.branches[number], number))
 
     async def _compare(self, number: int) -> None:

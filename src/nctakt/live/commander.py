@@ -102,7 +102,7 @@ class Commander:
             ui.notify(reason, type="negative", multi_line=True, timeout=8000, close_button=True)
 
     async def write(self, name: str, value: float | bool) -> bool:
-        """Write a value, behind those that this browser has written before; return whether."""
+        """Write a value, after those that this browser has written before; return whether."""
 
         async def act() -> None:
             async with self._writing:
@@ -144,7 +144,7 @@ class Commander:
         self.shared.pen = self._client.id
 
     def _arrive(self) -> None:
-        """Take the pen if nobody has it; who only fetches the page never gets so far."""
+        """Take the pen if no one has it; who only fetches the page never gets so far."""
         if self.shared.pen is None:
             self.shared.pen = self._client.id
 

@@ -28,7 +28,7 @@ _NO_READER = Text("it did not take its answer", "es nahm seine Antwort nicht ab"
 
 
 def protocol(refused: Refused) -> type[asyncio.Protocol]:
-    """Return the protocol of connections; ``refused`` is told of those that are closed."""
+    """Return the protocol of connections; ``refused`` gets those that are closed."""
 
     class Connection(H11Protocol):
         """A connection, until it becomes a WebSocket."""

@@ -89,7 +89,7 @@ def event_words(event: Event, language: Language) -> str:
     if event.kind == "block":
         parts = []
     if event.kind in ("fired", "paused"):
-        parts = parts[:-2]  # its line, which stands beside it
+        parts = parts[:-2]  # its line, which is beside it
     if event.kind in ("M", "H"):
         name, parts = f"{event.kind}{parts[0]}", []
     if event.kind in ("output", "acknowledged", "dropped"):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Why reactions fired or did not, for the place at which a session stands.
+"""Why reactions fired or did not, for the place at which a session is.
 
-In: a session that stands. Out: the report of its past, made in a thread of its own once the session
-has stood for a moment; the ticks in which conditions were true.
+In: a session at rest. Out: the report of its past, made in a thread of its own once the session
+has rested for a moment; the ticks in which conditions were true.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.live.texts import Texts
 from nctakt.results.why import WhyReport
 from nctakt.session.session import Session
 
-#: How long a session stands before its past is explained, in seconds.
+#: How long a session rests before its past is explained, in seconds.
 _REST_S = 0.6
 
 #: Ticks of a past that is explained without being asked for.

@@ -4,7 +4,7 @@
 In: requests and WebSockets on their way to the page. Out: the same, or an answer 403. A page of
 another site can reach neither: its origin is not the page's, browsers say that another site has
 caused the request (Sec-Fetch-Site), and a name that points to this machine (DNS rebinding) is not
-the page's host. Nobody shows the page in a frame, except an editor for which it was started.
+the page's host. No one shows the page in a frame, except an editor for which it was started.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ class Guard:
     """Lets requests through that may see the page.
 
     ``refusal``: returns why no further browser can see the page now, empty if one can.
-    ``refused``: is told what was refused.
+    ``refused``: gets what was refused.
     """
 
     def __init__(

@@ -24,7 +24,7 @@ from nctakt.live.view import Snapshot
 #: How long the page waits for more typing, in seconds.
 _TYPING_S = 0.35
 
-#: Where the cursor stands in the editor: its line.
+#: Where the cursor is in the editor: its line.
 _LINE_OF_CURSOR = (
     "const view = getElement(ID).editor; return view.state.doc.lineAt(view.state.selection.main."
     "head).number"
@@ -45,7 +45,7 @@ class _Change:
 
 
 class ProgramCard:
-    """The editor of one browser; ``findings``: of the text as it stands there.
+    """The editor of one browser; ``findings``: of the text as it is there.
 
     What somebody types is kept: another text takes its place only where the browser confirms that
     it is the text that the server knows, and what was not saved comes back with its program.
@@ -239,7 +239,7 @@ class ProgramCard:
     # --- text -----------------------------------------------------------------------------------
 
     def _check_later(self) -> None:
-        """Check the text once nobody has typed for a moment."""
+        """Check the text once no one has typed for a moment."""
         self._typed += 1
         ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.wish(typed), once=True)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What goes wrong in the server is told in a line, each reason once; no traceback reaches a user.
+"""What goes wrong in the server gets a line, each reason once; no traceback reaches a user.
 
 In: records of the libraries' loggers. Out: diagnostics. With NCTAKT_DEBUG the libraries speak for
 themselves.
@@ -18,7 +18,7 @@ from nctakt.messages.live import MESSAGE_NOT_READABLE
 #: The loggers of the libraries that read what browsers send.
 _LOGGERS = ("asyncio", "engineio", "engineio.server", "nicegui", "socketio", "socketio.server")
 
-#: Different reasons that are told at most.
+#: Different reasons that are reported at most.
 _MAX_REASONS = 20
 
 
@@ -42,7 +42,7 @@ class _Teller(logging.Handler):
 
 
 def tell_errors(tell: Callable[[Diagnostic], None]) -> None:
-    """Let errors of the libraries be told by ``tell`` from now on."""
+    """Let errors of the libraries be reported by ``tell`` from now on."""
     if os.environ.get("NCTAKT_DEBUG"):
         return
     teller = _Teller(tell)

@@ -59,7 +59,7 @@ class RunLog:
         # two branches may share a part of their past, which is not known here
         kept = 0 if is_other and frame.travels != travels else frame.first_tick
         self._forget_from(kept)
-        if frame.first_tick > self.end:  # what is between has not been told
+        if frame.first_tick > self.end:  # what is between has not been reported
             self.events, self.left_out = (), 0
             self.begin, self.lacks_some = frame.first_tick, True
         self._add(frame)

@@ -129,12 +129,12 @@ class SharedSession:
 
     @property
     def prefix(self) -> str:
-        """What stands before the names of the shown channel's signals."""
+        """What comes before the names of the shown channel's signals."""
         return "" if self.channel == 1 else f"CH{self.channel}."
 
     @property
     def moment(self) -> Moment:
-        """Where the session stands, as it was seen last."""
+        """Where the session is, as it was seen last."""
         return self._serial, self.snapshot.branch, self.snapshot.tick
 
     @property
@@ -159,7 +159,7 @@ class SharedSession:
         self.session.pause()
         self.session.set_stops(*self.stops, stop)
         self.session.play(rests=True)
-        self._passing = stop  # once it plays: a session that stands has come there
+        self._passing = stop  # once it plays: a session at rest has come there
         self._wake.set()
 
     def set_stops(self, stops: Sequence[str]) -> None:
@@ -169,7 +169,7 @@ class SharedSession:
         self._wake.set()
 
     def acknowledge_after(self, delay: int | None) -> None:
-        """Let functions be acknowledged after so many ticks, by the CNC (0), or by a person."""
+        """Let functions be acknowledged after this many ticks, by the CNC (0), or by a person."""
         present = float(delay != 0)
         names = ["HLI.PLC_PRESENT"] if self.channel_count == 1 else []
         names = names or [f"CH{n}.HLI.PLC_PRESENT" for n in range(1, self.channel_count + 1)]

@@ -27,7 +27,7 @@ MAX_OF_PAGE, MAX_STRANGERS = 4, 20
 #: How long a WebSocket may belong to no browser that looks on, in seconds.
 GREETING_S = 5.0
 
-#: Messages a second that are read at once, and so many more after a rest; bytes that count as one.
+#: Messages a second that are read at once, and how many more after a rest; bytes that count as one.
 RATE, BURST, MESSAGE_BYTES = 100.0, 400.0, 100_000
 
 _NO_SOCKET = Text("it uses no WebSocket", "es benutzt keinen WebSocket")

@@ -70,7 +70,7 @@ class Growing:
             self.replace(kept)
 
     def news(self, seen: Seen) -> tuple[dict[str, Any] | None, Seen]:
-        """Return what one who has seen so much has not, ``None`` for nothing; and what it has then.
+        """Return what one who has seen this has not, ``None`` for nothing; and what it has then.
 
         ``whole``: the entries take the place of those seen.
         """

@@ -142,7 +142,7 @@ class Variables:
         await self._write(name, bool(event.args))
 
     async def _commit(self, name: str, field: Any, _: Any = None) -> None:
-        """Write what stands in a field, unless a person has only visited it."""
+        """Write what is in a field, unless a person has only visited it."""
         self._busy.discard(name)
         now = self._shared.snapshot.values.get(self._shared.prefix + name)
         if field.value is not None and float(field.value) != now:

@@ -222,7 +222,7 @@ def program_marks(
 ) -> list[dict[str, Any]]:
     """Return the editor's decorations: blocks of path and decoder, stops, conditions.
 
-    Beside a condition stand its truth, the values that it compared, and its runs. ``stops``: lines
+    Beside a condition are its truth, the values that it compared, and its runs. ``stops``: lines
     with a stop.
     """
     found: list[dict[str, Any]] = []

@@ -87,7 +87,7 @@ def inspect(
 ) -> ProgramText:
     """Read and check a program with its local subprograms, each up to its end.
 
-    ``role``: whether M17 or M30 ends it. Behind the end only the targets of jumps are checked.
+    ``role``: whether M17 or M30 ends it. After the end only the targets of jumps are checked.
     ``poll`` is called at regular intervals. ``named_programs``: the words whose program callers
     have named by ``#FILE NAME``.
     """
@@ -248,7 +248,7 @@ class Inspection:
         )
 
     def resume(self, state: InspectionState, line: int) -> None:
-        """Go on from a state in front of a line."""
+        """Go on from a state before a line."""
         self._statements = StatementReader(self._source, self._collector, line)
         self._statements.resume(state.reader)
         self._counter.state = state.counter
@@ -266,7 +266,7 @@ class Inspection:
     def read(self, pause: Pause) -> None:
         """Read and check up to the end, or until ``pause`` ends it between two statements.
 
-        ``pause`` is called before the first statement, and then behind the line that it returned,
+        ``pause`` is called before the first statement, and then after the line that it returned,
         or after ``STATEMENTS_PER_PAUSE`` statements. It returns 0 to end.
         """
         stop, since_pause = 0, STATEMENTS_PER_PAUSE

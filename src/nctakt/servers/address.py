@@ -42,7 +42,7 @@ def read_address(option: str, text: str, port: int) -> tuple[str, int]:
 
 
 def is_loopback(host: str) -> bool:
-    """Return whether an address is this computer's own, which nobody else reaches."""
+    """Return whether an address is this computer's own, which no one else reaches."""
     with contextlib.suppress(ValueError):
         return ipaddress.ip_address(host).is_loopback
     return host == "localhost"

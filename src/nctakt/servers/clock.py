@@ -17,7 +17,7 @@ _MICROSECOND = timedelta(microseconds=1)
 
 
 class MachineClock:
-    """The UTC of ticks: that of tick 0, and so many cycle times more."""
+    """The UTC of ticks: that of tick 0, and the cycle times since then."""
 
     def __init__(self, cycle_time_us: int) -> None:
         self.cycle_time_us = cycle_time_us

@@ -2,7 +2,7 @@
 """What connections of all protocols have in common: their times, peers that are gone, descriptors.
 
 In: bytes that are no message yet, sockets, how many connections there may be. Out: an end for those
-that take too long; so many descriptors that no protocol takes those of another one.
+that take too long; enough descriptors that no protocol takes those of another one.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ NO_END = "a message did not come to its end"
 #: Descriptors for all that is not a connection of a client: files, pipes, the controllers.
 RESERVE = 160
 
-#: After so many seconds of silence a peer is asked whether it is there, so often, until it is gone.
+#: A peer is asked after this silence in s, then at this distance, this often, until it is gone.
 _ASKED_AFTER_S, _DISTANCE_S, _QUESTIONS = 30, 10, 3
 
 
@@ -80,7 +80,7 @@ def watch(transport: asyncio.BaseTransport) -> None:
 
 
 def provide_descriptors(connections: int) -> None:
-    """Let this process have descriptors for so many connections, and for all else.
+    """Let this process have descriptors for this many connections, and for all else.
 
     Raises ``Failure`` (902041) where the system does not permit it.
     """

@@ -70,7 +70,7 @@ class Door(Protocol):
         """Serve clients from now on; return the address. Raises ``Failure``."""
 
     async def close(self) -> None:
-        """Tell the clients that it ends, and serve nobody any more."""
+        """Tell the clients that it ends, and serve no one any more."""
 
 
 class Busy(Exception):
@@ -82,7 +82,7 @@ class Host:
 
     ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
     values; ``programs``: those of its PLC in Structured Text; ``notices``: what clients must know;
-    ``log``: what is told of clients; ``clock``: the times of ticks.
+    ``log``: what is logged about clients; ``clock``: the times of ticks.
     """
 
     def __init__(
@@ -169,7 +169,7 @@ class Host:
         """Write values from the next tick on, all of them in the same one; return that tick.
 
         Raises ``Failure`` for a wrong name or value, ``Busy`` where too many writes wait; then
-        nothing is written, and it stands in the log. On the tape its source is door and client.
+        nothing is written, and it is logged. On the tape its source is door and client.
         """
         if len(self._writes) >= MAX_WRITES:
             self.log.refuse(door, client, "too many writes wait")
@@ -186,7 +186,7 @@ class Host:
         raise answered
 
     async def latched(self, tick: int) -> None:
-        """Return once all can read what was written for a tick, at once if the session stands."""
+        """Return once all can read what was written for a tick, at once if nothing plays."""
         if tick < self.store.tick or not self.session.is_playing:
             return
         latched: asyncio.Future[None] = self.loop.create_future()

@@ -2,7 +2,7 @@
 """What the servers tell of their clients: one JSON object a line.
 
 In: what happened, of which door and client, and why. Out: lines with a time. What comes again and
-again of a client is told once in ``REPEAT_S`` seconds whatever its port, then with how often it
+again of a client is logged once in ``REPEAT_S`` seconds whatever its port, then with how often it
 came since; a door has ``MAX_LINES`` lines in that time whatever its clients call themselves.
 """
 
@@ -58,7 +58,7 @@ class _Budget:
 
 
 class ServerLog:
-    """Writes lines; ``write`` ``None``: nobody reads them.
+    """Writes lines; ``write`` ``None``: no one reads them.
 
     ``refused``: how often something was refused, by doors.
     """
@@ -120,7 +120,7 @@ class ServerLog:
         self._line(level, key[0], {**words, **({"repeated": left_out} if left_out else {})})
 
     def _end_repeats(self, now: float | None) -> None:
-        """Tell the counts whose time is over, of all without ``now``; the oldest stand first."""
+        """Tell the counts whose time is over, of all without ``now``; the oldest come first."""
         for key, repeats in tuple(self._repeats.items()):
             if now is not None and now - repeats.begin_s < REPEAT_S:
                 return

@@ -61,7 +61,7 @@ class MqttDoor:
         self._broker = broker
         self._topics = _topics_of(host)
         self._task: asyncio.Task[None] | None = None
-        # what the library tells of a broker stands in our own log, with a limit of its rate
+        # what the library tells of a broker goes to our own log, with a limit of its rate
         self._logger = logging.Logger("nctakt mqtt", logging.ERROR)
         self._logger.addHandler(_Unreadable(host.log, broker.host))
 
@@ -94,7 +94,7 @@ class MqttDoor:
             await asyncio.gather(task, return_exceptions=True)
 
     def _client(self) -> aiomqtt.Client:
-        """Return a client that is not connected yet; its end is told by the broker."""
+        """Return a client that is not connected yet; its end is reported by the broker."""
         import aiomqtt  # noqa: PLC0415 - an extra
 
         broker = self._broker
@@ -108,7 +108,7 @@ class MqttDoor:
             timeout=_FIRST_RETRY_S * 5,
             logger=self._logger,
         )
-        # else a topic that is no UTF-8 ends its loop, whose socket stays open and busy for ever
+        # else a topic that is no UTF-8 ends its loop, whose socket stays open and busy forever
         client._client.suppress_exceptions = True
         return client
 
@@ -174,7 +174,7 @@ class MqttDoor:
         await client.publish(f"{self._broker.root}/{topic}", text, _AT_LEAST_ONCE, retain=retain)
         _end_if_cancelled()
 
-    # --- what is told ---------------------------------------------------------------------------
+    # --- what is reported -----------------------------------------------------------------------
 
     async def _publish_values(self, client: aiomqtt.Client) -> None:
         """Publish each part whose values have changed, at most so often; the broker keeps them."""
@@ -227,7 +227,7 @@ class MqttDoor:
             topic = str(message.topic).removeprefix(f"{self._broker.root}/")
             payload = message.payload
             if topic not in _REQUESTS:
-                continue  # some brokers send what nobody has subscribed to
+                continue  # some brokers send what no one has subscribed to
             if message.retain:  # an old one, which would act again at each connection
                 self._host.log.refuse(_DOOR, self._broker.host, f"a retained {topic}")
                 continue

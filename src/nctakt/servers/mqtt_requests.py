@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the door for MQTT is told: the broker's address, and the requests of clients.
+"""What the door for MQTT is given: the broker's address, and the requests of clients.
 
 In: a URL, bytes of a message. Out: the broker, the values to write, the key to press.
 """
@@ -49,7 +49,7 @@ def read_broker(url: str) -> Broker:
             port = parts.port or _PORTS[parts.scheme]
             if not parts.query and not parts.fragment:
                 return Broker(parts.hostname, port, parts.scheme == "mqtts", root)
-    shown = url.rpartition("@")[2] if "@" in url else url  # what stands before may be secret
+    shown = url.rpartition("@")[2] if "@" in url else url  # what comes before may be secret
     raise Failure(diagnostic(INVALID_BROKER, text=shown, user=USER, password=PASSWORD))
 
 

@@ -27,7 +27,7 @@ class ServerNotice:
     """What clients must know.
 
     ``kind``: one of the session's, ``message`` of a program, ``diagnostic``, or ``closing``: the
-    servers end. ``tick``: behind which it happened. ``text_de``: its German where that differs.
+    servers end. ``tick``: after which it happened. ``text_de``: its German where that differs.
     """
 
     kind: NoticeKind | Literal["message", "diagnostic", "closing"]

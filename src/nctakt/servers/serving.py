@@ -105,7 +105,7 @@ async def serve(
 
 
 def _tell_of_library(log: ServerLog, context: Mapping[str, Any]) -> None:
-    """Tell what a library has raised where nobody waits for it; the loop goes on."""
+    """Tell what a library has raised where no one waits for it; the loop goes on."""
     error = context.get("exception")
     text = error_text(error) if isinstance(error, Exception) else ""
     log.error("loop", reason=text or str(context.get("message", "")))

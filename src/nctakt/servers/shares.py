@@ -2,7 +2,7 @@
 """Fair shares: who has most of what is all taken makes room for who has less.
 
 In: how many places each client has. Out: whose oldest place goes, if any. Who takes all of them
-keeps nobody out, and who has no more than the others loses nothing.
+keeps no one out, and who has no more than the others loses nothing.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 """The latest values of a session, in the loop of the servers: all clients read them here.
 
 In: frames of the session. Out: values by name, all of the same tick, without asking the session.
-A name that nobody has read before is subscribed first; then its value comes with each frame.
+A name that no one has read before is subscribed first; then its value comes with each frame.
 """
 
 from __future__ import annotations
@@ -91,7 +91,7 @@ class Store:
                 self._held[name] = self._held.get(name, 0) + 1
 
     async def release(self, names: Iterable[str]) -> None:
-        """Let values come no more that nobody else holds, has subscribed or borrowed."""
+        """Let values come no more that no one else holds, has subscribed or borrowed."""
         async with self._lock:
             for name in names:
                 count = self._held.pop(name, 0) - 1
@@ -105,7 +105,7 @@ class Store:
         """Let only those of the borrowed values come from now on that are used."""
         async with self._lock:
             kept = self._borrowed
-            while True:  # until nobody has begun to use one that is let go
+            while True:  # until no one has begun to use one that is let go
                 asked_for = {name: None for name in used() if name in self._borrowed}
                 if asked_for == kept:
                     break

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a session will do without further inputs: a copy of its controller runs ahead.
 
-In: a copy that stands where its branch ends. Out: sampled signals and events of the ticks to come.
-The copy is thrown away; what it does reaches nobody else.
+In: a copy that is where its branch ends. Out: sampled signals and events of the ticks to come.
+The copy is thrown away; what it does reaches no one else.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ class Subscribers:
     def travel(self, done: Slice) -> None:
         """Tell that the session has gone elsewhere; ``done``: what the ticks before have done.
 
-        They were told when they were run first, and what waits to be told may not be of this past.
+        They were reported when first run, and what waits to be reported may not be of this past.
         """
         self._travels += 1
         for pending in self._pending.values():

@@ -61,7 +61,7 @@ class Branch:
     # --- marks and events -----------------------------------------------------------------------
 
     def marks_between(self, after: int, last: int) -> list[PastMark]:
-        """Return the marks behind a tick, up to another one, but for that of the run's end."""
+        """Return the marks after a tick, up to another one, but for that of the run's end."""
         found: list[PastMark] = []
         if self.parent is not None and after < self.first_tick:
             found = self.parent.marks_between(after, min(last, self.first_tick))
@@ -69,7 +69,7 @@ class Branch:
         return found + [mark for mark in self.record.marks_between(after, last) if not mark.is_over]
 
     def mark_after(self, tick: int) -> PastMark | None:
-        """Return the first mark at or behind a tick, ``None`` if there is none."""
+        """Return the first mark at or after a tick, ``None`` if there is none."""
         if self.parent is not None and tick <= self.first_tick:
             inherited = self.parent.mark_after(tick)
             if inherited is not None and inherited.end <= self.first_tick:
@@ -122,7 +122,7 @@ class Branch:
         return max(self.record.columns.writes_from, min(inherited, self.first_tick))
 
     def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
-        """Return the ticks behind one, and before another one, that have such events."""
+        """Return the ticks after one, and before another one, that have such events."""
         found: list[int] = []
         if self.parent is not None and after + 1 < self.first_tick:
             found = self.parent.ticks_between(requested, after, min(before, self.first_tick))

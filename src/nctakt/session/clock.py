@@ -2,7 +2,7 @@
 """The clocks of a session: when the next slice is due, and up to which tick it runs.
 
 In: a speed, the time of a monotonic clock. Out: deadlines and ticks. Deadlines are absolute, so a
-late slice does not move those behind it: a session never drifts.
+late slice does not move those after it: a session never drifts.
 """
 
 from __future__ import annotations
@@ -87,7 +87,7 @@ class ScheduleClock:
 class FastClock:
     """As fast as possible, in slices short enough for those who watch.
 
-    ``rests``: the session stands where nothing can happen any more by itself.
+    ``rests``: the session stops where nothing can happen any more by itself.
     """
 
     speed: float | None = None

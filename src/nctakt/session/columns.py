@@ -43,7 +43,7 @@ _MAX_WAITING = 100_000
 
 @dataclass(frozen=True, slots=True)
 class Extent:
-    """The lowest and highest values of the signals behind some ticks, and before the first one."""
+    """The lowest and highest values of the signals after some ticks, and before the first one."""
 
     first_tick: int
     count: int
@@ -52,7 +52,7 @@ class Extent:
 
     @property
     def end(self) -> int:
-        """The tick behind its last one."""
+        """The tick after its last one."""
         return self.first_tick + self.count
 
     def with_next(self, other: Extent) -> Extent:
@@ -74,7 +74,7 @@ class Necessary:
     number: float = 0.0
 
     def is_possible(self, extent: Extent) -> bool:
-        """Return whether the stop may hold behind one of some ticks."""
+        """Return whether the stop may hold after one of some ticks."""
         low, high = float(extent.lowest[self.column]), float(extent.highest[self.column])
         if not low < high:
             return low != high  # neither is a number: nothing is known
@@ -106,7 +106,7 @@ class ColumnTrail:
         self._before = np.array(values, np.float64)
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Gather the values of the signals behind some ticks."""
+        """Gather the values of the signals after some ticks."""
         values: NDArray[np.float64] = np.asarray(rows).reshape(-1, width)
         while len(values):
             count = min(len(values), EXTENT_TICKS - first_tick % EXTENT_TICKS)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Where two branches of a session differ first.
 
-In: two branches, each with a controller that stands where both are still one. Out: the first tick
+In: two branches, each with a controller at a tick where both are still one. Out: the first tick
 after which one of their signals differs.
 """
 
@@ -52,7 +52,7 @@ def first_difference(
     signals: Sequence[str],
     poll: Callable[[], None],
 ) -> BranchDifference:
-    """Run two controllers from where they stand up to a tick, or to where a signal differs.
+    """Run two controllers from where they are up to a tick, or to where a signal differs.
 
     ``poll`` is called meanwhile, and may end it by an exception.
     """

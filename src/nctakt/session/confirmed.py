@@ -36,7 +36,7 @@ class Confirmed:
         return tick in self._digests
 
     def between(self, after: int, last: int, count: int) -> list[int]:
-        """Return the first ``count`` known ticks behind a tick, up to another one."""
+        """Return the first ``count`` known ticks after a tick, up to another one."""
         return sorted(tick for tick in self._digests if after < tick <= last)[:count]
 
     def compare(self, branch: int, found: Iterable[Mark]) -> int | None:

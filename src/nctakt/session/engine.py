@@ -102,7 +102,7 @@ class Slice:
 
 
 def joined(first: Slice, second: Slice) -> Slice:
-    """Return two slices, one behind the other, as one."""
+    """Return two slices, one after the other, as one."""
     events = [*first.events, *second.events]
     surplus = max(0, len(events) - MAX_EVENTS)
     return replace(
@@ -374,7 +374,7 @@ class Engine:
         return done if since is None else since_tick(done, since, self._cycle_us)
 
     def _select(self, cells: Sequence[int]) -> None:
-        """Record these cells in each tick from now on: what nobody keeps takes only time."""
+        """Record these cells in each tick from now on: what no one keeps takes only time."""
         if self._selected != cells:
             self._machine.record.select(list(cells))
             self._selected = cells
@@ -417,7 +417,7 @@ class Engine:
         return self._trail.mark(self.tick, is_over=self._run.state is not None)
 
     def last_hit(self, end: int, stops: Sequence[StopAt], marks: Sequence[int]) -> Found:
-        """Run up to tick ``end`` past all stops; return the last tick behind which one has held.
+        """Run up to tick ``end`` past all stops; return the last tick after which one has held.
 
         The events of these ticks are only digested, so that the search is no slower than a run.
         """
@@ -629,7 +629,7 @@ class Engine:
         return found
 
     def look(self, end: int, signals: Sequence[str], every: int) -> bytes:
-        """Run up to tick ``end``; return the signals behind each ``every``-th tick.
+        """Run up to tick ``end``; return the signals after each ``every``-th tick.
 
         Rows of float64, one cell for each signal.
         """

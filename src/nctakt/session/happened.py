@@ -16,7 +16,7 @@ from nctakt.trace.events import Event
 from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import TraceHeader
 
-#: Events of one slice that are handed out: the latest; how many others there were is told.
+#: Events of one slice that are handed out: the latest; how many others there were is reported.
 MAX_EVENTS = 1000
 
 _BLOCKS = frozenset((rows.EVENT_BLOCK,))

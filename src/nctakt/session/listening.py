@@ -2,7 +2,7 @@
 """What a session tells: frames, which may be skipped, and notices, which may not.
 
 In: the moments of a session. Out: for each listener the latest frame, at a rate of its own, and all
-notices in their order. Nobody who listens can hold the session up.
+notices in their order. No listener can hold the session up.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nctakt.trace.events import Event
 #: Notices that wait for a listener at most; one that leaves more unread is dropped.
 MAX_NOTICES = 1000
 
-#: Events that wait in a listener's frame at most; how many were left out is told.
+#: Events that wait in a listener's frame at most; how many were left out is reported.
 MAX_FRAME_EVENTS = 1000
 
 NoticeKind = Literal["stopped", "ended", "branch", "travelled", "refused", "closed"]
@@ -71,7 +71,7 @@ class Notice:
 class Listener:
     """One who listens: to some signals, at most ``rate_hz`` times a second.
 
-    ``is_dropped``: it has left too many notices unread, and is told no more.
+    ``is_dropped``: it has left too many notices unread, and gets no more.
     """
 
     def __init__(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The parked controllers of a session.
 
-In: controllers at ticks of branches. Out: the nearest one to any moment; those that nobody needs
+In: controllers at ticks of branches. Out: the nearest one to any moment; those that no one needs
 are closed.
 """
 
@@ -43,7 +43,7 @@ class ParkedControllers:
         self._parked.sort(key=lambda one: (one.work_us, one.tick, one.branch.number))
 
     def thin_out(self, present_us: float) -> None:
-        """Close those that stand too dense, seen from a present."""
+        """Close those that are too close together, seen from a present."""
         works = [one.work_us for one in self._parked]
         for index in reversed(surplus(works, present_us)):
             self._parked.pop(index).engine.close()

@@ -2,7 +2,7 @@
 """Which parked controllers a session keeps, so that any past moment is near one of them.
 
 In: where controllers are parked, as the work of running up to there from the start, in
-microseconds. Out: which of them to give up, and where to park next. They stand in windows around
+microseconds. Out: which of them to give up, and where to park next. They are in windows around
 the present that grow by a factor: their number grows with the logarithm of the session's length,
 and a moment that lies twice as far back is at most twice as dear to reach.
 """
@@ -85,7 +85,7 @@ def approach(start: float, target: float) -> list[float]:
 
 
 def first_gap(parked: Sequence[float], present: float) -> tuple[int, float] | None:
-    """Return behind which parked controller another one is missing, and where; ``None``: nowhere.
+    """Return after which parked controller another one is missing, and where; ``None``: nowhere.
 
     ``parked`` ascends, up to ``present``. Of two neighbours the nearer one may be no farther from
     the present than from the other one: then whoever goes back step by step never has far to go.

@@ -161,7 +161,7 @@ class BranchRecord:
         return self.marks[index - 1] if index else None
 
     def mark_after(self, tick: int) -> PastMark | None:
-        """Return the first mark at or behind a tick."""
+        """Return the first mark at or after a tick."""
         index = bisect.bisect_left(self.marks, tick, key=lambda mark: mark.tick)
         return self.marks[index] if index < len(self.marks) else None
 
@@ -171,7 +171,7 @@ class BranchRecord:
         return self.marks[index - 1] if index else None
 
     def marks_between(self, after: int, last: int) -> list[PastMark]:
-        """Return the marks behind a tick, up to another one."""
+        """Return the marks after a tick, up to another one."""
         first = bisect.bisect_right(self.marks, after, key=lambda mark: mark.tick)
         end = bisect.bisect_right(self.marks, last, key=lambda mark: mark.tick)
         return self.marks[first:end]
@@ -196,7 +196,7 @@ class BranchRecord:
         return None
 
     def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
-        """Return the ticks behind one, and before another one, that have such events."""
+        """Return the ticks after one, and before another one, that have such events."""
         found: list[NDArray[np.float64]] = []
         for events in self._backward():
             ticks = events[:, rows.EVENT_TICK]

@@ -100,7 +100,7 @@ class Session:
     ) -> Self:
         """Return a session of the run on a tape, which needs no PLC.
 
-        Its inputs come when they came; what is written behind the start begins a branch. It
+        Its inputs come when they came; what is written after the start begins a branch. It
         reaches the files in ``folders``, by default those of the folder of the tape. Raises
         ``Failure`` for a tape that cannot be read, that names other files, or whose programs and
         lists have changed, unless it shall run ``anyway``.
@@ -261,7 +261,7 @@ class Session:
     # --- back -----------------------------------------------------------------------------------
 
     def go_to(self, tick: int, branch: int | None = None) -> Slice:
-        """Stand before a tick that a branch has reached, by default this one (901154, 901157)."""
+        """Go to just before a tick a branch has reached, by default this one (901154, 901157)."""
         return self._ask(self._travel, self._story.go_to, tick, branch)
 
     def back(self, ticks: int = 1) -> Slice:
@@ -302,7 +302,7 @@ class Session:
     def play(self, speed: float | None = None, *, rests: bool = False) -> None:
         """Go on by itself: at ``speed`` times the wall clock, 0.01 … 1000, else at full speed.
 
-        ``rests``: at full speed, stand where nothing can happen any more by itself. Raises
+        ``rests``: at full speed, stop where nothing can happen any more by itself. Raises
         ``ValueError`` for another speed.
         """
         self._ask(self._play, speed, rests)
@@ -463,7 +463,7 @@ class Session:
     def look(
         self, first: int, end: int, signals: Sequence[str], rows: int = MAX_ROWS
     ) -> tuple[int, memoryview[float]]:
-        """Return signals behind the ticks from ``first`` up to, but without, ``end``.
+        """Return signals after the ticks from ``first`` up to, but without, ``end``.
 
         At most ``rows`` rows of float64 cells: one for each, or for each second, third … tick; the
         distance comes with them. The session stays where it is.
@@ -513,7 +513,7 @@ class Session:
     def listen(
         self, *signals: str, rate_hz: float = 20.0, events: bool = True
     ) -> Iterator[Listener]:
-        """Listen to signals, at most so often a second, and to events unless told not to.
+        """Listen to signals, at most this often a second, and to events if these are wanted.
 
         Raises ``Failure`` for an unknown signal.
         """
@@ -560,7 +560,7 @@ class Session:
         self.close()
 
     def _repr_html_(self) -> str:
-        """Return tables for notebooks: where it stands, and its realtime cycles."""
+        """Return tables for notebooks: where it is, and its realtime cycles."""
         latest = self.latest
         cycle_time_us = self.description.cycle_time_us
         rows = [

@@ -94,7 +94,7 @@ class StopAt:
     the expression, variable or function. ``file``: empty for any file. ``only_if``: an expression
     that must be true as well. ``count``: how often it must hold. ``channel``: the one whose
     variables the expressions name, from 1; with ``is_of_channel`` a block or event holds in no
-    other. ``max_depth``: at most so many programs are open in the last block of the tick, 0: any
+    other. ``max_depth``: at most this many programs are open in the last block of the tick, 0: any
     number. ``statement``: the line of a statement in the branch or cycle, before which ``only_if``
     is judged; 0: after the tick.
     """
@@ -149,7 +149,7 @@ def _divided(text: str, pattern: re.Pattern[str]) -> tuple[str, str]:
 class EventFilter:
     """Events of some ``kinds``, a set of bits, each of whose columns lies within its bounds.
 
-    ``max_depth``: the last block of a tick, and only that, with at most so many open programs.
+    ``max_depth``: the last block of a tick, and only that, with at most this many open programs.
     """
 
     kinds: int

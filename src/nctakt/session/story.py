@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The commands of a session -> their effects, without a thread, a socket or a clock.
 
-In: commands such as step, run, back, post. Out: slices, values. A session stands between two ticks:
+In: commands such as step, run, back, post. Out: slices, values. A session is between two ticks:
 ``tick`` is the one that comes next, and what a command returns is what the ticks before it did.
 """
 
@@ -61,7 +61,7 @@ class Story:
         self.delay: int | None = None
         self._latest = self.timeline.run(0)
 
-    # --- where it stands ------------------------------------------------------------------------
+    # --- where it is ----------------------------------------------------------------------------
 
     @property
     def tick(self) -> int:
@@ -167,7 +167,7 @@ class Story:
     # --- back -----------------------------------------------------------------------------------
 
     def go_to(self, tick: int, branch: int | None = None) -> Slice:
-        """Stand before a tick that the session has reached; raises ``Failure`` (901154, 901901).
+        """Go to just before a tick the session has reached; raises ``Failure`` (901154, 901901).
 
         Where it is interrupted it stays where it was.
         """
@@ -257,7 +257,7 @@ class Story:
     def look(
         self, first: int, end: int, signals: Sequence[str], rows: int = MAX_ROWS
     ) -> tuple[int, memoryview[float]]:
-        """Return signals behind the ticks from ``first`` up to, but without, ``end``.
+        """Return signals after the ticks from ``first`` up to, but without, ``end``.
 
         At most ``rows`` rows: one for each, or for each second, third … tick; the distance comes
         with them. The cells are float64, row after row. The session stays where it is.
@@ -325,7 +325,7 @@ class Story:
             engine.close()
 
     def restart_schedule(self) -> None:
-        """Let a real schedule begin anew behind a pause."""
+        """Let a real schedule begin anew after a pause."""
         self.timeline.restart_schedule()
 
     def schedule_table(self, language: Language) -> str:

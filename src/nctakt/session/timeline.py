@@ -51,7 +51,7 @@ PART_MARKS = 12
 #: Work that a step back may do for those to come, in microseconds.
 REFINED_US = 20_000.0
 
-#: How far behind a moment that somebody has travelled to controllers are parked at once, in us.
+#: How far before a moment that somebody has travelled to controllers are parked at once, in us.
 FAR_US = 100_000.0
 
 #: Ticks before a moment whose events come with the arrival there.
@@ -72,7 +72,7 @@ Poll = Callable[[], None]
 
 
 class Timeline:
-    """The moments of a session, and the live controller that stands in one of them.
+    """The moments of a session, and the live controller that is at one of them.
 
     Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in. ``poll``
     is called while the past is run again, and may end that by an exception. ``progress``: how many
@@ -106,7 +106,7 @@ class Timeline:
 
     @property
     def tick(self) -> int:
-        """The tick at which the live controller stands."""
+        """The tick at which the live controller is."""
         return self._live.tick
 
     @property
@@ -309,10 +309,10 @@ class Timeline:
     # --- anywhere -------------------------------------------------------------------------------
 
     def go_to(self, tick: int, branch: int | None = None) -> Slice:
-        """Make the live controller stand before a tick of a branch, by default of this one.
+        """Bring the live controller to just before a tick of a branch, by default of this one.
 
         Returns what its last ticks have done. Raises ``Failure`` (901154, 901157, 901901), and it
-        stands where it was.
+        stays where it was.
         """
         target = self.branch if branch is None else self._branch(branch)
         if not 0 <= tick <= target.latest:
@@ -409,7 +409,7 @@ class Timeline:
         return done
 
     def _near(self, branch: Branch, first: int, tick: int) -> list[int]:
-        """Return up to a tick those to which somebody goes back from there, behind ``first``."""
+        """Return ``tick`` and those after ``first`` to which somebody goes back from there."""
         if not self._can_copy or self._setup.plc is not None:
             return []
         if tick in self._confirmed:
@@ -442,7 +442,7 @@ class Timeline:
             try:
                 spent_us += self._fill(older, mark, limit_us)
             except Failure:
-                return  # whoever goes there learns why, and nobody has asked for it yet
+                return  # whoever goes there learns why, and no one has asked for it yet
 
     def _fill(self, older: Parked, mark: PastMark, limit_us: float) -> float:
         """Bring a copy of a parked controller to a mark, or some work nearer; return the work."""
@@ -647,7 +647,7 @@ class Timeline:
         return self.branch.number, end, kept
 
     def restart_schedule(self) -> None:
-        """Let a real schedule begin anew behind a pause."""
+        """Let a real schedule begin anew after a pause."""
         if self._setup.rtconf is not None:
             self.live.ask("schedule", RESTART)
 

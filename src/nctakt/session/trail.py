@@ -32,7 +32,7 @@ DIGEST_SIZE = 8
 
 @dataclass(frozen=True, slots=True)
 class Mark:
-    """A run behind the ticks before ``tick``.
+    """A run after the ticks before ``tick``.
 
     ``digest``: of its memory and of all events so far. ``work_us``: the time of the processor since
     the mark before, in microseconds. ``is_over``: the run has ended there.

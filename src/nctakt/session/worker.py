@@ -43,7 +43,7 @@ def can_fork() -> bool:
 
 
 def send(connection: Connection[Any, Any], value: object) -> None:
-    """Send a value, from a copy: the library's own way leaves a buffer that nobody may free."""
+    """Send a value, from a copy: the library's own way leaves a buffer that no one may free."""
     connection.send_bytes(pickle.dumps(value, pickle.HIGHEST_PROTOCOL))
 
 
@@ -136,7 +136,7 @@ def main() -> None:
     key = sys.stdin.buffer.read(KEY_SIZE)
     interrupts.ignore()  # they may go to a whole group; the session ends its workers itself
     if can_fork():
-        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no one waits for the copies
     worker = Worker(sys.argv[1], key)
     with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
         worker.connect(sys.argv[2])

@@ -43,9 +43,9 @@ _NOBODY = "nobody"
 class RemoteEngine:
     """A controller in another process, with the methods of ``Engine``.
 
-    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it stands;
+    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it is;
     ``process``: the number of its process; ``took_s``: how long the latest request has taken there.
-    ``is_apart``: a thread of its own asks it, and nobody is to abandon it.
+    ``is_apart``: a thread of its own asks it, and no one is to abandon it.
     """
 
     def __init__(
@@ -74,7 +74,7 @@ class RemoteEngine:
         return answers[-1][1]
 
     def order(self, request: str, *words: Any) -> None:
-        """Make a request without waiting for its answer: nobody has to wake for that alone."""
+        """Make a request without waiting for its answer: no one has to wake for that alone."""
         self._send(request, words)
         self._unread += 1
 

@@ -28,7 +28,7 @@ from nctakt.trace.sinks import TraceHeader
 class Digest:
     """A sink that condenses a trace to a few digits: the same trace, the same digits.
 
-    ``tail``: the rows behind the latest call of ``begin_tail``.
+    ``tail``: the rows after the latest call of ``begin_tail``.
     """
 
     def __init__(self) -> None:
@@ -55,7 +55,7 @@ class Digest:
         """Do nothing."""
 
     def begin_tail(self, values: Sequence[float]) -> None:
-        """Keep the rows from now on, behind these values."""
+        """Keep the rows from now on, after these values."""
         self._has_tail = True
         self.tail = array("d", values)
 
@@ -104,7 +104,7 @@ class BegunRun:
         self._inputs = inputs
 
     def add(self, inputs: Sequence[Input]) -> None:
-        """Plan further inputs, behind those of their ticks that are planned already."""
+        """Plan further inputs, after those of their ticks that are planned already."""
         self.controller.plan(inputs)
 
     def values(self) -> list[float]:

@@ -20,7 +20,7 @@ from nctakt.studies.row_block import RowBlock
 
 Block = tuple[int, ...]
 
-#: Runs of the first blocks, of which nobody knows how long they take, and of a block at most.
+#: Runs of the first blocks, of which no one knows how long they take, and of a block at most.
 FIRST, MAX_RUNS = 20, 5_000
 
 #: Runs between two searches for garbage.
@@ -82,7 +82,7 @@ def _rows(maker: RowMaker, block: Block) -> Iterator[Row]:
 
 
 class Blocks:
-    """Numbers in blocks for so many ``workers``; a block should take ``block_s`` seconds."""
+    """Numbers in blocks for this many ``workers``; a block should take ``block_s`` seconds."""
 
     def __init__(self, numbers: Iterable[int], workers: int, block_s: float) -> None:
         self.workers = workers

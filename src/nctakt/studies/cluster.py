@@ -121,7 +121,7 @@ class Station:
         self._bench = bench
         self._maker = maker_of(bench, may_copy=False)
         gc.collect()
-        gc.freeze()  # machine and program stay: nobody looks for garbage in them again
+        gc.freeze()  # machine and program stay: no one looks for garbage in them again
 
     def make(self, block: Block, writer: RowWriter | None) -> MadeBlock:
         """Make the runs of a block."""

@@ -37,7 +37,7 @@ END_OF_RUN = 1 << 60
 #: The most values of a list that are checked before any run.
 MAX_PROBES = 50
 
-#: Steps of a dimension beyond which nobody counts.
+#: Steps of a dimension beyond which they are not counted.
 MAX_STEPS = 1e18
 
 _MASK = (1 << 64) - 1

@@ -135,7 +135,7 @@ def _span(dimension: Dimension, cycle_time_us: int) -> tuple[int, int]:
 def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     """Return the command that makes this run; ``None`` if no option says what it needs.
 
-    That is so as well where nobody would read the command: with more than ``MAX_STIMULI`` values
+    That is so as well where no one would read the command: with more than ``MAX_STIMULI`` values
     at times.
     """
     if plan.is_schedule or plan.text is not None or inputs.needs_tape:

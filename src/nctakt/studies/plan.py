@@ -42,7 +42,7 @@ RESERVED = (
 )  # fmt: skip
 
 
-#: An entry of a plan: its table, and its name or its number there; and where it stands.
+#: An entry of a plan: its table, and its name or its number there; and where it is.
 Entry = tuple[str, str | int]
 Place = tuple[Span | None, str]
 
@@ -79,7 +79,7 @@ class Plan:
     ``system``: the scheduling list, its load and its operating system; ``is_schedule``: the list is
     simulated without a program, which ``program`` then stands for.
     ``further``: the run options that are no entries of their own here, by name.
-    ``places``: where the entries stand in the plan's file, with the text of the line.
+    ``places``: where the entries are in the plan's file, with the text of the line.
     """
 
     program: Path

@@ -112,7 +112,7 @@ def read_tables(
     lines: Sequence[str] = (),
     default_machine: Path | None = None,
 ) -> Plan:
-    """Return the plan of tables; ``file`` and ``lines``: where they stand, for messages."""
+    """Return the plan of tables; ``file`` and ``lines``: where they are, for messages."""
     reader = _Reader(folder, file, lines)
     reader.default_machine = default_machine
     plan = reader.plan(tables)
@@ -253,7 +253,7 @@ class _Reader(PlanReader):
                 self.wrong("values", one.count, expected, "vary", number)
 
     def _places(self, plan: Plan) -> dict[Entry, Place]:
-        """Return where the entries stand whose names machine and program have to have."""
+        """Return where the entries are whose names machine and program have to have."""
         keys: list[tuple[str, str, str | int]] = [
             (dimension.kind, "vary", number) for number, dimension in enumerate(plan.dimensions)
         ]
@@ -360,7 +360,7 @@ class _Reader(PlanReader):
             measure = self.read(text, name, "measure", read_measure, *words)
             if measure is not None:
                 measures.append(measure)
-            known[name] = Constant(0) if measure is None else measure.node  # told once
+            known[name] = Constant(0) if measure is None else measure.node  # reported once
         return tuple(measures), known
 
     def _expectations(self, entries: Any, known: dict[str, Node]) -> tuple[Expectation, ...]:

@@ -67,7 +67,7 @@ def one_of(names: Sequence[str]) -> Text:
 class PlanReader:
     """Reads the entries of one plan; ``folder``: where the paths in it begin.
 
-    ``file`` and ``lines``: where it stands, for messages. ``diagnostics``: its mistakes.
+    ``file`` and ``lines``: where it is, for messages. ``diagnostics``: its mistakes.
     """
 
     def __init__(self, folder: Path, file: str = "", lines: Sequence[str] = ()) -> None:

@@ -91,7 +91,7 @@ class _Pool:
     def copies(self, bench: Bench, count: int) -> Iterator[WorkerProcess]:
         """Yield workers that are copies of this process."""
         gc.collect()
-        gc.freeze()  # a copy shares the memory in which nobody looks for garbage
+        gc.freeze()  # a copy shares the memory in which no one looks for garbage
         try:
             for _ in range(count):
                 worker = WorkerProcess.copied(bench, self._workers)

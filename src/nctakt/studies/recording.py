@@ -34,7 +34,7 @@ _LOAD = Path("load.toml")
 def record_run(bench: Bench, point: Sequence[Value], path: Path) -> str:
     """Write the files of a run; return the command that shows it.
 
-    ``path``: of the tape; list and load of a schedule stand beside it, with endings of their own.
+    ``path``: of the tape; list and load of a schedule are beside it, with endings of their own.
     Raises ``Failure`` as the run, and for files that cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -37,7 +37,7 @@ class RowBlock:
         return len(self.numbers)
 
     def without_rows(self) -> RowBlock:
-        """Return the block without its rows, which stand elsewhere by now."""
+        """Return the block without its rows, which are elsewhere by now."""
         block = RowBlock(())
         vars(block).update(vars(self))
         block.rows, block.lines, block.has_rows = [], b"", False

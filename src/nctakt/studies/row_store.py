@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The rows of a study while its runs are made, and in the order of their runs afterwards.
 
-They stand in ``NAME.rows``: a line that says of which plan, then a line per run, each written at
+They are in ``NAME.rows``: a line that says of which plan, then a line per run, each written at
 once, so that whatever ends the process loses no finished run. Which runs are finished takes a bit
 of memory for each. Rows that came out of order are sorted in parts of bounded size, to a file
 beside it, so that a study may have more rows than memory holds. A file with the name of the rows
@@ -269,14 +269,14 @@ def _unwritable(path: Path, error: OSError) -> Failure:
 
 
 def _run_of(line: Any) -> int:
-    """Return the number of the run of a line, which stands first in it."""
+    """Return the number of the run of a line, which comes first in it."""
     return int(line[: line.index(b",")].rpartition(b":")[2])
 
 
 def _sort(source: Path, target: Path) -> None:
-    """Write the lines of a file in the order of their runs, behind its first line.
+    """Write the lines of a file in the order of their runs, after its first line.
 
-    Parts that fit in memory are sorted and written one behind another, then merged.
+    Parts that fit in memory are sorted and written one after another, then merged.
     """
     parts = _new_file(source, ".parts")
     try:

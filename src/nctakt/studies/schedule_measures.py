@@ -5,7 +5,7 @@ Times are exact seconds::
 
     response of GEO             the longest one; min, mean, p50, p90, p99, p99.9 response of GEO
     bound of GEO                the longest one by analysis, of all phases and times
-    slack of GEO                what is left of the thread's cycle behind its longest response
+    slack of GEO                what is left of the thread's cycle after its longest response
     overflows of GEO            likewise lost, jobs, suspensions; without a name: of all threads
     windows                     the least time of Windows in an NC cycle
     windows share               of the processors on which it runs, 0 … 1; windows violations

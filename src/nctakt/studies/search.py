@@ -33,7 +33,7 @@ _Measured = tuple[tuple[Value, ...], Row, tuple[float, ...]]
 class Answer:
     """The answer to a goal.
 
-    ``rows``: the run before and the run behind a switch-over; or the best run that meets the
+    ``rows``: the run before and the run after a switch-over; or the best run that meets the
     expectations, then the best one that does not if it is better; or the Pareto set.
 
     ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is none, or

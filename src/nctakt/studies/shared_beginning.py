@@ -2,7 +2,7 @@
 """Injections that share the beginning of their runs, which is run once.
 
 In: a bench whose plan injects a value at each tick. Out: the same rows as ``Bench.row`` makes. The
-unchanged run goes forward from injection to injection. At each, the ticks behind it are tried and
+unchanged run goes forward from injection to injection. At each, the ticks after it are tried and
 the realtime part is put back (``trial.py``). What cannot be tried is made by a copy of the process
 (``fork``), which goes on until the injection is decided and hands its row over; a process that does
 so has one thread. Where a copy takes longer than the beginning, or must not be made, the run is

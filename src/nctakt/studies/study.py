@@ -56,7 +56,7 @@ class StudyResult:
     """The rows of a study in the order of its runs; true if all runs met all expectations.
 
     ``units``: those of the columns that have any. Results can be compared and pickled; a measure
-    that is a Python function is pickled by its name, so it has to stand in a module.
+    that is a Python function is pickled by its name, so it has to be in a module.
     """
 
     def __init__(
@@ -114,7 +114,7 @@ class StudyResult:
         return without_effect(self.plan, self.rows)
 
     def first_broken(self, count: int) -> list[Row]:
-        """Return the first rows of the runs that did not meet all expectations, at most so many."""
+        """Return the first rows of runs that did not meet all expectations, at most this many."""
         return list(itertools.islice((r for r in self.rows if r["verdict"] != PASSED), count))
 
     @property
@@ -168,7 +168,7 @@ class StudyResult:
 class Study:
     """Many runs of one program: a plan's file, or its entries as keywords.
 
-    ``program`` is a file or an ``NcText``. Behind a plan's file, ``method``, ``count`` and ``seed``
+    ``program`` is a file or an ``NcText``. With a plan's file, ``method``, ``count`` and ``seed``
     replace those of the file.
 
     ``functions``: further measures as Python functions, which get the queries of a run as a test

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A trial: what an injection does in the ticks behind it, off a run that goes on without it.
+"""A trial: what an injection does in the ticks after it, off a run that goes on without it.
 
 In: an unchanged run at a tick. Out: the rest of the run with the injection, up to where it is
 decided, and the realtime part put back to that tick. Only ticks are tried, nothing of Python's

@@ -65,7 +65,7 @@ def _unit(node: Node, signal_unit: SignalUnit) -> str | None:
 
 
 def _of_result(word: str, left: str | None, right: str | None) -> str | None:
-    """Return the unit of a result; empty where it has none or one that nobody has named."""
+    """Return the unit of a result; empty where it has none or one that no one has named."""
     if word in ("+", "-"):
         if left is None or right is None:
             return left or right

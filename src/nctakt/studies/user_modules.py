@@ -112,7 +112,7 @@ def _spec(name: str, folder: Path) -> importlib.machinery.ModuleSpec | None:
     try:
         beside = importlib.machinery.PathFinder.find_spec(name, [str(folder)])
         return beside or importlib.util.find_spec(name)
-    except (ImportError, ValueError):  # what cannot be found is told when it is imported
+    except (ImportError, ValueError):  # what cannot be found is reported when it is imported
         return None
 
 
@@ -120,7 +120,7 @@ def _imported(path: Path) -> Iterator[str]:
     """Yield the first part of each name that a Python file imports."""
     try:
         tree = ast.parse(path.read_bytes())
-    except (OSError, SyntaxError, ValueError, RecursionError):  # told by who imports it
+    except (OSError, SyntaxError, ValueError, RecursionError):  # reported by who imports it
         return
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):

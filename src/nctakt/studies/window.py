@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The window behind an injection: from when on its expectations are decided, and by which values.
+"""The window after an injection: from when on its expectations are decided, and by which values.
 
 In: the expectations ``CONDITION within TIME`` of a plan, and the time of an injection. Out: the
 ticks at which a run is looked at, whether it is decided there, and its outcome. Who looks at a run
-does so at the same ticks behind the injection, however it was made: so its row is the same.
+does so at the same ticks after the injection, however it was made: so its row is the same.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class WindowOutcome(Outcome):
     """The outcome of a run that is known from its injection on.
 
     ``rows``: the values of ``signals`` at the begin of the injection's tick, then those of each
-    tick behind it.
+    tick after it.
     """
 
     def __init__(
@@ -97,5 +97,5 @@ class WindowOutcome(Outcome):
 
 
 def decided_run(ticks: int, cycle_time_us: int, before: Mapping[str, float]) -> Run:
-    """Return the result of a run that was left after so many ticks, as far as rows name it."""
+    """Return the result of a run that was left after this many ticks, as far as rows name it."""
     return Run((), cycle_time_us, 0, ticks, "interrupted", before=before)

@@ -5,7 +5,7 @@ In: where Python finds modules, the plan, then lists of numbers of runs, each pi
 writes their rows or ``None``. Out: ``True``
 once it is ready, or the ``Failure`` that keeps it from that; then for each list its rows, pickled,
 or the ``Failure`` to write them.
-A worker has one thread, so that it can copy itself, and it ends when nobody asks any more. What a
+A worker has one thread, so that it can copy itself, and it ends when no one asks any more. What a
 user's PLC prints goes to standard error, and it finds nothing to read.
 """
 
@@ -27,7 +27,7 @@ from nctakt.studies.shared_beginning import maker_of
 
 
 def main() -> None:
-    """Make runs until nobody asks for more."""
+    """Make runs until no one asks for more."""
     answers = os.fdopen(os.dup(1), "wb")
     questions = os.fdopen(os.dup(0), "rb")
     _leave_streams()
@@ -38,7 +38,7 @@ def main() -> None:
         _answer(answers, failure)
         return
     gc.collect()
-    gc.freeze()  # machine and program stay: nobody looks for garbage in them again
+    gc.freeze()  # machine and program stay: no one looks for garbage in them again
     _answer(answers, True)
     serve(bench, questions, answers)
 

@@ -79,7 +79,7 @@ class WorkerProcess:
                     os.close(questions)
                     os.close(answers)
                     serve(bench, os.fdopen(asked, "rb"), os.fdopen(answered, "wb"))
-                except BaseException:  # noqa: BLE001 - told as a new process would
+                except BaseException:  # noqa: BLE001 - reported as a new process would
                     sys.excepthook(*sys.exc_info())
                 finally:
                     sys.stdout.flush()

@@ -2,7 +2,7 @@
 """ASCII list -> entries.
 
 In: the bytes of a parameter list and the dialect of its kind. Out: its entries in the order of the
-text, each with its normalised path, its indices, and the text behind its name, all with their
+text, each with its normalised path, its indices, and the text after its name, all with their
 positions; oddities of the text go to the collector. Values are not interpreted here, since their
 meaning depends on the parameter's type (``value_text.py``, ``values.py``).
 
@@ -43,7 +43,7 @@ class ListDialect:
     ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as
     the ID of the parameter with it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE beside
     1 and 0. ``expects_end``: a missing End is a warning. ``comment_notes``: a ``#`` outside of the
-    first column, or without a blank behind it, is a note.
+    first column, or without a blank after it, is a note.
     """
 
     hexadecimal: bool = True
@@ -129,7 +129,7 @@ def _check_comment(key: Span, line: str, collector: Collector) -> None:
 def _read_entry(file: str, number: int, line: str) -> Entry:
     start = len(line) - len(line.lstrip(BLANKS))
     match = _KEY.match(line, start)
-    # A line that begins with a quotation mark has no name; its whole first word stands for one.
+    # A line that begins with a quotation mark has no name; its whole first word is taken for one.
     end = match.end() if match else len(line)
     key = line[start:end]
     span = Span(file, number, start + 1, end + 1)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The text behind an entry's name -> its value's text, apart from the comment.
+"""The text after an entry's name -> its value's text, apart from the comment.
 
 In: an ``Entry``. Out: its word, character string or flags; oddities go to the collector. The
-parameter's type chooses between two readings (manual of rtconf.lis, 2.4 and 2.5): behind a number
-or a name everything after the next blank is a comment; behind a character string only ``(`` opens
+parameter's type chooses between two readings (manual of rtconf.lis, 2.4 and 2.5): after a number
+or a name everything after the next blank is a comment; after a character string only ``(`` opens
 one, and quotation marks protect all special characters.
 """
 
@@ -110,7 +110,7 @@ def read_flags(entry: Entry, collector: Collector) -> tuple[Word, ...]:
         words.append(Word(match[0], entry.span(match.start(), match.end())))
         separator = _FLAG_SEPARATOR.match(entry.rest, match.end())
         if separator is None:
-            # Text behind a flag without a separator belongs to it: 'MOS#' is not the flag MOS.
+            # Text after a flag without a separator belongs to it: 'MOS#' is not the flag MOS.
             glued = _WORD.match(entry.rest, match.end())
             if glued is None:
                 return tuple(words)

@@ -91,7 +91,7 @@ class Values:
         return self.entry_values.get(key) or self.unused_values.get(key)
 
     def indices(self, prefix: str, *outer: int) -> tuple[int, ...]:
-        """Return the indices of ``prefix`` (``thread[]``) behind ``outer`` with entries."""
+        """Return the indices of ``prefix`` (``thread[]``) after ``outer`` with entries."""
         depth = prefix.count("[]")
         assert depth == len(outer) + 1, prefix
         numbers = {

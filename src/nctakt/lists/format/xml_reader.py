@@ -2,7 +2,7 @@
 """XML list -> entries.
 
 In: the bytes of a parameter list in XML, the schema of its kind. Out: its entries as those of an
-ASCII list. An element is named by a parameter ID with its indices behind dots, the value is its
+ASCII list. An element is named by a parameter ID with its indices after dots, the value is its
 attribute ``Value``: ``<P-RTCF-00012.0.1 Value="x" />`` is ``thread[0].function[1].name``. The
 elements around them have no meaning.
 
@@ -131,7 +131,7 @@ class _Reader:
         if match is None:
             return
         span, line = self.span(line_number, offset)
-        # Behind the '<'.
+        # After the '<'.
         start = span.column + 1
         key_span = Span(self._file, line_number, start, start + len(name))
         indices = tuple(int(text) for text in match[2].split(".")[1:])

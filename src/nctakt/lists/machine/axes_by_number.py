@@ -16,7 +16,7 @@ def spindle_numbers(machine: Machine) -> dict[int, tuple[str, int]]:
 
 
 def path_axes(machine: Machine) -> dict[int, int]:
-    """Return logical number -> index of the axes that turn no spindle and follow none for ever."""
+    """Return logical number -> index of the axes that turn no spindle and follow none forever."""
     spindles = spindle_numbers(machine)
     return {
         axis.logical_number: index

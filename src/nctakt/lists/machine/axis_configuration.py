@@ -97,7 +97,7 @@ class JerkSlope:
 class AxisDynamics:
     """Limits of one gear step; ``kv``, the gain of the position control, in 1/s.
 
-    ``change_position``: where the axis stands while the gear changes (P-AXIS-00078).
+    ``change_position``: where the axis is while the gear changes (P-AXIS-00078).
     """
 
     gear_number: int
@@ -176,7 +176,7 @@ class AxisConfiguration:
     positions and ways (P-AXIS-00058, 00059). ``mode``: all of P-AXIS-00015. ``filter_type``: of its
     FIR filter, 0 none.
     ``gears``: the dynamics of all gear steps. ``checks_tool_speed``: P-AXIS-00474.
-    ``gantry``: what it follows for ever.
+    ``gantry``: what it follows forever.
     """
 
     logical_number: int
@@ -288,7 +288,7 @@ def axis_configuration(values: Values, collector: Collector) -> AxisConfiguratio
 
 
 def _feed_forward(values: Values, collector: Collector) -> FeedForward:
-    """Return the feed-forward control of an axis; off for ever is more than on for ever."""
+    """Return the feed-forward control of an axis; off forever outweighs on forever."""
     is_permanent = values.flag("vorsteuer.default_active")
     is_disabled = values.flag("vorsteuer.global_disable")
     if is_permanent and is_disabled:
@@ -300,7 +300,7 @@ def _feed_forward(values: Values, collector: Collector) -> FeedForward:
 
 
 def _software_limits(values: Values, collector: Collector) -> tuple[float, float]:
-    """Return the software limits of an axis, which stands at 0 at start-up.
+    """Return the software limits of an axis, which is at 0 at start-up.
 
     The tolerance (P-AXIS-00179) widens them for that place, not for commands. Reported: limits that
     are swapped, an axis beyond them, a sum of limit and tolerance beyond 32 bits.

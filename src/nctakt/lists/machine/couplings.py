@@ -38,7 +38,7 @@ class ListedCouplings:
     """What a channel list says about coupled axes.
 
     ``after_reset``: what was coupled then is coupled again (P-CHAN-00104), ``after_end``: also
-    behind the end of a program (P-CHAN-00105).
+    after the end of a program (P-CHAN-00105).
     """
 
     pairs: tuple[ListedPair, ...]
@@ -48,7 +48,7 @@ class ListedCouplings:
 
 @dataclass(frozen=True, slots=True)
 class AxisGantry:
-    """The axis that one follows for ever, by its logical number, 0: none; mm or degrees.
+    """The axis that one follows forever, by its logical number, 0: none; mm or degrees.
 
     ``allowed_d``: how far actual positions may differ, 0: any way. ``offset``: the position beside
     that of the master.

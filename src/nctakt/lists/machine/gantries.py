@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Axes that follow another one for ever: their lists, checked against those of the others."""
+"""Axes that follow another one forever: their lists, checked against those of the others."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ _SPEED_UNITS = 1_000
 class AxisHoming:
     """Homing of a simulated axis, in mm or degrees and mm/s or degrees/s.
 
-    ``distance``: signed, from where it stands to the zero pulse; ``position``: its position there.
+    ``distance``: signed, from where it is to the zero pulse; ``position``: its position there.
     """
 
     is_allowed: bool = True
@@ -26,7 +26,7 @@ class AxisHoming:
 def axis_homing(values: Values) -> AxisHoming:
     """Return how an axis is homed.
 
-    A simulated axis stands on its cam: it leaves it against the direction of P-AXIS-00158, and
+    A simulated axis starts on its cam: it leaves it against the direction of P-AXIS-00158, and
     without a cam it moves in that direction.
     """
     number = values.integer("kenngr.getriebe_stufe")

@@ -27,7 +27,7 @@ from nctakt.messages.kinematics import (
     ORIENTATION_MODE_WITHOUT_EFFECT,
 )
 
-#: Where a kinematic stands: short, and with its step.
+#: Where a kinematic is listed: short, and with its step.
 _PREFIXES = ("trafo[]", "kin_step[].trafo[]")
 
 #: P-CHAN-00177: the modes that act.
@@ -56,7 +56,7 @@ def transformations(values: Values, axis_count: int, collector: Collector) -> Tr
 
 
 def _elements(values: Values, step: int) -> Iterator[tuple[str, tuple[int, ...]]]:
-    """Yield where the kinematics of a step stand: prefix and indices."""
+    """Yield where the kinematics of a step are listed: prefix and indices."""
     short, long = _PREFIXES
     if step == 0:
         for index in values.indices(short):

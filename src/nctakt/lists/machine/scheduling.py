@@ -72,7 +72,7 @@ CYCLE_TIME_FALLBACK_US = 2000
 TIME_SLICE_FALLBACK_US = 500
 SHORT_WINDOWS_TIME_US = 200
 UNSTABLE_WINDOWS_TIME_US = 100
-#: Maximum length of a semaphore's name on Linux behind the '/', in characters.
+#: Maximum length of a semaphore's name on Linux after the '/', in characters.
 LONGEST_OBJECT_NAME = 250
 _LONGEST_TIME_US = MAX_UNS32 - 1
 _LONGEST_SLICE_US = MAX_UNS16 - 1

@@ -64,7 +64,7 @@ class SourceReading:
 
 
 def comment_of(entry: Entry) -> str:
-    """Return the comment behind a number."""
+    """Return the comment after a number."""
     words = entry.rest.strip(BLANKS).split(None, 1)
     return words[1].strip(BLANKS) if len(words) > 1 else ""
 

@@ -40,7 +40,7 @@ class ToolSelection:
 
     ``by_t``: T also selects the offsets of its number. ``flushes``: the channel is flushed before a
     D word. ``output``: how T goes to the PLC, ``None``: not at all. ``flushes_before_t``: the path
-    stands before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
+    is at rest before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
     ``keeps_length_axis``: the length acts along the third main axis in every plane.
     ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life. ``is_external``: an
     external tool management has the tools, for which the tool list answers (P-CHAN-00016).

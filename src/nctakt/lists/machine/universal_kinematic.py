@@ -52,7 +52,7 @@ ENTRIES: Mapping[str, tuple[int, ...]] = {
     "linkage[][]": (4, 3),
 }
 
-#: Entries by their index in ``param[]``; those behind them are not published.
+#: Entries by their index in ``param[]``; those after them are not published.
 _OF_AXIS = ("axis[].type", "axis[].orientation[]", "axis[].point[]")
 PARAMETERS: tuple[Entry, ...] = (
     *(("zero_orientation[]", (i,)) for i in range(3)),

@@ -87,7 +87,7 @@ class Node:
 class Leaf:
     """A number or character string inside a variable.
 
-    ``path``: as in a program behind ``V.E.``: ``LEVEL_1_A[0].REAL64``. ``steps``: the same, in
+    ``path``: as in a program after ``V.E.``: ``LEVEL_1_A[0].REAL64``. ``steps``: the same, in
     parts. ``type``: a key of ``SCALARS``.
     """
 
@@ -117,7 +117,7 @@ class Variable:
 
     @property
     def name(self) -> str:
-        """The name behind the prefix."""
+        """The name after the prefix."""
         return self.node.name
 
     def leaves(self) -> Iterator[Leaf]:

@@ -24,7 +24,7 @@ AUTOMATIC_ALIGNMENT = 8
 class Field:
     """A number or string, or an array of them, in one packed memory.
 
-    ``path``: as in a program behind ``V.E.``, without the index of an array of ``count`` elements.
+    ``path``: as in a program after ``V.E.``, without the index of an array of ``count`` elements.
     ``offset`` in bytes from the start of the memory. ``count``: 0 for a single value.
     ``size_bytes``: of one element.
     """

@@ -126,7 +126,7 @@ class BlockChecker:
                 )
 
     def _spindle_word(self, block: Block, function: int, form: str) -> None:
-        """Check that a G function stands beside a spindle."""
+        """Check that a G function comes with a spindle."""
         word = functions_of(block).get(function)
         spindles = ("S", *self._channel.spindle_names)
         if word is None or any(getattr(other, "name", "") in spindles for other in block.words):

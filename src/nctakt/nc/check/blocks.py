@@ -126,7 +126,7 @@ class _BlockState:
     homes_spindles: bool = False
 
 
-#: What is told once per program about gear changes.
+#: What is reported once per program about gear changes.
 _GEAR_CHANGE = Text(
     "the spindle turns to the position of the active step, the PLC acknowledges the M function, "
     "then the limits of the new step count and the spindle goes on as before",

@@ -3,7 +3,7 @@
 
 In: statements, the variables and the list of their channel. Out: diagnostics; nothing is executed.
 A program without errors can be decoded; the decoder checks what depends on values. Support of
-commands: ``support_level.py``. Code behind a constant false condition is not checked unless a jump
+commands: ``support_level.py``. Code after a constant false condition is not checked unless a jump
 may lead there. ``inspection.py`` applies the checker to a whole text.
 """
 

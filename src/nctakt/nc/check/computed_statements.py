@@ -24,7 +24,7 @@ def first_mistake(
     is_main: bool,
     named_programs: Iterable[str],
 ) -> Diagnostic | None:
-    """Return the first error in statements that stand at ``span``, ``None`` if there is none.
+    """Return the first error in statements at ``span``, ``None`` if there is none.
 
     ``line`` gives the text that they were read from, where a message shows a part of it.
     ``is_main``: they belong to the main program itself. ``named_programs``: the words whose program

@@ -74,7 +74,7 @@ class Findings:
         return " ".join(text.split())[:40]
 
     def behind(self, span: Span) -> tuple[str, Span]:
-        """Return the text behind a span in its line, and the span of that text."""
+        """Return the text after a span in its line, and the span of that text."""
         rest = self._source.line_of(span)[span.end_column - 1 :]
         text = rest.strip()
         begin = span.end_column + len(rest) - len(rest.lstrip())

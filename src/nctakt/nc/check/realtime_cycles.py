@@ -141,7 +141,7 @@ class CycleChecker:
             self._findings.report(CYCLE_COMMAND_WITHOUT_ID, control.span, action=control.action)
 
     def _has_round_brackets(self, statement: Statement) -> bool:
-        """Return whether the keywords stand in a comment; report it."""
+        """Return whether the keywords are in a comment; report it."""
         sign = replace(statement.span, end_column=statement.span.column + 1)
         text, span = self._findings.behind(sign)
         match = _KEYWORDS_IN_COMMENT.search(text)

@@ -15,7 +15,7 @@ from nctakt.nc.tree import BracketCommand, Expression, Keyword, Name, Number
 def check_return(
     command: BracketCommand, is_in_main: bool, values: ValueChecker, findings: Findings
 ) -> None:
-    """Check ``M17 […]``; ``is_in_main``: it stands in a main program."""
+    """Check ``M17 […]``; ``is_in_main``: it is in a main program."""
     if is_in_main:
         findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, command.span, word=command.name)
     seen: dict[str, None] = {}

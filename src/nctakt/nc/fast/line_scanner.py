@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The common part of the scanners of plain lines and shapes: decimals and comments.
 
-In: a line, an index in it, its length. Out: the index behind the part read, -1 for a part that the
+In: a line, an index in it, its length. Out: the index after the part read, -1 for a part that the
 scanners leave to the parser.
 """
 

@@ -252,7 +252,7 @@ class ShapeScanner(LineScanner):
         """Read an index, a skip level, a value or the member of an element.
 
         Return its end, -1 without a shape. ``before``, ``last``: the character before it, and that
-        other than a blank; ``is_head``: nothing but a skip level stands before it.
+        other than a blank; ``is_head``: nothing but a skip level comes before it.
         """
         if line[i] == "." and before == "]":
             i = self.name(line, i, end)
@@ -335,7 +335,7 @@ class ShapeScanner(LineScanner):
     def word(self, line: str, i: int, end: int) -> int:
         """Read letters with the parts that belong to them; return their end, -1 without a shape.
 
-        ``is_name``: a variable or parameter, which may have elements. The digits behind a single
+        ``is_name``: a variable or parameter, which may have elements. The digits after a single
         letter of an axis, F, I, J, K, N, R are a number, unless the word is a name (``X1=5``).
         """
         first = i
@@ -373,7 +373,7 @@ class ShapeScanner(LineScanner):
         return i
 
     def takes_number(self, c: str) -> int:
-        """Return whether the number behind a letter is a value."""
+        """Return whether the number after a letter is a value."""
         return c in "ABCFIJKNQRUVWXYZabcfijknqruvwxyz"
 
     def name(self, line: str, i: int, end: int) -> int:
@@ -392,7 +392,7 @@ class ShapeScanner(LineScanner):
         return "A" <= c <= "Z" or "a" <= c <= "z" or "0" <= c <= "9" or c == "_"
 
     def control(self, line: str, i: int, end: int) -> None:
-        """Set ``opens`` for the word behind ``$``; a second ``$`` in a line is a jump."""
+        """Set ``opens`` for the word after ``$``; a second ``$`` in a line is a jump."""
         if self.controls:
             self.opens = 0
             return

@@ -12,7 +12,7 @@ from nctakt.base.line_shift import LineShift
 
 @dataclass(frozen=True, slots=True)
 class CycleUse:
-    """A definition or a START of a realtime cycle, or a call of which nobody knows what it does.
+    """A definition or a START of a realtime cycle, or a call whose effect is unknown.
 
     ``identity``: ``None`` for a computed ID, and for such a call, which is definition and start in
     one. ``is_deferred``: a DEF, which a START has to follow. ``line``: its text.

@@ -200,7 +200,7 @@ PLANE_COMMANDS = {"FACE": 2, "FACE OFF": 0, "CYL": 3, "CYL OFF": 0}
 
 @dataclass(frozen=True, slots=True)
 class PlaneCommand:
-    """One of these commands; ``axes``: names; ``radius``: that behind the third name of #CYL."""
+    """One of these commands; ``axes``: names; ``radius``: what follows the third name of #CYL."""
 
     name: str
     axes: tuple[str, ...] = ()

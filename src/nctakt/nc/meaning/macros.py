@@ -4,7 +4,7 @@
 In: statements, and the meaning of each quoted text. Out: the statements with their macros expanded;
 the same node if nothing changes. A quoted text is a macro where a number is needed: as an operand,
 index, value of a word, condition, or value for P1 or a numeric variable of a list. It is a text
-where a text is allowed: alone behind V.P.X =, in a call, in a message, next to other texts with
+where a text is allowed: alone after V.P.X =, in a call, in a message, next to other texts with
 ``+``, ``==`` and ``!=``.
 """
 

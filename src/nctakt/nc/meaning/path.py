@@ -29,7 +29,7 @@ CORNER_SIZE_WORDS = ("#CHR", "#CHF", "#RND")
 #: The feed of that.
 CORNER_FEED_WORD = "#FRC"
 
-#: Words behind ``#FGROUP``.
+#: Words after ``#FGROUP``.
 FEED_GROUP_RADIUS, FEED_GROUP_WEAKEST = "ROT", "WAXIS"
 
 

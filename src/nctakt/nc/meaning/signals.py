@@ -80,14 +80,14 @@ def signal_command(command: HashCommand) -> SignalCommand:
 
 
 def items_of(command: HashCommand) -> Iterator[Keyword | Expression]:
-    """Yield what stands in the brackets of a command."""
+    """Yield what is in the brackets of a command."""
     for argument in command.arguments:
         if isinstance(argument, Bracket):
             yield from argument.items
 
 
 def axis_name(item: Keyword | Expression) -> str:
-    """Return the name of an axis that stands in brackets by itself, else an empty text."""
+    """Return the name of an axis that is alone in brackets, else an empty text."""
     if isinstance(item, Keyword):
         return "" if item.value is not None or item.arguments else item.name
     return item.name if isinstance(item, Name) else ""

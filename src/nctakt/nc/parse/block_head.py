@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The head of a block: skip level, block number, label; and ``%`` lines.
 
-In: a block's text at its start. Out: a ``Head``; the reading position is behind it. A label is
+In: a block's text at its start. Out: a ``Head``; the reading position is after it. A label is
 ``N20:`` or a name in brackets; case does not matter.
 """
 

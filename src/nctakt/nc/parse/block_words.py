@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The words of a block -> statements.
 
-In: a block's text behind its head. Out: a ``Block``, or assignments, calls and macro definitions;
-one line may hold several, and a jump behind G310. Words need no blanks between them and allow
+In: a block's text after its head. Out: a ``Block``, or assignments, calls and macro definitions;
+one line may hold several, and a jump after G310. Words need no blanks between them and allow
 blanks nearly everywhere. Blocks of letters and numbers only, the majority in most programs, are
 read with one pattern per word.
 """
@@ -155,7 +155,7 @@ def parse_content(text: BlockText, head: Head) -> list[Statement]:
 def _jump_of(block: Statement, text: BlockText, head: Head) -> Statement:
     """Return the ``$GOTO`` of ``G310 X10 $GOTO[A]``: a jump if the first axis has touched.
 
-    Raises ``BlockError`` behind another block.
+    Raises ``BlockError`` after any other block.
     """
     words = block.words if isinstance(block, Block) else ()
     axis = next((word.name for word in words if isinstance(word, AxisWord)), "")
@@ -388,7 +388,7 @@ def _numbered_command(text: BlockText, command: re.Match[str]) -> BlockWord:
 
 
 def _with_bare_value(text: BlockText, start: int, value: Number) -> Word:
-    """Return a G word with the value behind it, ``G04 3.0``, unless that is an assignment's
+    """Return a G word with the value after it, ``G04 3.0``, unless that is an assignment's
     target.
     """
     behind = text.pos

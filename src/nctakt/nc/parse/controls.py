@@ -153,7 +153,7 @@ def hash_line(text: BlockText, head: Head, structures: StructureStack) -> None:
 def _value(current: CurrentLine) -> Expression:
     """Return the expression that follows; report a missing one and return TRUE for it.
 
-    An ``=`` in front of it is reported and left out.
+    An ``=`` before it is reported and left out.
     """
     equals = current.text.match(EQUALS)
     if equals is not None:
@@ -216,7 +216,7 @@ def _if(current: CurrentLine) -> None:
 
 
 def _one_line_body(text: BlockText) -> Statement:
-    """Return the jump behind a condition in the same line."""
+    """Return the jump after a condition in the same line."""
     match = text.match(_DOLLAR_WORD)
     assert match is not None
     start = match.start(1) - 1

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 r"""The lines between ``#VAR`` and ``#ENDVAR`` -> declarations.
 
-In: a block's text behind its head. Out: ``V.L.NAME[3] : STRING[20] = value`` as a node. An initial
+In: a block's text after its head. Out: ``V.L.NAME[3] : STRING[20] = value`` as a node. An initial
 value in brackets may continue in the next lines, with or without ``\`` at their ends.
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Text -> expression trees, and the ``[ … ]`` lists that expressions and commands share.
 
-In: a block's text at the reading position. Out: nodes of ``tree.py``; the position is behind them.
+In: a block's text at the reading position. Out: nodes of ``tree.py``; the position is after them.
 Infix operators are combined with two stacks, so that only brackets and functions recurse; neither
 their nesting nor the height of the tree exceeds ``EXPRESSION_DEPTH`` (20386).
 """

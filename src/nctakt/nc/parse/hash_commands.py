@@ -76,7 +76,7 @@ class RawCommand:
 
 
 def parse_words(text: BlockText) -> tuple[Name, ...]:
-    """Return the words behind ``#``, at least one."""
+    """Return the words after ``#``, at least one."""
     text.match(_HASH)
     words: list[Name] = []
     while (word := text.looking_at(_WORD)) is not None:
@@ -90,7 +90,7 @@ def parse_words(text: BlockText) -> tuple[Name, ...]:
 
 
 def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, ...]:
-    """Return the arguments behind the words, up to the end of the block."""
+    """Return the arguments after the words, up to the end of the block."""
     arguments: list[Argument] = []
     if name == ("TIME",) and not text.at_end():
         # The only command whose brackets may be those of an expression: ``#TIME [P1] * 2``.
@@ -154,7 +154,7 @@ def _couplings(text: BlockText) -> Argument:
 def _coupling(text: BlockText, depth: int) -> Item:
     """Return a pair as a keyword: the slave is its name, or the first argument of a nameless one.
 
-    What stands behind a pair in brackets of its own are the arguments behind that.
+    What follows a pair in brackets of its own are the arguments after that pair.
     """
     start, before = text.skip_blanks(), text.pos
     is_nested = text.match(OPENING) is not None

@@ -103,7 +103,7 @@ class BlockText:
         return self.source_line(span)[span.column - 1 : span.end_column - 1]
 
     def match(self, pattern: re.Pattern[str]) -> re.Match[str] | None:
-        """Match at the reading position and advance behind the match."""
+        """Match at the reading position and advance past the match."""
         match = pattern.match(self.text, self.pos)
         if match is not None:
             self.pos = match.end()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Misspelt words that open, divide or close a structure: reported, and taken for what was meant.
 
-In: the word of a ``$`` line or ``#`` command that nobody knows, the known ones. Out: the known one;
+In: the word of a ``$`` line or ``#`` command that is unknown, the known ones. Out: the known one;
 without it each later line of the structure would be wrong as well.
 """
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Open structures of the parser.
 
-A frame stands for one open structure: it collects the statements inside it and becomes a node when
+A frame represents one open structure: it collects the statements inside it and becomes a node when
 it is closed. A stack of frames replaces recursion, so that nothing overflows. A frame without its
 end becomes a node as well, so that its content is checked, too.
 """

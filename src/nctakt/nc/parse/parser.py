@@ -227,7 +227,7 @@ class SectionCounter:
 
     Section -1 never runs. A section begins with its ``%`` line: ``%L name`` a subprogram, the first
     other one the main program unless that has begun without one. Inside the main program a further
-    ``%`` line is a comment; behind a subprogram it begins a program that never runs, with a
+    ``%`` line is a comment; after a subprogram it begins a program that never runs, with a
     warning.
     """
 

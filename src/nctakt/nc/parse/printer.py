@@ -238,7 +238,7 @@ def print_statement(statement: Statement, indent: str = "") -> Iterator[str]:
 
 
 def format_head(head: Head) -> str:
-    """Return skip level, number and label with a blank behind; empty without them."""
+    """Return skip level, number and label followed by a blank; empty without them."""
     text = ""
     if head.skip is not None:
         text = "/ " if head.skip == 1 else f"/{head.skip} "

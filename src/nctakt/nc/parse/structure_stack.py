@@ -40,7 +40,7 @@ class StructureStack:
         self.ready: list[Statement] = []
         self._stack: list[Frame] = []
         self._collector = collector
-        #: Behind a program end mistakes are tolerated: the rest may not be NC text.
+        #: After a program end mistakes are tolerated: the rest may not be NC text.
         self._ended = False
         self._warned_of_rest = False
         #: Surplus ends of realtime cycles to be tolerated.
@@ -110,7 +110,7 @@ class StructureStack:
         self.report(error.message, span, text.source_line(span), **error.values)
 
     def report(self, message: Message, span: Span, line: str, **values: object) -> None:
-        """Report a mistake; behind a program end one warning replaces all reports."""
+        """Report a mistake; after a program end one warning replaces all reports."""
         if not self._ended:
             self._collector.report(message, span, line, **values)
         elif not self._warned_of_rest:

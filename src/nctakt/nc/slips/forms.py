@@ -2,7 +2,7 @@
 """Slips in the form of a line: operators, brackets, numbers and words written as elsewhere.
 
 In: nothing. Out: ``FORM_SLIPS``. A row applies only to a line in which parser or checker have found
-a mistake, so that nothing valid is ever told.
+a mistake, so that nothing valid is ever reported.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from nctakt.messages.slips import (
     WORD_INSIDE_BRACKETS,
 )
 
-#: Where a slip stands, its message, and the text for the group ``wrong`` of the pattern.
+#: Where a slip is, its message, and the text for the group ``wrong`` of the pattern.
 FormSlip = tuple[re.Pattern[str], Message, Callable[[re.Match[str]], str]]
 
 _OPERATORS = {

@@ -2,8 +2,8 @@
 """General findings of a program -> findings that say what was meant, each mistake once.
 
 In: the diagnostics of parser and checker. Out: the same, where a general one ("not expected here")
-stands in a line with a known slip: the slip with the number of the general one, without the general
-ones behind it in that line, which follow from it.
+is in a line with a known slip: the slip with the number of the general one, without the general
+ones after it in that line, which follow from it.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ def name_slips(diagnostics: Sequence[Diagnostic]) -> list[Diagnostic]:
 
 
 def _without_consequences(named: Sequence[Diagnostic]) -> list[Diagnostic]:
-    """Return the findings without those that follow from a slip told already."""
+    """Return the findings without those that follow from a slip reported already."""
     kept: list[Diagnostic] = []
     unread: dict[tuple[str, int], None] = {}
     opened: dict[tuple[str, int], None] = {}
@@ -156,7 +156,7 @@ def slip_of(item: Diagnostic) -> Diagnostic | None:
 
 
 def _before_comment(line: str) -> str:
-    """Return a line without the comment behind ``;``."""
+    """Return a line without the comment after ``;``."""
     start = line.find(";")
     while start >= 0 and line.count('"', 0, start) % 2:
         start = line.find(";", start + 1)

@@ -60,7 +60,7 @@ _LABEL_WORDS = Text(
     "N10: oder [NAME] für ein Ziel von $GOTO, %L NAME für ein Unterprogramm schreiben.",
 )
 
-#: Where the word stands (group ``wrong``), the control, its meaning there, what to write here.
+#: Where the word is (group ``wrong``), the control, its meaning there, what to write here.
 OTHER_CONTROLS: tuple[tuple[re.Pattern[str], str, Text, Text], ...] = tuple(
     (re.compile(pattern, re.IGNORECASE), control, meaning, instead)
     for pattern, control, meaning, instead in (

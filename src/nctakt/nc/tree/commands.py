@@ -47,7 +47,7 @@ class UserMessage(Statement):
 class Timer(Statement):
     """``#TIMER START|STOP|READ|CLEAR [SYN] [ID=…]`` (RC-401).
 
-    ``options`` are the words behind the action, SYN among them.
+    ``options`` are the words after the action, SYN among them.
     """
 
     action: str
@@ -66,7 +66,7 @@ class UserError(Statement):
 class HashCommand(Statement):
     """Any other ``#`` command, and a known one in an unknown form.
 
-    ``words``: the words behind ``#`` up to the first bracket or value (``CHANNEL INIT``, ``KIN
+    ``words``: the words after ``#`` up to the first bracket or value (``CHANNEL INIT``, ``KIN
     ID``). ``arguments``: the rest, in order.
     """
 
@@ -81,7 +81,7 @@ OffsetCommandName = Literal["PSET", "PRESET", "SUPPRESS OFFSETS", "SCALE", "SCAL
 class OffsetCommand(Statement):
     """``#PSET X0``, ``#PRESET X0``, ``#SUPPRESS OFFSETS [ZERO] X0``, ``#SCALE ON X2``.
 
-    ``name``: the words behind ``#``. ``kinds``: the items in brackets. ``words``: the rest.
+    ``name``: the words after ``#``. ``kinds``: the items in brackets. ``words``: the rest.
     """
 
     name: OffsetCommandName

@@ -59,7 +59,7 @@ class Subprogram(Node):
 
 @dataclass(frozen=True, slots=True)
 class Program:
-    """A program file: ``name`` behind ``%`` (empty without), main program, local subprograms."""
+    """A program file: ``name`` after ``%`` (empty without), main program, local subprograms."""
 
     source: Source
     name: str

@@ -14,7 +14,7 @@ AssignmentOperator = Literal["=", "+=", "-=", "*=", "/="]
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """The parts in front of a block's content.
+    """The parts before a block's content.
 
     ``number``: the value of the N word. ``skip``: the level 1 … 10 of ``/`` (``/`` alone is 1).
     ``label``: ``N20`` for ``N20:``, ``NAME`` in upper case for ``[NAME]``.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Expressions, and what stands in brackets and behind ``#``."""
+"""Expressions, and what comes in brackets and after ``#``."""
 
 from __future__ import annotations
 

@@ -65,7 +65,7 @@ def _operators(*rows: tuple[str, int, str, str, Text]) -> Mapping[str, Operator]
     )
 
 
-#: Operators in front of their operand.
+#: Operators before their operand.
 PREFIX = _operators(
     ("-", 11, "the value with its sign changed", "der Wert mit anderem Vorzeichen", ANY),
     ("NOT", 11, "1 if the value is false, else 0", "1, wenn der Wert falsch ist, sonst 0", TRUTH),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What nctakt does where no public source settles it; told once per program."""
+"""What nctakt does where no public source settles it; reported once per program."""
 
 from __future__ import annotations
 

@@ -135,7 +135,7 @@ class Access:
         return self._host.store.values if self._once is None else self._once
 
     async def release(self) -> None:
-        """Let values go that nobody has read for a while, and no notification sends."""
+        """Let values go that no one has read for a while, and no notification sends."""
         read = dict.fromkeys(
             name for item in self.symbols.used_items() for name in item.names
         )  # asked once: each time tells what was read since the time before
@@ -160,7 +160,7 @@ class Access:
             raise Missing(absent)
 
     def resolve(self, client: Client, group: int, offset: int, size: int) -> Readable:
-        """Return what stands at an address; raises ``AdsError``."""
+        """Return what is at an address; raises ``AdsError``."""
         if group == Group.VALUE_BY_HANDLE:
             symbol = client.symbol(offset)
             group, offset = symbol.group, symbol.offset

@@ -34,7 +34,7 @@ class Command(IntEnum):
 
 
 class Error(IntEnum):
-    """The errors that clients get; those of a request as a whole stand in its header."""
+    """The errors that clients get; those of a request as a whole are in its header."""
 
     NONE = 0
     INTERNAL = 0x1

@@ -203,7 +203,7 @@ class DecoderVariables:
         return one.description(handle) + encode(one.name, len(one.name) + 1)
 
     def _full(self, channel: int, axis: int, data: bytes) -> tuple[str, bytes]:
-        """Return the name in data, with the axis of the offset, and what stands behind it."""
+        """Return the name in data, with the axis of the offset, and what follows it."""
         name, rest = _name(data)
         if axis:
             axes = self._machine.channels[channel - 1].axes
@@ -219,7 +219,7 @@ class DecoderVariables:
         return handle
 
     def _of_handle(self, channel: int, data: bytes) -> tuple[Described, tuple[int, ...], bytes]:
-        """Return the variable of a handle, the indices, and what stands behind them."""
+        """Return the variable of a handle, the indices, and what follows them."""
         head = Struct("<II")
         if len(data) < head.size:
             raise AdsError(Error.SIZE, "handle and number of indices are 8 bytes")
@@ -312,7 +312,7 @@ def _packed(variable: DecoderVariable, value: float | str) -> bytes:
 
 
 def _filled(one: Described, indices: tuple[int, ...]) -> Item:
-    """Return what a write reaches; raises ``AdsError`` for one that nobody may write."""
+    """Return what a write reaches; raises ``AdsError`` for one that no one may write."""
     if not one.is_writable:
         raise AdsError(Error.ACCESS, f"{one.name} cannot be written")
     return one.item(indices)
@@ -324,7 +324,7 @@ def _fitting(one: Described, data: bytes) -> bytes:
 
 
 def _name(data: bytes) -> tuple[str, bytes]:
-    """Return the text before the first zero byte, and what stands behind it."""
+    """Return the text before the first zero byte, and what follows it."""
     text, _, rest = data.partition(b"\0")
     if len(text) > MAX_NAME:
         raise AdsError(Error.SIZE, f"a name of {len(text)} characters")

@@ -106,7 +106,7 @@ class Notifier:
     def _make_room(self, client: Client) -> None:
         """End the oldest notification of the connection with most; raises ``AdsError``.
 
-        As the protocol has it, its client is told by a sample without data.
+        As the protocol has it, its client is notified by a sample without data.
         """
         connection = greediest(self._counts, client.connection)
         if connection is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What stands behind the numbers of CNC objects: values shown, asked for, kept (AD-4)."""
+"""What is behind the numbers of CNC objects: values shown, asked for, kept (AD-4)."""
 
 from __future__ import annotations
 

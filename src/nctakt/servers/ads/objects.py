@@ -2,7 +2,7 @@
 """CNC objects: values of the controller's tasks by their numbers and names (AD-4).
 
 In: group and offset. Out: what can be read and written there, and the list of all objects. Numbers,
-types and lengths that are public stand in ``objects.tsv`` and hold; further elements are nctakt's
+types and lengths that are public are in ``objects.tsv`` and hold; further elements are nctakt's
 own, from a round number on. Element 0 of a class is the highest of its numbers, its name that of
 the instance; a number without an element is 0x703, one that is refused for a reason, too.
 
@@ -420,7 +420,7 @@ class Objects:
         rest = (group & ~LOGICAL) - BASE
         class_, attribute, instance = rest & 0xF000, rest & 0xF00, rest & 0xFF
         if attribute == ADDRESS and not instance and (class_, 1) in self._instances:
-            instance = 1  # whose address is asked for stands in the data
+            instance = 1  # whose address is asked for is in the data
         if attribute > ADDRESS or (class_, instance) not in self._instances:
             raise AdsError(Error.GROUP, f"no object in group {group:#x}")
         return class_, attribute, instance
@@ -447,7 +447,7 @@ class Objects:
         if channel is None:
             raise AdsError(Error.GROUP, f"no object in group {plain:#x}")
         if not axis and number not in channel[0] and number in self._com[0][0]:
-            return self._com[0][0][number]  # data of the platform stand in each channel's group
+            return self._com[0][0][number]  # data of the platform are in each channel's group
         return _of(channel, axis, number)
 
     def groups(self) -> Iterator[int]:

@@ -3,7 +3,7 @@
 
 In: bytes of connections. Out: answers and notifications. A connection holds many clients and many
 requests in flight; each answer carries the number of its request. Who sends what is no frame, or
-does not take what it asked for, is disconnected, and it stands in the log.
+does not take what it asked for, is disconnected, and it is logged.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from nctakt.session.listening import Frame as SessionFrame
 
 PORT = TCP_PORT
 
-#: How often values that nobody has read since the last time are let go, in seconds.
+#: How often values that no one has read since the last time are let go, in seconds.
 RELEASE_S = 30.0
 
 #: Where addresses that stand for all of a machine are reached from itself.

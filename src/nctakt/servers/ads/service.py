@@ -149,7 +149,7 @@ class Service:
         return _NUMBER.pack(await self.access.write_values(client, values))
 
     async def _select(self, client: Client, program: str, channel: int) -> bytes:
-        """Select a program file; one that is refused stands in the log with the reason."""
+        """Select a program file; one that is refused is logged with the reason."""
         try:
             await self._host.select(program, channel, DOOR, client.name)
         except Failure:

@@ -3,8 +3,8 @@
 
 In: the values of the session, the declarations of V.E. Out: ``SymbolTable``. Symbols are V.E and
 V.CH with their structures, arrays and elements, the values of the HLI, the signals of the machine
-and the variables of a PLC in Structured Text. Each area has a group of its own; variables stand
-there one behind the other, inside as a PLC sees them in memory (P-STUP-00145).
+and the variables of a PLC in Structured Text. Each area has a group of its own; variables are
+there one after the other, inside as a PLC sees them in memory (P-STUP-00145).
 """
 
 from __future__ import annotations

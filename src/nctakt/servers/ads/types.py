@@ -38,7 +38,7 @@ class Member:
 
 @dataclass(frozen=True, slots=True)
 class Symbol:
-    """A symbol: where it stands, and its type."""
+    """A symbol: where it is, and its type."""
 
     name: str
     group: int

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Symbols and data types as clients upload them: their entries in bytes (AD-3).
 
-In: a symbol or a type. Out: its entry, and all entries one behind the other.
+In: a symbol or a type. Out: its entry, and all entries one after the other.
 """
 
 from __future__ import annotations

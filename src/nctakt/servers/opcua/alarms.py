@@ -3,7 +3,7 @@
 
 In: notices of the host, the error of each channel. Out: events of CncMessageType and CncAlarmType
 to all that subscribe, and the same as messages and alerts of the machine tool. An alarm is active
-until its channel stands with that error no longer; it stays until somebody has acknowledged it.
+until its channel no longer has that error; it stays until somebody has acknowledged it.
 """
 
 from __future__ import annotations
@@ -153,7 +153,7 @@ class Alarms:
         self._tell_alarm(alarm, time)
 
     def _channel_of(self, number: int) -> int:
-        """Return the channel that stands with an error of this number; 0: none yet."""
+        """Return the channel that has an error of this number; 0: none yet."""
         standing = [one for one, error in self._errors.items() if error == number]
         return standing[0] if standing else 0
 
@@ -163,7 +163,7 @@ class Alarms:
             del self._alarms[(idle or list(self._alarms))[0]]
 
     def look(self) -> None:
-        """Give alarms the channel that stands with them; let them be over when it does not."""
+        """Give alarms the channel that has their error; let them be over when it does not."""
         values = self._host.store.values
         for number, name in self.error_names.items():
             error, before = int(values.get(name, 0.0)), self._errors.get(number, 0)

@@ -222,7 +222,7 @@ _CHANNEL_OF_LIST = (
 #: Events of namespace 0: the model has changed; a message; an alarm.
 _MODEL_CHANGE, _EVENT, _ALARM = 2133, 2041, 10523
 
-#: The types of objects and events, each behind its base.
+#: The types of objects and events, each after its base.
 OBJECT_TYPES = (
     ObjectType("CncMessageType", 1011, _EVENT, ()),
     ObjectType(

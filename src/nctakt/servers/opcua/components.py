@@ -245,7 +245,7 @@ class ProgramTexts:
         self._read = read
 
     def around(self, span: Span) -> list[str]:
-        """Return the line before a position, that line, the one behind; empty: there is none."""
+        """Return the line before a position, that line, the one after; empty: there is none."""
         lines = self._of(span.file)
         return [
             lines[at] if 0 <= at < len(lines) else "" for at in range(span.line - 2, span.line + 1)

@@ -2,7 +2,7 @@
 """The connections of clients: bounded in what they may send at once and leave unread.
 
 In: bytes of clients. Out: requests to their session, responses. A client that breaks a limit is
-disconnected, and it stands in the log; nobody else notices.
+disconnected, and it is logged; no one else notices.
 """
 
 from __future__ import annotations
@@ -143,7 +143,7 @@ class Processor(LibraryProcessor):
 
 
 class Connection(LibraryConnection):
-    """One connection; ``client``: its address as it stands in the log."""
+    """One connection; ``client``: its address as it is logged."""
 
     def __init__(self, own: Limits, log: ServerLog, **words: Any) -> None:
         super().__init__(**words)

@@ -22,7 +22,7 @@ from nctakt.session.engine import BranchState, CycleState
 #: Cycles that get nodes at most; programs without end could define cycles without end.
 MAX_CYCLES = 500
 
-#: What identifies a cycle: its name and where it stands.
+#: What identifies a cycle: its name and where it is.
 Key = tuple[str, str, int]
 
 _STRING, _COUNT = ua.VariantType.String, ua.VariantType.UInt64

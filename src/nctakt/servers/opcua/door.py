@@ -124,7 +124,7 @@ class OpcuaDoor:
             await asyncio.sleep(_CYCLES_S)
 
     async def close(self) -> None:
-        """Tell clients that it ends, and serve nobody any more."""
+        """Tell clients that it ends, and serve no one any more."""
         for task in self._tasks:
             task.cancel()
         while self._unlisten:

@@ -153,7 +153,7 @@ class EventTypes:
     def is_of(self, type_: ua.NodeId, requested: ua.NodeId) -> bool:
         """Return whether a type is another one, or below it."""
         has_subtype = ua.NodeId(ua.ObjectIds.HasSubtype)
-        for _ in range(20):  # no type stands deeper
+        for _ in range(20):  # no type is deeper
             if type_ == requested:
                 return True
             bases = [

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The past of signals for clients: between two times, or at certain ones.
 
-In: requests with times, which are those of ticks. Out: values, at most so many in one answer for
+In: requests with times, which are those of ticks. Out: values, at most this many in one answer for
 all its nodes; the rest by continuation points. The session runs its past again for it, in short
 parts with the requests of other clients between them, and stays where it is.
 """
@@ -108,7 +108,7 @@ class History:
         return 0
 
     async def _look(self, live: Live, first: int, end: int) -> list[ua.DataValue]:
-        """Return the values behind the ticks of a stretch, one for each tick.
+        """Return the values after the ticks of a stretch, one for each tick.
 
         At most one part of all requests waits for the session: a write comes before the next one.
         """

@@ -30,7 +30,7 @@ _GLANCE_AGE_S = 0.02
 #: Ticks whose blocks are remembered: frames that come while a look at the session is under way.
 _REMEMBERED = 1000
 
-#: How long values that nobody watches any more still come, in seconds.
+#: How long values that no one watches any more still come, in seconds.
 _RELEASE_S = 1.0
 
 
@@ -90,7 +90,7 @@ class LiveSpace:
                 self._releasing = asyncio.get_running_loop().create_task(self._release())
 
     async def _release(self) -> None:
-        """Let what nobody watches any more come no more: all of it at once, a little later."""
+        """Let what no one watches any more come no more: all of it at once, a little later."""
         await asyncio.sleep(_RELEASE_S)
         self._releasing = None
         names, self._unheld = self._unheld, []

@@ -22,7 +22,7 @@ from nctakt.servers.opcua.companion import (
     ObjectType,
 )
 
-#: The namespaces of the model and of those that it stands on.
+#: The namespaces of the model and of those that it builds on.
 MACHINE_TOOL_URI = "http://opcfoundation.org/UA/MachineTool/"
 MACHINERY_URI = "http://opcfoundation.org/UA/Machinery/"
 DI_URI = "http://opcfoundation.org/UA/DI/"
@@ -102,7 +102,7 @@ ENUMERATIONS = (
     ),
 )
 
-#: The types of objects and events, each behind its base.
+#: The types of objects and events, each after its base.
 TYPES = (
     ObjectType("MachineToolType", 13, BASE_OBJECT, ()),
     ObjectType("MachineToolIdentificationType", 11, MACHINE_IDENTIFICATION, ()),

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a client monitors: the values and events that wait for its next publish response.
 
-In: samples of nodes at the pace of the client, events. Out: notifications as they stand on the
+In: samples of nodes at the pace of the client, events. Out: notifications as they are on the
 wire. An item keeps the latest ones; what it had to leave out is marked in the one beside it.
 """
 
@@ -17,7 +17,7 @@ from asyncua import ua
 from nctakt.base.dataclass import dataclass, field
 from nctakt.servers.opcua.values import Live, Sample
 
-#: Bits of a status: it is a value's, and notifications before or behind it were left out.
+#: Bits of a status: it is a value's, and notifications before or after it were left out.
 OVERFLOW = 0x480
 
 _STATUS, _STATUS_VALUE, _STATUS_VALUE_TIME = range(3)
@@ -95,7 +95,7 @@ class Item:
         waiting.append(content)
 
     def take(self, found: list[bytes]) -> None:
-        """Add what waits to ``found``, as it stands on the wire."""
+        """Add what waits to ``found``, as it is on the wire."""
         if self.waiting and self.mode == ua.MonitoringMode.Reporting:
             head = struct.pack("<I", self.handle)
             found += [head + content for content in self.waiting]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The messages that tell clients what has changed, written as they stand on the wire.
+"""The messages that tell clients what has changed, written as they are on the wire.
 
-A value is written once for all clients that monitor it; here it is put behind its handle.
+A value is written once for all clients that monitor it; here it is put after its handle.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 """Who may connect: on this computer anybody, from elsewhere only encrypted and with a password.
 
 In: the folder of the server's certificate and users. Out: both, made by the first start; whether a
-user's password is right. Passwords stand there as scrypt hashes; the first one, which the first
+user's password is right. Passwords are there as scrypt hashes; the first one, which the first
 start chooses, also in a file that its reader shall delete.
 """
 
@@ -48,7 +48,7 @@ _MAX_TRUSTED = 1000
 #: Cost of a hash: about 10 ms.
 _SCRYPT = {"n": 4096, "r": 8, "p": 1}
 
-#: Wrong passwords that the clients of one address may try in so many seconds.
+#: Wrong passwords that the clients of one address may try in this many seconds.
 MAX_FAILURES, _FAILURE_S = 10, 60.0
 
 #: Addresses whose wrong passwords are remembered; beyond, the one that failed first is forgotten.
@@ -147,7 +147,7 @@ class Security:
     def trusted(self) -> TrustList | None:
         """Return whose certificates are trusted, ``None`` if all are: without a folder of them.
 
-        Nobody's are while it cannot be read. It is read anew for each session: what is put there or
+        No one's are while it cannot be read. It is read anew for each session: what is put there or
         taken away counts at once.
         """
         try:
@@ -214,7 +214,7 @@ def _network(address: str) -> str:
 
 
 def _write_private(path: Path, content: bytes) -> None:
-    """Write a file that nobody else may read; raises ``OSError``."""
+    """Write a file that no one else may read; raises ``OSError``."""
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
     try:
         with os.fdopen(os.open(path, flags, _PRIVATE), "wb") as file:

@@ -24,7 +24,7 @@ from nctakt.servers.opcua.sessions import DOOR, ClientSession
 #: The name that clients see.
 _NAME = "nctakt"
 
-# What the library tells of clients stands in our own log, with a limit of its rate.
+# What the library tells of clients goes to our own log, with a limit of its rate.
 logging.getLogger("asyncua").setLevel(logging.CRITICAL + 1)
 
 
@@ -65,7 +65,7 @@ class CncInternalServer(LibraryInternalServer):
                 self.services.host.log.refuse(DOOR, one.client, reason)
 
     def make_room(self) -> bool:
-        """End a session that nobody uses; return whether there was any.
+        """End a session that no one uses; return whether there was any.
 
         First the one that lost its connection first, then the oldest that no user has entered.
         """

@@ -2,7 +2,7 @@
 """The session of a client: what it reads, writes, calls and asks of the past.
 
 In: requests. Out: answers. A write of a client is an input of the controller: it is answered once a
-tick has latched it and all can read it, or at once if the session stands.
+tick has latched it and all can read it, or at once if the session is not playing.
 """
 
 from __future__ import annotations

@@ -95,7 +95,7 @@ class Subscriptions:
         return self.make_room() or self._take_from(session_id)
 
     def _take_from(self, session_id: ua.NodeId | None) -> bool:
-        """End the oldest subscription of a session, which is told; return whether there is one."""
+        """End the oldest subscription of a session, notifying it; return whether there is one."""
         found = (one for one in self.subscriptions.values() if one.session_id == session_id)
         oldest = next(found, None)
         if oldest is None:

@@ -30,7 +30,7 @@ UNITS_S = 10_000_000
 #: What a data value has: value, status, source's and server's time.
 _HAS_ALL, _HAS_STATUS = 0x0F, 0x0E
 
-#: How scalars of these types stand on the wire, behind the number of their type.
+#: How scalars of these types are on the wire, after the number of their type.
 _FORMATS = {
     ua.VariantType.Boolean: "<B?",
     ua.VariantType.SByte: "<Bb",

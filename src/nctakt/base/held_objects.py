@@ -6,7 +6,7 @@ from __future__ import annotations
 import gc
 from collections.abc import Iterator
 
-#: Containers in which objects stand.
+#: Containers in which objects are.
 _CONTAINERS = (dict, list, tuple)
 
 

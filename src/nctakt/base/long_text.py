@@ -112,9 +112,9 @@ class LongText(Sequence[str]):
         self._count += 1
 
     def _add_lines(self, data: bytes, begin: int, line_begin: int) -> int:
-        """Add the lines that a newline in ``data`` ends; return the offset of the line behind them.
+        """Add the lines that a newline in ``data`` ends; return the offset of the line after them.
 
-        ``data`` stands at ``begin`` in the file, its first line begins at ``line_begin``.
+        ``data`` is at ``begin`` in the file, its first line begins at ``line_begin``.
         """
         lengths = list(accumulate(map(len, data.split(b"\n"))))
         count = len(lengths) - 1
@@ -187,7 +187,7 @@ class LongText(Sequence[str]):
                 with self._opened() as file:
                     self._lines = self._read(file, group)
             except TextChanged:
-                return ""  # it is shown beside a message, and nobody knows it any more
+                return ""  # it is shown beside a message, and no one knows it any more
             self._group = group
         return self._lines[index % LINES_PER_GROUP]
 

@@ -88,7 +88,7 @@ def is_binary(data: bytes) -> bool:
 def split_lines(text: str) -> list[str]:
     r"""Return the lines of ``text`` without their ends, which are ``\r\n``, ``\n`` and ``\r`` only.
 
-    ``str.splitlines`` would also split at form feeds and other separators that may stand inside a
+    ``str.splitlines`` would also split at form feeds and other separators that may be inside a
     comment. A line end at the very end of the text does not begin another line.
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")

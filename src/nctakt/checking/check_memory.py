@@ -3,8 +3,8 @@
 
 In: a program's text again and again. Out: for each a complete reading, equal to a fresh one. A text
 is a chain of sections: at checkpoints between two statements the state of the reading is kept.
-After a change the reading goes on from the last state in front of it, and ends at the first
-checkpoint behind it whose state is as before; findings and states behind that only get new line
+After a change the reading goes on from the last state before it, and ends at the first
+checkpoint after it whose state is as before; findings and states after that only get new line
 numbers.
 """
 
@@ -77,7 +77,7 @@ class MarkedLines:
 
 @dataclass(frozen=True, slots=True)
 class _Checkpoint:
-    """A point between two statements, in front of ``line``: its state, the lengths of results."""
+    """A point between two statements, before ``line``: its state, the lengths of results."""
 
     line: int
     state: PassState
@@ -147,7 +147,7 @@ class _Rereading:
         self._poll = poll
         lines = [checkpoint.line for checkpoint in checkpoints]
         self._checkpoints = list(checkpoints[: bisect_right(lines, shift.first)])
-        #: The checkpoints behind the change, in the text before it.
+        #: The checkpoints after the change, in the text before it.
         self._later = list(checkpoints[bisect_left(lines, shift.behind) :])
         self._next = 0
         self._is_joined = False
@@ -163,7 +163,7 @@ class _Rereading:
         return self._checkpoints
 
     def _pause(self, line: int) -> int:
-        """Keep the state in front of a line; return the next line to do so, 0 where it joins."""
+        """Keep the state before a line; return the next line to do so, 0 where it joins."""
         if self._poll is not None:
             self._poll()
         later, by = self._later, self._shift.by
@@ -189,7 +189,7 @@ class _Rereading:
         self._checkpoints.append(_Checkpoint(line, self._reading.state, counts))
 
     def _joins(self, checkpoint: _Checkpoint) -> bool:
-        """Take over what is behind a checkpoint, if the state in front of it is as before."""
+        """Take over what is after a checkpoint, if the state before it is as before."""
         before, shift = self._before, self._shift
         assert before is not None
         try:

@@ -3,7 +3,7 @@
 
 In: its text and channel. Out: findings, and what links the program to others, each as a list in the
 order of the text. Between two statements the reading has a state, from which another one can go on:
-what is found behind depends on nothing else.
+what is found after it depends on nothing else.
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ class ProgramPass:
         return PassState(self.inspection.state, self.linter.state, self.path.state)
 
     def resume(self, state: PassState, line: int) -> None:
-        """Go on from a state in front of a line."""
+        """Go on from a state before a line."""
         self.inspection.resume(state.inspection, line)
         self.linter.resume(state.linter)
         self.path.resume(state.path)

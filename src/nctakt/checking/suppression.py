@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Comments that suppress findings: ``; nctakt: ignore 900243 the PLC waits for it``.
 
-In: the lines of a program or list (there behind ``#``), and its findings. Out: the findings that
+In: the lines of a program or list (there after ``#``), and its findings. Out: the findings that
 are left, and new ones about comments that suppress nothing, give no reason or cannot be read.
-Behind a block or an entry a comment is about its line, in a line of its own about the next one that
+After a block or an entry a comment is about its line, in a line of its own about the next one that
 has any. Several numbers are separated by commas. Errors are not suppressed: a program with an error
 does not run.
 """

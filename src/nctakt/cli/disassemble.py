@@ -3,7 +3,7 @@
 
 In: programs, a machine, values of variables. Out: on standard output the listing of each definition
 that the decoder reaches while the programs run, with its frozen values. A run is necessary, since
-definitions stand in loops and branches, and values change. Diagnostics go to standard error; exit
+definitions occur in loops and branches, and values change. Diagnostics go to standard error; exit
 code 1 if an error stops the programs.
 """
 

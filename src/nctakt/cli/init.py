@@ -2,7 +2,7 @@
 """``nctakt init``: a project file, a first test and a CI file for a folder that has lists.
 
 In: a folder. Out: what was found below it (standard output), and the files; one that is there
-already stays as it is. The first test takes a program without errors. Nobody's code is run: PLCs
+already stays as it is. The first test takes a program without errors. No one's code is run: PLCs
 in Python are found by reading them.
 """
 

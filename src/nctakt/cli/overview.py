@@ -57,7 +57,7 @@ def path_lines(language: Language, folder: Path) -> Iterator[str]:
 def _folders(folder: Path) -> Iterator[Path]:
     """Yield a folder and those right below it, without hidden ones."""
     yield folder
-    with contextlib.suppress(OSError):  # a folder that nobody may look into
+    with contextlib.suppress(OSError):  # a folder that no one may look into
         for path in sorted(folder.iterdir()):
             if not path.name.startswith(".") and path.is_dir() and not path.is_symlink():
                 yield path

@@ -74,7 +74,7 @@ class Drawings:
         return self.are_wanted and self._chosen is None
 
     def request(self, request: Request) -> Request:
-        """Return the request with the signals of pictures behind the requested ones."""
+        """Return the request with the signals of pictures after the requested ones."""
         self._chosen = request.signals
         if not self._files:
             return request

@@ -129,7 +129,7 @@ def _read(words: dict[str, Any], access: FileAccess) -> _Input:
 
 
 def _side(side_input: _Input) -> Side:
-    """Analyse and simulate one list; with ``--drawn`` so many NC cycles at least."""
+    """Analyse and simulate one list; with ``--drawn`` at least this many NC cycles."""
     from nctakt.schedule.analyse import analyse  # noqa: PLC0415
     from nctakt.schedule.compare import Side  # noqa: PLC0415
     from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415

@@ -585,7 +585,7 @@ def _growing(
 
 def _end(session: Session, options: Options, tape: str | None) -> None:
     """Show the table of a real schedule; write the tape; raises ``Failure`` where it cannot be."""
-    with contextlib.suppress(Failure):  # a lost controller has none, and its loss is told
+    with contextlib.suppress(Failure):  # a lost controller has none, and its loss is reported
         click.echo(session.schedule_table(options.language), nl=False)
     if tape is not None:
         session.save(tape)

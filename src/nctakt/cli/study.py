@@ -38,7 +38,7 @@ _T = TypeVar("_T")
 #: Endings of files with rows.
 SUFFIXES = (".parquet", ".csv", ".jsonl")
 
-#: Ending of the file with the rows while they are made, behind the name of the results.
+#: Ending of the file with the rows while they are made, after the name of the results.
 ROWS = ".rows"
 
 #: The run options of a program without a plan, which are entries of one.

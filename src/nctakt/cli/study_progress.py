@@ -16,7 +16,7 @@ from nctakt.studies.study import Study
 #: Estimated time from which on a study has to be confirmed, in seconds.
 LONG_S = 3600.0
 
-#: Runs beyond which nobody counts.
+#: Runs beyond which they are not counted.
 MAX_COUNTED = 10**30
 
 _LINES = {

@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.comparison.columns import STRETCH, Column, Numbers, range_of
 from nctakt.comparison.log import Samples
 
-#: The grid of the correlation, in µs; it is doubled until log and run have so many points at most.
+#: The grid of the correlation, in µs; doubled until log and run have at most this many points.
 _GRID_US, _MAX_GRID = 4000.0, 1 << 21
 #: A second peak of this share of the first makes the answer ambiguous (LG-704).
 _SECOND_PEAK = 0.95

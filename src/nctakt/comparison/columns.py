@@ -20,7 +20,7 @@ from nctakt.messages.comparison import NO_ROOM_FOR_SAMPLES
 
 Numbers = NDArray[numpy.float64]
 
-#: Rows of a block; in the file the columns of a block stand one after another.
+#: Rows of a block; in the file the columns of a block come one after another.
 _BLOCK = 1 << 14
 #: Rows that are worked on at a time.
 STRETCH = 1 << 16

@@ -21,7 +21,7 @@ from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.log import Samples
 from nctakt.comparison.mapping import Pair, Tolerance
 
-#: The share of the percentile that is told.
+#: The share of the percentile that is reported.
 _SHARE = 0.99
 #: Samples that are kept for a picture, which has fewer pixels; at most twice as many.
 MAX_DRAWN = 20_000

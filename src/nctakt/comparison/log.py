@@ -70,7 +70,7 @@ class Samples:
         return Samples(self.times, self.values, factor, offset)
 
     def first(self, count: int) -> Samples:
-        """Return the first so many of them."""
+        """Return the first ``count`` of them."""
         times, values = Beginning(self.times, count), Beginning(self.values, count)
         return Samples(times, values, self.factor, self.offset)
 

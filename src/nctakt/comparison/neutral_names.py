@@ -25,7 +25,7 @@ from nctakt.nc.vocabulary.message_formats import conversions
 from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.nc.vocabulary.system_variables import known_paths
 
-#: Words that stand in no table of the vocabulary.
+#: Words that are in no table of the vocabulary.
 _FURTHER = (*CONTROL_WORDS, "ENDVAR", "HLI", "RT", "SYN")
 #: Families whose names are those of the user.
 _OWN_FAMILIES = frozenset(("E", "CH", "P", "L", "S", "CYC"))

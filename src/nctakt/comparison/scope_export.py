@@ -84,7 +84,7 @@ class ScopeExport(Table):
         return found
 
     def _tell_scales(self) -> None:
-        """Tell which rows say another scale: whether it is in the values nobody knows (LG-105)."""
+        """Tell which rows say another scale: whether it is in the values is not known (LG-105)."""
         for column in self.columns:
             rows = {
                 key: self._rows[key][column.column]

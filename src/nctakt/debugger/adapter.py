@@ -287,7 +287,7 @@ class Adapter:
         """Start the run, or stop before its first tick."""
         configuration = self._configuration
         if configuration is None:
-            debuggee.stop_on_entry()  # another one's session stands
+            debuggee.stop_on_entry()  # another one's session is at rest
         elif not configuration.has_breakpoints:
             debuggee.session.set_stops()
             debuggee.run()
@@ -438,7 +438,7 @@ class Adapter:
         return {"targets": [] if found is None else [found]}
 
     def _goto(self, arguments: Arguments) -> dict[str, Any]:
-        """Begin the first program anew at a block, by block search, and stand there."""
+        """Begin the first program anew at a block, by block search, and stop there."""
         debuggee, configuration = self._debuggee, self._configuration
         if debuggee is None or configuration is None:
             raise Failure(diagnostic(GOTO_NEEDS_LAUNCH))

@@ -97,7 +97,7 @@ def is_met(condition: str, count: int) -> bool:
 
 
 def divided_condition(text: str) -> tuple[str, str]:
-    """Return the qualifier at the begin of a condition, and the condition behind it."""
+    """Return the qualifier at the begin of a condition, and the condition after it."""
     match = _QUALIFIER.match(text.strip())
     if match is None:
         return "", text.strip()
@@ -209,7 +209,7 @@ class Breakpoints:
         return stops, owners
 
     def forget_from(self, tick: int) -> None:
-        """Forget hits in and behind a tick: another story begins there."""
+        """Forget hits in and after a tick: another story begins there."""
         for breakpoint_ in self.all:
             del breakpoint_.hits[bisect_left(breakpoint_.hits, tick) :]
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The debug console: commands that travel, ask and set, beside expressions.
 
-In: a line of text. Out: an answer as text, and whether the session stands elsewhere now.
+In: a line of text. Out: an answer as text, and whether the session is elsewhere now.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ _WORD = re.compile(r"[\w.\[\]@#]*$")
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """The answer to a line; ``has_moved``: the session stands elsewhere.
+    """The answer to a line; ``has_moved``: the session is elsewhere.
 
     ``until``: the text of a stop to which the debugger has to run.
     """
@@ -114,14 +114,14 @@ class Console:
         return Answer(self._values.evaluate(line, channel))
 
     def travels(self, line: str) -> bool:
-        """Return whether a line is a command that needs a session that stands."""
+        """Return whether a line is a command that needs a session at rest."""
         word, _, rest = line.strip().partition(" ")
         if word.lower() in ("tick", "branch"):
             return bool(rest.strip())
         return word.lower() in ("back", "forward", "last", "reaction", "until", "set")
 
     def position(self) -> str:
-        """Return where the session stands: tick, time and branch."""
+        """Return where the session is: tick, time and branch."""
         session = self._session
         time_us = session.tick * session.description.cycle_time_us
         branch = f", branch {session.branch}" if len(session.branches) > 1 else ""

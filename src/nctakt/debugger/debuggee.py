@@ -65,7 +65,7 @@ class Abilities:
 class Debuggee:
     """One session under the debugger; ``owns``: it is closed with the debugger.
 
-    ``tell`` sends an event. ``stops_at_end``: the run stands at its end; else the debugger ends.
+    ``tell`` sends an event. ``stops_at_end``: the run stays at its end; else the debugger ends.
     """
 
     def __init__(
@@ -344,11 +344,11 @@ class Debuggee:
         self._tell("stopped", body)
 
     def stop_on_entry(self) -> None:
-        """Tell that it stands before its first tick."""
+        """Tell that it is before its first tick."""
         self._stopped("entry", 1)
 
     def _end(self) -> None:
-        """Stand at the end of the run, or end the debugger with it."""
+        """Stop at the end of the run, or end the debugger with it."""
         text = headline(self.session.result(), self.language, None)
         self.report.output("console", f"{text}\n")
         if self._stops_at_end:
@@ -381,7 +381,7 @@ class Debuggee:
             self._stopped("pause", 1, self.console.position())
 
     def _note_seen(self) -> None:
-        """Note where the session stands, as the client knows it."""
+        """Note where the session is, as the client knows it."""
         self._seen = self.session.tick, self.session.branch, self.session.is_playing
 
     # --- back -----------------------------------------------------------------------------------
@@ -418,7 +418,7 @@ class Debuggee:
         self._travel(thread, lambda: self._reverse(thread))
 
     def _travel(self, thread: int, work: Callable[[], None]) -> None:
-        """Go back; where that is interrupted or fails, tell so and where it stands."""
+        """Go back; where that is interrupted or fails, tell so and where it is."""
         self.session.on_travel = partial(self.report.travel, time.monotonic())
         try:
             with self.session.together():
@@ -476,13 +476,13 @@ class Debuggee:
         return list(held), done.events
 
     def tell_travel(self, reason: str, thread: int) -> None:
-        """Tell that it stands elsewhere."""
+        """Tell that it is elsewhere."""
         self._note_branch()
         self._stopped(reason, thread, self.console.position())
         self._tell_invalidated()
 
     def _tell_invalidated(self) -> None:
-        """Tell the client to ask for everything again: it stands elsewhere."""
+        """Tell the client to ask for everything again: it is elsewhere."""
         if self._abilities.has_invalidated:
             self._tell("invalidated", {"areas": ["all"]})
 

@@ -2,7 +2,7 @@
 """Another block to go on from: a program begins anew there, by block search.
 
 In: a line of the first program of channel 1. Out: the target that the protocol shows, and a session
-that stands where the block has become current. What a block search does not allow is an error, and
+that is where the block has become current. What a block search does not allow is an error, and
 the session before it stays.
 """
 
@@ -21,7 +21,7 @@ from nctakt.session.engine import Slice
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
 
-#: Machine time in which the start block becomes current, else the session stands before it.
+#: Machine time in which the start block becomes current, else the session stays before it.
 LONGEST_APPROACH = "10 min"
 
 

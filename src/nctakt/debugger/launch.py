@@ -30,7 +30,7 @@ from nctakt.session.session import Session
 class Configuration:
     """What is run, and where the debugger stops by itself.
 
-    ``stops_at_end``: the run stands at its end until it is left; else the debugger ends with it.
+    ``stops_at_end``: the run stays at its end until it is left; else the debugger ends with it.
     """
 
     channels: Mapping[int, Sequence[Path]]

@@ -2,7 +2,7 @@
 """The places of a program where a breakpoint can be: blocks, and what realtime cycles hold.
 
 In: the lines of a text, the realtime cycles in it. Out: for a line the place there, or the next one
-behind it.
+after it.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Places:
         self._cycles = [cycle for cycle in cycles if cycle.span.file == file]
 
     def at_or_behind(self, line: int) -> Place | None:
-        """Return the place in a line, else the first one behind it; ``None`` without any."""
+        """Return the place in a line, else the first one after it; ``None`` without any."""
         while 1 <= line <= len(self._source.lines):
             around = self._cycle_around(line)
             if around is None:
@@ -88,7 +88,7 @@ class Places:
         return None
 
     def _block_from(self, line: int) -> Place | None:
-        """Return the block that begins in a line or behind it."""
+        """Return the block that begins in a line or after it."""
         begin = max(1, line - MAX_LINES_BEFORE)
         for _, statement in StatementReader(self._source, Collector(), begin):
             for own in _statements_in(statement):

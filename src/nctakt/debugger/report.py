@@ -94,7 +94,7 @@ class Report:
     def heard(self) -> None:
         """Tell what another one's session has said since, whoever has let it run.
 
-        What was told is not told again where somebody goes back.
+        What was reported is not reported again where somebody goes back.
         """
         frame = None if self._listener is None else self._listener.take()
         if frame is None:
@@ -147,7 +147,7 @@ class Report:
         self._progress_s = now_s
 
     def end_progress(self) -> None:
-        """Tell that the run whose progress was told is over."""
+        """Tell that the run whose progress was reported is over."""
         if self._progress_s:
             self._progress_s = 0.0
             self._tell("progressEnd", {"progressId": f"run-{self._progress}"})

@@ -493,7 +493,7 @@ class Scopes:
         return shown
 
     def _elements(self, decoder: DecoderState, level: int, name: str) -> list[dict[str, Any]]:
-        """Return the elements of an array of the decoder; how many are not shown is told."""
+        """Return the elements of an array of the decoder; how many are not shown is reported."""
         family = name.split(".")[1]
         for variable in _group(decoder, level, family):
             if variable.name == name:
@@ -510,7 +510,7 @@ def _group(decoder: DecoderState, level: int, family: str) -> Sequence[DecoderVa
 
 
 def _roots(pieces: Sequence[str]) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Yield the scopes in which a name may stand, with its path there."""
+    """Yield the scopes in which a name may be, with its path there."""
     if len(pieces) > 1 and pieces[0] == "V" and pieces[1] in ("E", "CH", "RTA", "RTG"):
         yield f"V.{pieces[1]}", tuple(pieces[2:])
     elif pieces and pieces[0] == "HLI":

@@ -84,7 +84,7 @@ class Values:
         return self._session.read(*(self.prefixed(name, channel) for name in names))
 
     def note_of(self, name: str, channel: int) -> str:
-        """Return what is noted behind a value: the one that it gets in the next tick."""
+        """Return what is noted after a value: the one that it gets in the next tick."""
         tick, value = self._pending.get(self.prefixed(name, channel), (-1, 0.0))
         return f" → {shown_value(value)}" if tick == self._session.tick else ""
 

@@ -122,7 +122,7 @@ def _takes_keywords(cursor: Cursor, name: str) -> bool:
 
 
 def _elements(cursor: Cursor, path: str) -> Iterator[CompletionItem]:
-    """Yield elements of the interface to the PLC behind the beginning of a path."""
+    """Yield elements of the interface to the PLC after the beginning of a path."""
     written = len(path.rpartition(".")[2])
     for element in table.continuations(path):
         label = element.name if "." in element.path else element.path
@@ -169,7 +169,7 @@ def _files(cursor: Cursor, written: str) -> Iterator[CompletionItem]:
 
 
 def _parameters(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield the parameters of the kind of list, with their IDs; behind a name its values."""
+    """Yield the parameters of the kind of list, with their IDs; after a name its values."""
     text = cursor.document.text().encode("utf-8", "surrogatepass")
     schema = kind_of(Path(cursor.document.name).name, text)
     value = _LIST_VALUE.match(cursor.before)

@@ -237,7 +237,7 @@ def _with_frequency(cycle: _Cycle, span: Span, language: Language) -> Iterator[R
 def _independent(
     cycle: _Cycle, span: Span, names: NameTable, language: Language
 ) -> Iterator[Remedy]:
-    """Yield the independent motions that stand for a block of the path (RC-405)."""
+    """Yield the independent motions that replace a block of the path (RC-405)."""
     for statement, _ in _branches(cycle.body):
         if not isinstance(statement, Block):
             continue

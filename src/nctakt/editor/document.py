@@ -77,7 +77,7 @@ class Document:
         return "\n".join(self.lines)
 
     def line(self, number: int) -> str:
-        """Return a line, counted from 0; empty behind the last one."""
+        """Return a line, counted from 0; empty after the last one."""
         return self.lines[number] if 0 <= number < len(self.lines) else ""
 
     def change(self, event: TextDocumentContentChangeEvent) -> None:
@@ -99,7 +99,7 @@ class Document:
         self.lines[first.line : last.line + 1] = new
 
     def _inside(self, position: Position) -> Position:
-        """Return the position, behind the text its end."""
+        """Return the position, or the end of the text if that comes before it."""
         if position.line < len(self.lines):
             return position
         return Position(len(self.lines) - 1, len(self.lines[-1]) * 2)

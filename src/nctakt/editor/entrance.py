@@ -78,7 +78,7 @@ def _first_message(visitor: Visitor, server: Server) -> Message | None:
     try:
         message = MessageReader(visitor.reading, is_strict=True).read()
     except Failure:
-        return None  # nothing of the protocol, and nobody to tell
+        return None  # nothing of the protocol, and no one to tell
     if message is None:
         return None
     parameters = message.get("params")

@@ -25,7 +25,7 @@ _NUMBER = re.compile(
 )
 _CLOSING = frozenset(ENDS.values())
 
-#: What stands around a line that divides or closes a structure while it is parsed.
+#: What is put around a line that divides or closes a structure while it is parsed.
 _AROUND: dict[str, tuple[list[str], list[str]]] = {
     "$ELSEIF": (["$IF 1"], ["$ENDIF"]),
     "$ELSE": (["$IF 1"], ["$ENDIF"]),

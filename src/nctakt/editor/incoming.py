@@ -17,7 +17,7 @@ MAX_LINE, MAX_MESSAGE = 1024, 256 * 1024 * 1024
 #: Bytes that are read at once, and that wait at most beside those that are asked for.
 _CHUNK, _MAX_WAITING = 65536, 1 << 20
 
-#: What stands for a message that is too long: it is none of the protocol, and told as such.
+#: What stands for a message that is too long: it is none of the protocol, and reported as such.
 _NOTHING = b"null"
 
 
@@ -67,7 +67,7 @@ class Incoming:
             return self._taken(length or MAX_LINE)
 
     def read(self, size: int) -> bytes:
-        """Return so many bytes, less at the end; ``null`` where they are too many."""
+        """Return this many bytes, less at the end; ``null`` where they are too many."""
         if size <= MAX_MESSAGE:
             return self._awaited(size)
         while size > 0 and (passed := self._awaited(min(size, _CHUNK))):

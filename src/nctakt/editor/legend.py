@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The types and modifiers of semantic tokens, which an editor is told at the start."""
+"""The types and modifiers of semantic tokens, which an editor is given at the start."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ class Token(NamedTuple):
 
 
 def tokens(line: str) -> Iterator[Token]:
-    """Yield the tokens of a line, comments behind each other part."""
+    """Yield the tokens of a line, comments after all other parts."""
     code = without_comments(line)
     for match in _TOKEN.finditer(code):
         kind = match.lastgroup

@@ -79,7 +79,7 @@ def values_of(parameter: Parameter) -> dict[str, str]:
 def format_list(lines: Sequence[str], first: int, last: int) -> list[str]:
     """Return the lines from ``first`` to ``last`` (exclusive), values in one column.
 
-    The column is that of most entries. Values and what stands behind them stay as written, as do
+    The column is that of most entries. Values and what comes after them stay as written, as do
     comments and what follows the end of the list.
     """
     column = _column(lines)

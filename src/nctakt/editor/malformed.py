@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The protocol, with an answer to each message that is none of it.
 
-In: what an editor sends, as JSON. Out: an error to whoever asked, and to nobody where the message
+In: what an editor sends, as JSON. Out: an error to whoever asked, and to no one where the message
 has no ID; the texts of errors have no traceback. pygls itself only writes such messages to its log,
-and a client that waits for its answer would wait for ever.
+and a client that waits for its answer would wait forever.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class TolerantProtocol(LanguageServerProtocol):
         super()._send_response(msg_id, result, error)
 
     def answer(self, identity: str | int | None, error: JsonRpcException) -> None:
-        """Send an error; ``identity``: that of the request, ``None`` where nobody can read it."""
+        """Send an error; ``identity``: that of the request, ``None`` where no one can read it."""
         shown = {"code": error.code, "message": error.message[:_LONGEST_TEXT]}
         # A dictionary: an object of the library would leave out an ID that is null.
         self._send_data({"jsonrpc": self.VERSION, "id": identity, "error": shown})

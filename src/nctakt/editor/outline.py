@@ -29,7 +29,7 @@ from nctakt.editor.structures import Structure, every, structures
 _KEY = re.compile(r"^\s*(?P<key>[A-Za-z_][\w.\[\]]*)\s+(?P<value>\S+)")
 _COMMENT_LINE = re.compile(r"^\s*(?:;|\(.*\)\s*$|#\s)")
 _START = re.compile(r"^\s*%\s*(?P<local>L\s+)?(?P<name>[^\s;(]*)", re.IGNORECASE)
-#: Symbols of a list or program; an outline of more helps nobody.
+#: Symbols of a list or program; an outline of more helps no one.
 MAX_SYMBOLS = 5000
 
 _KINDS = {

@@ -215,7 +215,7 @@ def _can_suppress(document: Document, item: Diagnostic) -> bool:
 
 
 def _suppression(document: Document, item: Diagnostic, language: Language) -> TextEdit:
-    """Return the edit that writes the comment behind the block of a finding."""
+    """Return the edit that writes the comment after the block of a finding."""
     assert item.span is not None
     number = item.span.line - 1
     line = document.line(number)
@@ -258,7 +258,7 @@ def _declaration(
 
 
 def _behind(lines: Sequence[str], entries: str) -> tuple[int, int]:
-    """Return the next free index of a list's variables, and the line behind which they belong.
+    """Return the next free index of a list's variables, and the line after which they belong.
 
     That is the last entry of its kind, else the last before the end of the list; -1 in an empty
     list.

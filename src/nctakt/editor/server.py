@@ -101,7 +101,7 @@ class Server(LanguageServer):
         self.start_io(cast("BinaryIO", incoming), outgoing)
 
     def shutdown(self) -> None:
-        """End: nobody waits for the editor any more."""
+        """End: no one waits for the editor any more."""
         if self._incoming is not None:
             self._incoming.end()
         super().shutdown()  # type: ignore[no-untyped-call]

@@ -155,7 +155,7 @@ def _free_id(cursor: Cursor) -> int:
 
 
 def _command_names(cursor: Cursor) -> dict[str, str]:
-    """Return the ``#`` commands that may stand here with their meanings, ``ON`` and ``OFF`` too."""
+    """Return the ``#`` commands that may come here with their meanings, ``ON`` and ``OFF`` too."""
     around = cursor.around
     end = ENDS.get(around.innermost, "")
     closing = {end: ""} if end.startswith("#") else {}

@@ -229,7 +229,7 @@ def _partial_files(path: Path) -> Iterator[Path]:
     form = re.compile(rf"{re.escape(path.stem)}\.partial(-\d+)?{re.escape(path.suffix)}")
     try:
         files = list(path.parent.iterdir())
-    except OSError:  # a folder that nobody may look into
+    except OSError:  # a folder that no one may look into
         return
     yield from (file for file in files if form.fullmatch(file.name))
 

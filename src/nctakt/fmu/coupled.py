@@ -40,7 +40,7 @@ class Fmu:
     and variables of the machine; ``outputs``: its variables -> what they set; without both,
     variables of equal names. ``start``: values before the first step. ``isolate``: it runs in a
     process of its own, which is ended if a call lasts longer than ``limit``; otherwise such a call
-    is told. Raises ``FmuError``.
+    is reported. Raises ``FmuError``.
     """
 
     def __init__(

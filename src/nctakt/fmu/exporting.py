@@ -2,7 +2,7 @@
 """A machine with its program and PLC as an FMU, which other tools simulate beside their models.
 
 In: what a run takes. Out: the archive: a description, the libraries of pythonfmu (FMI 2.0) or
-pythonfmu3 (FMI 3.0), and the files that the run has read, in folders as they stand to each other.
+pythonfmu3 (FMI 3.0), and the files that the run has read, in folders with the same relative places.
 What is written has been started once from there: it needs no other file.
 """
 

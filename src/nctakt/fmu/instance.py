@@ -33,7 +33,7 @@ _LINE_LENGTH = 300
 class FmuInstance:
     """An instance; ``time_us``: the time of the run up to which it has come.
 
-    A call that lasts longer than ``limit_s`` is told on the error output; 0: it is not looked.
+    A call that lasts longer than ``limit_s`` is reported on the error output; 0: no check.
     """
 
     def __init__(self, description: FmuDescription, folder: Path, limit_s: float = 0.0) -> None:

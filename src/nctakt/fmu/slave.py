@@ -55,7 +55,7 @@ class Slave:
         self._cell.begin_at(start_time)
 
     def enter_initialization_mode(self) -> None:
-        """Do nothing: the machine stands before its first tick."""
+        """Do nothing: the machine is before its first tick."""
 
     def exit_initialization_mode(self) -> None:
         """Do nothing."""

@@ -55,7 +55,7 @@ class Gate:
         self._is_open.set()
 
     def close(self) -> None:
-        """Stop the threads behind the step that is being made."""
+        """Stop the threads after the step that is being made."""
         self._is_open.clear()
         self._lock.acquire()
 
@@ -108,7 +108,7 @@ class ScheduleThreads:
         self._anchor = 0
 
     def wait(self, every: int) -> tuple[bool, list[int]]:
-        """Wait for the next activation of the owner, every so many NC cycles.
+        """Wait for the next activation of the owner, once in ``every`` NC cycles.
 
         Returns whether it is lost, since the owner was still busy, and which threads were.
         """
@@ -197,7 +197,7 @@ class ScheduleThreads:
         for task, semaphore in self._semaphores:
             if cycle % task.task.every == 0:
                 self._counters.due[task.number] += 1
-                if self._processes.post(semaphore):  # nobody has taken the post before
+                if self._processes.post(semaphore):  # no one has taken the post before
                     self._counters.overflow(task.number, due)
                 else:
                     self._taken[task.number] = self._taken.get(task.number, 0) + 1
@@ -284,7 +284,7 @@ class _Worker:
         return True
 
     def end(self) -> None:
-        """End behind the step that is being made."""
+        """End after the step that is being made."""
         self._is_over = True
         self._wake.release()
 

@@ -34,7 +34,7 @@ class Item:
     """An entry; ``parameter`` is ``None`` for an unknown one.
 
     ``indices``: as in the list. ``value``: its text without quotation marks. ``comment``: the text
-    behind it.
+    after it.
     """
 
     line: int
@@ -67,7 +67,7 @@ def _in_order(items: list[Comment | Item]) -> list[Comment | Item]:
 
 
 def _own_comment(item: Item, text: str) -> str:
-    """Return the comment behind an entry without its name, which XML lists have for readers.
+    """Return the comment after an entry without its name, which XML lists have for readers.
 
     The meaning of the parameter does not count as a comment.
     """

@@ -20,7 +20,7 @@ ListFormat = Literal["ascii", "xml"]
 SUFFIXES: dict[ListFormat, str] = {"ascii": ".lis", "xml": ".xml"}
 
 _KEY_WIDTH, _VALUE_WIDTH = 48, 16
-#: Column of the comment behind an element.
+#: Column of the comment after an element.
 _ELEMENT_WIDTH = 40
 #: The outermost elements of XML lists, with those of lists that hold defaults.
 _ROOTS = {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Messages about slips: what the writer meant is known, and so is how this language says it.
 
-Each stands in place of a general message of the parser or checker and has its number where that
+Each replaces a general message of the parser or checker and has its number where that
 differs from the one here (``nc/slips``). ``found`` is the text as written, ``replacement`` the text
 for it.
 """

@@ -2,7 +2,7 @@
 """A scene -> one page with an interactive picture, which needs no network.
 
 In: ``Scene``. Out: a file with the data of the run, the viewer (``viewer_*.js``) and its look
-(``viewer.css``). Curves stand on a grid of ticks; of long ones the lowest and highest value of each
+(``viewer.css``). Curves are on a grid of ticks; of long ones the lowest and highest value of each
 piece. The same run gives the same bytes.
 """
 
@@ -231,7 +231,7 @@ def _packed(values: Values) -> str:
 
 
 def _extremes(values: Values, ticks: int) -> Values:
-    """Return the lowest and highest value of each piece of so many ticks, in their order."""
+    """Return the lowest and highest value of each piece of this many ticks, in their order."""
     padded = numpy.pad(values, (0, -len(values) % ticks), mode="edge").reshape(-1, ticks)
     low, high = padded.argmin(axis=1), padded.argmax(axis=1)
     places = numpy.column_stack((numpy.minimum(low, high), numpy.maximum(low, high)))

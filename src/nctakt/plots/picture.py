@@ -295,7 +295,7 @@ class Sheet:
             )
 
     def _draw_line_text(self, axes: Any, row: int, lane: Lane) -> None:
-        """Write the line of a reaction behind its lane."""
+        """Write the line of a reaction after its lane."""
         if lane.text:
             text = lane.text if len(lane.text) <= _MAX_TEXT else f"{lane.text[: _MAX_TEXT - 1]}…"
             axes.annotate(

@@ -89,7 +89,7 @@ def _events(timeline: Timeline, trace: Trace, language: Language) -> Iterator[Tr
 
 
 def _cycle_order(track: Track) -> tuple[str, int, int]:
-    """Return the key that puts the branches of a cycle behind it, in the order of their lines."""
+    """Return the key that puts the branches of a cycle after it, in the order of their lines."""
     if track.kind == "cycle" or track.span is None:
         return track.label, 0, 0
     return track.group, track.span.line, track.kind == "reaction"

@@ -122,7 +122,7 @@ def scene_of(
     title: str,
     language: Language,
 ) -> Scene:
-    """Return the scene of a run; the signals ``chosen`` stand in place of the axes' motion.
+    """Return the scene of a run; the signals ``chosen`` take the place of the axes' motion.
 
     Unprintable characters of ``title`` become dots.
     """
@@ -161,7 +161,7 @@ def scene_of(
 
 
 def _is_shown(name: str) -> bool:
-    """Return whether a signal that nobody chose is in the picture already, or tells little.
+    """Return whether a signal that no one chose is in the picture already, or tells little.
 
     Of further channels positions, speed and override are drawn as they were recorded.
     """

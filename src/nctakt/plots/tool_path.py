@@ -70,7 +70,7 @@ class ToolPath:
 
 
 def tool_path(motions: Sequence[AxisMotion], rapid: Values, lanes: Sequence[Lane]) -> ToolPath:
-    """Return the path of at least two axes; ``rapid`` is empty where nobody recorded it."""
+    """Return the path of at least two axes; ``rapid`` is empty where it was not recorded."""
     shown = motions[:3]
     points = numpy.column_stack([motion.tip.values for motion in shown])
     time_s = shown[0].position.time_s

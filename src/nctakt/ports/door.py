@@ -3,7 +3,7 @@
 
 In: connections. Out: for each a ``Visitor``, in a thread of its own, which becomes a guest by the
 token. What a visitor may cost is bounded: a few at a time, for some seconds, with few bytes. So
-whoever cannot come in keeps nobody else out.
+whoever cannot come in keeps no one else out.
 """
 
 from __future__ import annotations
@@ -227,7 +227,7 @@ class Metered:
         return self._counted(self._stream.readline(limit))
 
     def read(self, size: int) -> bytes:
-        """Return so many bytes; less at the end."""
+        """Return this many bytes; less at the end."""
         if self.left is not None and size > self.left:
             return b""
         return self._counted(self._stream.read(size))

@@ -3,8 +3,8 @@
 
 In: bytes of a client: lines of a header, an empty line, JSON. Out: messages as dictionaries, and
 the way back. A message of more than ``MAX_MESSAGE`` bytes, a header without a length, and JSON that
-is no object are told by number; where the next message begins is found again on a pipe. On a socket
-such bytes end the connection: a page in a browser can send them, and must not be understood.
+is no object are reported by number; where the next message begins is found again on a pipe. On a
+socket such bytes end the connection: a page in a browser can send them, and must not be understood.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Readable(Protocol):
         """Return a line, of at most ``limit`` bytes."""
 
     def read(self, size: int, /) -> bytes:
-        """Return so many bytes; less at the end."""
+        """Return this many bytes; less at the end."""
 
 
 class MessageReader:
@@ -53,7 +53,7 @@ class MessageReader:
         """Return the next message, ``None`` at the end of the stream.
 
         Raises ``Failure`` for bytes that are none (901220, 901221, 901222); the next call goes on
-        behind them.
+        after them.
         """
         length = None if self._is_ended else self._length()
         if length is None:

@@ -100,7 +100,7 @@ class Project:
     """The settings of a project file; ``None`` and empty: not set.
 
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
-    are those of variables before the first tick; ``places``: where each stands, and ``plc`` and
+    are those of variables before the first tick; ``places``: where each is, and ``plc`` and
     ``fmu``. ``libraries``: folders with sources of the PLC's libraries; ``axes``: what its
     variables of the type AXIS_REF mean, by their paths. ``instruction_ns``: how long an
     elementary instruction of Structured Text takes, 0: no time.
@@ -172,7 +172,7 @@ def from_here(path: Path) -> Path:
 def _is_file(path: Path) -> bool:
     try:
         return path.is_file()
-    except OSError:  # a folder that nobody may look into
+    except OSError:  # a folder that no one may look into
         return False
 
 
@@ -365,7 +365,7 @@ class _Reader:
         return MappingProxyType(found)
 
     def _path(self, key: str, value: Any, example: str, table: str = "") -> Path | None:
-        """Return the path of an entry, ``None`` without one; ``table``: where the entry stands."""
+        """Return the path of an entry, ``None`` without one; ``table``: where the entry is."""
         if value is None:
             return None
         location = self._location_in(table, key) if table else self._location(key)
@@ -410,7 +410,7 @@ class _Reader:
         return cast("Language | None", value)
 
     def _time(self, key: str, value: Any, example: str, table: str = "") -> Time | None:
-        """Return a time above 0, ``None`` without one; ``table``: where the entry stands."""
+        """Return a time above 0, ``None`` without one; ``table``: where the entry is."""
         location = self._location_in(table, key) if table else self._location(key)
         if value is None:
             return None

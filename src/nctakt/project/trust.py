@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Whose settings may run code: those that nobody else can write, or of a folder that is trusted.
+"""Whose settings may run code: those that no one else can write, or of a folder that is trusted.
 
 In: files that name code, or have it. Out: why they do not count. A project file in a folder above
-may be anybody's; it has code run only if it and its folder belong to the user or to root and nobody
+may be anybody's; it has code run only if it and its folder belong to the user or to root and no one
 else may write them, if the user trusts the folder (a line in ``nctakt/trusted`` below the folder of
 the user's settings), or if he trusts all of them for a command (``--trust``). Systems without
 owners in Python's sense (Windows) are not asked.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The meanings of the HLI's structures and values in German.
 
-The English ones stand with their declarations (``hli/layout.py``), from which the C header is
+The English ones are with their declarations (``hli/layout.py``), from which the C header is
 written. A key is the name of a structure, or of a value in it.
 """
 

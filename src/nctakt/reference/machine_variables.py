@@ -60,7 +60,7 @@ class MachineVariables:
         ]
 
     def unknown(self, word: str) -> tuple[Diagnostic, ...]:
-        """Return what is told of a name that the machine does not declare."""
+        """Return what is said of a name that the machine does not declare."""
         near = nearest(_plain(word), sorted({name for name, _, _, _ in _declared(self._machine)}))
         error = diagnostic(UNKNOWN_MACHINE_VARIABLE, name=word)
         if near:

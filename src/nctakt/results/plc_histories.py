@@ -33,7 +33,7 @@ class Fact:
 class PlcChange:
     """A change of a variable; without ``span`` no statement made it, but the CNC or an input.
 
-    ``before``: empty where nobody has looked before. ``statement``: its text. ``facts``: what led
+    ``before``: empty where no one has looked before. ``statement``: its text. ``facts``: what led
     to it, from the task's program to the statement; ``is_cut``: some are missing.
     """
 

@@ -123,7 +123,7 @@ class _Writer:
             yield f"  {words.get(_CUT)}"
 
     def facts(self, facts: Sequence[Fact], indent: str) -> Iterator[str]:
-        """Yield what led to a change; operands stand below their condition."""
+        """Yield what led to a change; operands come below their condition."""
         words = self._words
         waiting: list[Fact] = []
         for fact in facts:

@@ -51,7 +51,7 @@ class ProgramMessage:
     """A message of a program (``#MSG``): its time and its text.
 
     ``channel``: the channel's number on a machine with several, else 0. In a message file it
-    stands without its time stamp if ``is_exclusive``, without a line end if ``is_unbroken``.
+    appears without its time stamp if ``is_exclusive``, without a line end if ``is_unbroken``.
     ``file``: the message file that the program has chosen (#FILENAME), empty without one.
     """
 

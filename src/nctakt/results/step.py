@@ -18,7 +18,7 @@ from nctakt.trace.events import Event
 class Step(NamedTuple):
     """The ticks from ``first_tick`` on.
 
-    ``state`` is that of the controller behind them. ``events``, ``messages`` and ``diagnostics``
+    ``state`` is that of the controller after them. ``events``, ``messages`` and ``diagnostics``
     are those of these ticks only.
     """
 

@@ -159,6 +159,6 @@ def _values(branch: BranchHistory, tick: int) -> str:
     if condition.operator in ("&&", "||"):
         return ""
     left, right = (f"{value:.10g}" for value in (change.left, change.right))
-    if left == right:  # they may differ in the digits behind
+    if left == right:  # they may differ in the digits after these
         left, right = number_text(change.left), number_text(change.right)
     return f"{left} {condition.operator} {right}"

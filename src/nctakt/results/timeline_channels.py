@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from nctakt.results.timeline import Slice, TakenSignal, Track
 from nctakt.trace.events import Event
 
-#: Behind the name of a channel and in texts of events: it is its decoder that waits.
+#: After the name of a channel and in texts of events: it is its decoder that waits.
 _DECODER = "decoder"
 
 

@@ -180,7 +180,7 @@ class _Builder:
         return self._labels.get(cycle, cycle)
 
     def _fire(self, event: Event) -> None:
-        """Add a firing; one in the tick behind the last one prolongs it."""
+        """Add a firing; one in the tick after the last one prolongs it."""
         group = self._label(event.cycle)
         label = f"{group}: {event.text.split()[-1]}"
         key: tuple[TrackKind, str] = ("reaction", label)
@@ -260,7 +260,7 @@ class _Builder:
     def replace_reactions(self, tracks: Iterable[Track]) -> None:
         """Take conditions and reactions from the histories, which know how long they lasted.
 
-        Before the first slice that a history has kept, the firings stand.
+        Before the first slice that a history has kept, the firings remain.
         """
         of_branch = {_branch(*head[:2]): key for key, head in self._heads.items()}
         for track in tracks:

@@ -3,7 +3,7 @@
 
 In: ``Model``. Out: ``Analysis``. A response is never below what any simulation of the model shows,
 whatever of its phase, jitter and times of execution is open; where it is exact it says so. How they
-are found stands in ``response``. Tasks of equal urgency count as more urgent.
+are found is in ``response``. Tasks of equal urgency count as more urgent.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ def _analyse_cpu(search: ResponseSearch, cpu: int, tasks: tuple[TaskAnalysis, ..
     demand = sum(search.work[i].mean / (model.tasks[i].every * distance) for i in own)
     if not search.is_guarded(cpu):
         return CpuAnalysis(cpu, demand, 1.0, (), False)
-    # Windows' time begins so long behind the NC interrupt in the shortest cycle.
+    # Windows' time begins this long after the NC interrupt in the shortest cycle.
     begin = search.arrivals.earliest(1) - model.windows
     intruders = tuple(
         i

@@ -192,7 +192,7 @@ class _Assembly:
         ]
 
     def _urgency(self, priority: int) -> int:
-        # Even numbers: one between two priorities is free for "right behind".
+        # Even numbers: one between two priorities is free for "right after".
         return 2 * self._profile.urgency(priority)
 
     def _calls(self, thread: SchedulerThread) -> tuple[Call, ...]:

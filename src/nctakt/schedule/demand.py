@@ -13,7 +13,7 @@ from nctakt.schedule.model import Execution, Task, Train
 
 
 class Arrivals:
-    """Bounds of the NC interrupts behind one of them; jitter can bring them closer together."""
+    """Bounds of the NC interrupts after one of them; jitter can bring them closer together."""
 
     def __init__(self, train: Train) -> None:
         self._distance = train.distance

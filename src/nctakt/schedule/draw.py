@@ -41,7 +41,7 @@ def check_picture(path: str) -> None:
 
 
 def write_picture(figure: Figure, path: Path, language: Language, report: str) -> None:
-    """Write a picture; ``report`` stands below it in HTML. Raises ``OSError``."""
+    """Write a picture; ``report`` is below it in HTML. Raises ``OSError``."""
     ending = path.suffix.lower()
     if ending == ".png":
         from nctakt.schedule.png import write_png  # noqa: PLC0415 - matplotlib only when needed

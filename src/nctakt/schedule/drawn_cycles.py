@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which NC cycles pictures and traces show where nobody has chosen.
+"""Which NC cycles pictures and traces show where no one has chosen.
 
 In: ``Model`` and the number of NC cycles. Out: ``Simulation`` with a record of the cycles up to the
 end of the first repetition, of one repetition where that is too much, or of those around the first
@@ -49,7 +49,7 @@ def record_again(run: Simulation, shown: range) -> Simulation:
 
 
 def recorded_cycles(run: Simulation) -> int:
-    """Return how many of the first NC cycles are recorded where nobody has chosen."""
+    """Return how many of the first NC cycles are recorded where no one has chosen."""
     return min(hyperperiod(run.model), MAX_DRAWN, run.cycles)
 
 

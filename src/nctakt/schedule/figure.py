@@ -45,7 +45,7 @@ class Stroke:
 
 @dataclass(frozen=True, slots=True)
 class Label:
-    """A text; ``anchor`` says which part of it stands at ``x``."""
+    """A text; ``anchor`` says which part of it is at ``x``."""
 
     x: float
     y: float

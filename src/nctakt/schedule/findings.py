@@ -27,7 +27,7 @@ from nctakt.schedule.results import Simulation, WindowsNumbers
 
 #: A thread that finishes less often than once in this many activations hardly ever finishes.
 _RARE = 10
-#: So many activations behind each other that wait at the end are more than a passing delay.
+#: This many activations one after another that wait at the end are more than a passing delay.
 _BACKLOG = 3
 _LATE = "late suspension"
 

@@ -15,7 +15,7 @@ with a unit (``"1.5 ms"``, ``"1 h"``)::
     "thread[1].function[1]" = 250     # this one only
     [external.external_sps]           # a semaphore_name
     time = 200
-    priority = 110                    # [default: right behind the realtime thread]
+    priority = 110                    # [default: right after the realtime thread]
     cpu = 1
     [machine]
     cpus = 2                          # [default: as many as the list uses]
@@ -24,7 +24,7 @@ with a unit (``"1.5 ms"``, ``"1 h"``)::
     [interrupt]                       # sources hardware and semaphore
     period = 2000                     # [default: cycle_time]
     phase = 0
-    drift = 0.5                       # each period is so much longer
+    drift = 0.5                       # each period is this much longer
     jitter = 10                       # earlier or later
     [overheads]
     switch = 2                        # each time that a thread gets a processor
@@ -102,7 +102,7 @@ class Load:
 
     ``functions``: by name of function, or by its place in the list. ``interrupt``: period, phase,
     drift and jitter as far as they are given. ``block``: the decoder's time for one block of a
-    program. ``plc``: the external thread that is the PLC of a controller. ``is_assumed``: nobody
+    program. ``plc``: the external thread that is the PLC of a controller. ``is_assumed``: no one
     gave it.
     """
 

@@ -2,7 +2,7 @@
 """Learnt execution times as the text of a load file.
 
 In: ``LearntTimes``, the model they belong to, how they are to be written. Out: TOML in µs that
-``load`` reads; behind each entry the number of calls and their mean.
+``load`` reads; after each entry the number of calls and their mean.
 """
 
 from __future__ import annotations

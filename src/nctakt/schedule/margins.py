@@ -180,7 +180,7 @@ def with_windows(model: Model, windows: int) -> Model:
 def _windows_time(model: Model) -> int | None:
     """Return the largest windows_time.
 
-    More of it leaves suspendable threads less, and external ones behind them more: so it is tried
+    More of it leaves suspendable threads less, and less urgent external ones more: so it is tried
     from above, in steps of several slices where there are many, and halved only within a step.
     """
     slices = model.cycle // model.slice

@@ -181,8 +181,8 @@ class Model:
 def suspension_point(model: Model, begin: int) -> int | None:
     """Return when suspendable tasks of the NC cycle from ``begin`` stop, in ns; ``None``: never.
 
-    The tick at ``begin`` itself belongs to the cycle before, so the first one lies behind it. The
-    result may lie behind the next NC interrupt: then nothing is suspended in this cycle.
+    The tick at ``begin`` itself belongs to the cycle before, so the first one lies after it. The
+    result may lie after the next NC interrupt: then nothing is suspended in this cycle.
     """
     if not model.windows:
         return None

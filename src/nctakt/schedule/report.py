@@ -186,7 +186,7 @@ def response_report(run: Simulation, language: Language) -> list[str]:
     for task, numbers in tasks:
         longest = numbers.response_max
         shares = [numbers.responses.percentile(share) for share in PERCENTILES_PER_MILLE]
-        # A share that stands for several responses may end behind the longest of them.
+        # A share that stands for several responses may end after the longest of them.
         times = [
             share if share is None or longest is None else min(share, longest) for share in shares
         ]

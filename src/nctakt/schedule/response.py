@@ -10,7 +10,7 @@ A busy time is looked at from an NC interrupt on. Three cases differ:
   that of all more urgent activations since then is done.
 * A task that can be suspended: the same, counted in the time that suspendable tasks have. What
   cannot be suspended runs in Windows' time, too; that it all runs before is on the safe side.
-* A task that cannot be suspended, behind such that can: it runs while they are suspended, so their
+* A task that cannot be suspended, below some that can: it runs while they are suspended, so their
   work can be left from before. The busy time begins with its own activation; of the others counts
   what can be pending then, and suspendable ones never get more than their time in each cycle.
 
@@ -32,7 +32,7 @@ from nctakt.schedule.supply import Supply, suspension_offsets
 
 #: Steps of the search for one response; a schedule that needs more counts as unbounded.
 MAX_STEPS = 10_000
-#: Where more urgent tasks take all the time, the search ends behind as many hyperperiods.
+#: Where more urgent tasks take all the time, the search ends after this many hyperperiods.
 _HYPERPERIODS = 3
 #: Jobs of a busy time that are looked at in any case.
 _MIN_JOBS = 100
@@ -265,7 +265,7 @@ class _BusyTime:
         return sum(works) / model.train.distance
 
     def _is_overloaded(self) -> bool:
-        """Return whether the task's remembered activations pile up for ever."""
+        """Return whether the task's remembered activations pile up forever."""
         demand, supply = self._rates()
         return demand + self._rate_of([self._i]) > supply * 1.000_001
 

@@ -17,7 +17,7 @@ class ResponseCounts:
     """Responses from the least on, each with the number of jobs.
 
     ``resolution``: a response stands for all from it on up to the next multiple of this; 1 where
-    each is told apart.
+    each is kept apart.
     """
 
     resolution: int = 1
@@ -29,7 +29,7 @@ class ResponseCounts:
         return sum(count for _, count in self.counts)
 
     def percentile(self, per_mille: int) -> int | None:
-        """Return the response that at least so many of all jobs do not exceed."""
+        """Return the response that at least ``per_mille`` of all jobs do not exceed."""
         needed = -(-self.total * per_mille // 1000)
         reached = 0
         for response, count in self.counts:
@@ -39,7 +39,7 @@ class ResponseCounts:
         return None
 
     def bars(self, maximum: int) -> list[tuple[int, int, int]]:
-        """Return at most so many bars of equal width: from, below, how many jobs.
+        """Return at most this many bars of equal width: from, below, how many jobs.
 
         Widths are 1, 2 or 5 times a power of ten; bars without jobs between others are there.
         """

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""rtconf.lis written anew: the values that count, with everything else that stands in it.
+"""rtconf.lis written anew: the values that count, with everything else that is in it.
 
 In: the bytes of a list, the configuration that is to count. Out: the bytes of a list that says so.
 Comments, order, blanks, line ends and encoding stay. What does not count (unknown entries, earlier
-ones for the same parameter, what belongs to nothing) becomes a comment; what is missing stands
-behind the other entries of its thread.
+ones for the same parameter, what belongs to nothing) becomes a comment; what is missing comes
+after the other entries of its thread.
 """
 
 from __future__ import annotations
@@ -138,7 +138,7 @@ class _Rewriting:
         return line
 
     def _additions(self, line_count: int) -> Iterator[tuple[int, str]]:
-        """Yield lines to add, each with the place of the line that it stands before."""
+        """Yield lines to add, each with the place of the line that it comes before."""
         if not self._has_end:
             yield line_count, "End"
         for key, value in reversed(self._effective.items()):
@@ -151,7 +151,7 @@ class _Rewriting:
                 yield self._place_of(key), self._timer_entry
 
     def _place_of(self, key: Key) -> int:
-        """Return before which line an entry is added: behind those of the same element."""
+        """Return before which line an entry is added: after those of the same element."""
         pattern, indices = key
         element = pattern.split("[]")[0]
         lines = [
@@ -165,7 +165,7 @@ class _Rewriting:
 
 
 def _with_value(entry: Entry, key: Key, value: Value) -> str:
-    """Return the line of an entry with another value, its comment behind it."""
+    """Return the line of an entry with another value, its comment after it."""
     declared = RTCONF.find(key[0])
     assert declared is not None
     read = read_string if declared[0].type is ValueType.STRING else read_word

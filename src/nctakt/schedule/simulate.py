@@ -88,7 +88,7 @@ class SchedulerState:
         self._due = array("q", [0] * len(tasks))
         self._sequence = array("q", [0] * len(tasks))
         self._next_sequence = 0
-        #: When the activations that are remembered behind that job were due.
+        #: When the activations that are remembered after that job were due.
         self._waiting: list[deque[int]] = [deque() for _ in tasks]
         self.suspendable = [task.kind is TaskClass.ASYNCHRONOUS for task in tasks]
         self._stoppable = [i for i, suspendable in enumerate(self.suspendable) if suspendable]

@@ -45,7 +45,7 @@ def suspension_offsets(model: Model) -> Offsets:
         )
     if not model.train.is_phase_known:
         return _over_all_phases(before, step, model.slice, counts_ticks=counts_ticks)
-    # The NC interrupts fall on the phase behind a timer interrupt, and on all steps from it on.
+    # The NC interrupts fall on the phase after a timer interrupt, and on all steps from it on.
     spread = model.slice - step
     if counts_ticks:
         latest = before - model.train.phase % step

@@ -22,7 +22,7 @@ from nctakt.schedule.simulate import SchedulerState
 #: The function that decodes (SDA, P-RTCF-00012).
 DECODER_FUNCTION = "task_rnd"
 
-#: The schedule of a tick needs that of the one behind it, and another one has begun by then.
+#: The schedule of a tick needs that of the one after it, and another one has begun by then.
 _TICKS_AHEAD = 2
 
 

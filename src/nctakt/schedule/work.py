@@ -34,7 +34,7 @@ class Work:
         spans = [one.values[1] - one.values[0] + 1 if one.spread else 0 for one in executions]
         self._low = array("q", self._drawn)
         self._span = array("q", spans)
-        #: 0: the call's times stand in a list.
+        #: 0: the call's times are in a list.
         self._bits = array("q", [span.bit_length() for span in spans])
         self._lists = [one.values for one in executions]
         functions = list(dict.fromkeys(call.function for call in task.calls))

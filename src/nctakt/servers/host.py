@@ -186,7 +186,7 @@ class Host:
         raise answered
 
     async def latched(self, tick: int) -> None:
-        """Return once all can read what was written for a tick, at once if nothing plays."""
+        """Return once all can read what was written for a tick, at once unless it plays."""
         if tick < self.store.tick or not self.session.is_playing:
             return
         latched: asyncio.Future[None] = self.loop.create_future()

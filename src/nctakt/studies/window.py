@@ -75,7 +75,7 @@ class WindowOutcome(Outcome):
     """The outcome of a run that is known from its injection on.
 
     ``rows``: the values of ``signals`` at the begin of the injection's tick, then those of each
-    tick after it.
+    tick from it on.
     """
 
     def __init__(

@@ -2,7 +2,7 @@
 """Expectations in the comments of NC programs: text -> inputs and expected results of its run.
 
 ``; given: …`` is an input of the run, ``; expect: …`` an expected result; a comment may have
-several, separated by ``;``. An expectation behind a block is about its line.
+several, separated by ``;``. An expectation after a block is about its line.
 
     ; given: V.E.VALUE = 5            before the first tick
     ; given: V.E.DOOR = 1 at 20ms     at a time of the run
@@ -21,9 +21,9 @@ several, separated by ``;``. An expectation behind a block is about its line.
     ; expect: error 22009             in this line; warning 20824
     ; expect: ended                   the program came to its end
 
-Behind an event: ``at 463ms`` (``at 463 ticks``; several with commas), ``before TIME``,
+After an event: ``at 463ms`` (``at 463 ticks``; several with commas), ``before TIME``,
 ``after TIME``, ``never``, ``once``, ``3 times``; ``never after 1s`` counts only later events.
-Behind a value ``at TIME`` or ``at end``.
+After a value ``at TIME`` or ``at end``.
 """
 
 from __future__ import annotations
@@ -229,7 +229,7 @@ def impossible_firings(
 
 
 def read_expectation(text: str) -> Expectation:
-    """Return the expectation of a text that stands in no program; raises ``Failure`` (900660)."""
+    """Return the expectation of a text that is in no program; raises ``Failure`` (900660)."""
     try:
         found = _expectation(text.strip(), 0, None)
         if found.kind == "log":  # a log is that of one run

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The settings that a test of pytest runs with, and the notes on machines that nobody named."""
+"""The settings that a test of pytest runs with, and the notes on machines that no one named."""
 
 from __future__ import annotations
 

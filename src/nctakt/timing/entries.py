@@ -14,7 +14,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.results.run import Run
 
-#: What a channel does in a tick. ``commands``: the path stands between two blocks, for commands or
+#: What a channel does in a tick. ``commands``: the path rests between two blocks, for commands or
 #: for the decoder; ``idle``: its program has not begun or is over.
 TimeKind = Literal["rapid", "feed", "dwell", "wait", "commands", "backward", "idle"]
 

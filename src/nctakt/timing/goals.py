@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the path slows down for: the nearest place ahead whose speed decides that of the present.
 
-In: the current segment and the commands behind it in the queue. Out: a ``Limit``. The look-ahead
+In: the current segment and the commands after it in the queue. Out: a ``Limit``. The look-ahead
 settles speeds from the last segment backwards (MO-3); so the one that decides is the first whose
 end speed is its own limit and not what a later one leaves over.
 """
@@ -71,7 +71,7 @@ class Goals:
         return None
 
     def _standstill(self, row: _Row, following: int) -> Limit:
-        """Return why the path stands at the end of a segment that no other one continues."""
+        """Return why the path is at rest at the end of a segment that no other one continues."""
         if row[rows.EXACT_STOP] > 0.0:
             return Limit("exact stop", self._line_of(int(row[rows.SOURCE])))
         is_full = self._queue.timed_count >= self._queue.look_ahead.blocks

@@ -47,7 +47,7 @@ def trace_table(trace: Trace) -> pyarrow.Table:
 
 
 def _event_cells(events: Sequence[Event], ticks: range) -> list[str]:
-    """Return the events of each tick, joined; those behind the last row stand in it."""
+    """Return the events of each tick, joined; those after the last row are in it."""
     cells = [""] * len(ticks)
     for tick, together in by_tick(list(events)):
         if cells:

@@ -95,7 +95,7 @@ class EventChunk(Sequence[Event]):
         """Return each event once, with its number of occurrences and the tick of the last one.
 
         Firings, writes and functions count as the same where cycle, place and what they name are
-        the same; each event of another kind counts once. They stand in the order of their first
+        the same; each event of another kind counts once. They are in the order of their first
         occurrence.
         """
         keys = list(zip(*map(self.column, _KEY), strict=True))

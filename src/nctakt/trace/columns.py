@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A sink that hands on the first columns: two listeners of a run may record different signals.
 
-In: a trace with all signals. Out: the first of them, for the sink behind it, without events of
+In: a trace with all signals. Out: the first of them, for the sink after it, without events of
 kinds that it does not expect.
 """
 

@@ -93,7 +93,7 @@ class Event:
 
     @property
     def prefix(self) -> str:
-        """The channel in front of the event's text, ``CH2``; empty on a machine with one."""
+        """The channel before the event's text, ``CH2``; empty on a machine with one."""
         return f"CH{self.channel} " if self.channel else ""
 
 

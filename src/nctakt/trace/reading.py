@@ -167,7 +167,7 @@ def _origin(text: str) -> tuple[str, Span | None]:
 
 
 def _divide(text: str, divider: str) -> list[str]:
-    r"""Split at each ``divider``; a character behind a ``\`` is never part of one."""
+    r"""Split at each ``divider``; a character after a ``\`` is never part of one."""
     if "\\" not in text:  # nearly always, and much faster
         return text.split(divider)
     parts = [""]

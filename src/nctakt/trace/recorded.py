@@ -113,7 +113,7 @@ class Trace(Mapping[str, "Values"]):
     @property
     def tick(self) -> Counts:
         """The number of the tick of each row."""
-        import numpy  # noqa: PLC0415 - a run whose arrays nobody reads does not load it
+        import numpy  # noqa: PLC0415 - a run whose arrays no one reads does not load it
 
         return numpy.arange(self.first_tick, self.first_tick + self.ticks, dtype=numpy.int64)
 

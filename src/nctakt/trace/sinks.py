@@ -110,7 +110,7 @@ def file_sink(file: Path | OutputFile) -> CsvSink | JsonlSink:
 class _FileSink(abc.ABC):
     """Writes pieces of text to ``file``, a path or an open file.
 
-    A path gets its file when the trace is closed; until then it stands beside it (``OutputFile``).
+    A path gets its file when the trace is closed; until then it is beside it (``OutputFile``).
     Raises ``Failure`` (900507) when the path cannot be opened or the file takes no more.
     """
 
@@ -141,7 +141,7 @@ class _FileSink(abc.ABC):
             self._write_waiting()
 
     def close(self) -> None:
-        """Write the events behind the last row and close the file; a second call does nothing."""
+        """Write the events after the last row and close the file; a second call does nothing."""
         if self._file is None or self._is_closed:
             return
         self._is_closed = True
@@ -189,7 +189,7 @@ def _unwritable(file: OutputFile | TextIO, error: OSError) -> Failure:
 class CsvSink(_FileSink):
     """One line per tick: ``tick,time_us,<signals…>,events``.
 
-    The last column joins the tick's events with ``; ``. Behind an event stands its origin, cycle
+    The last column joins the tick's events with ``; ``. After an event comes its origin, cycle
     and position: ``fired 17 line 5 <17 part.nc:5:3>``, with ``-`` for a missing one. Without
     signals only ticks with events have a line.
     """

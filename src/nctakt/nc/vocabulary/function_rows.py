@@ -136,7 +136,7 @@ def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> G
 
 
 def simplified(number: int, en: str, de: str, how: Text, *, plain: bool = True) -> GFunction:
-    """Return the row of a function that no source settles; ``how``: the effect, reported once."""
+    """Return the row of a function that no source settles; ``how``: nctakt's way, reported once."""
     return replace(simulated(number, en, de, plain=plain), instead=how)
 
 

@@ -33,7 +33,7 @@ from nctakt.live.view import Snapshot
 from nctakt.session.session import Session
 from nctakt.session.story import NEXT_BLOCK, NEXT_REACTION
 
-#: How often the page looks for something new, in seconds; its fields once in this many.
+#: How often the page looks for something new, in seconds; its fields once in this many looks.
 _LOOK_S = 0.05
 _FIELDS_EVERY = 3
 

@@ -80,7 +80,7 @@ def serve(
 
     ``has_tour``: with the tour of the demo cell. ``is_embedded``: an editor shows it in a panel.
     ``tell`` gets its address once, ``tell_error``
-    what browsers send and cannot be understood, ``refused`` whose requests and connections were
+    what browsers send that cannot be understood, ``refused`` whose requests and connections were
     refused, and why.
     """
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The past of signals for clients: between two times, or at certain ones.
 
-In: requests with times, which are those of ticks. Out: values, at most this many in one answer for
+In: requests with times, which are those of ticks. Out: values, a limited number in one answer for
 all its nodes; the rest by continuation points. The session runs its past again for it, in short
 parts with the requests of other clients between them, and stays where it is.
 """

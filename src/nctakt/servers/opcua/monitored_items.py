@@ -25,7 +25,7 @@ _DISABLED = ua.MonitoringMode.Disabled
 class MonitoredItems:
     """The items of all subscriptions; ``count``: how many there are.
 
-    ``make_room``: makes some for this many items of a subscription, and returns whether it could.
+    ``make_room``: makes some for a number of items of a subscription, and returns whether it could.
     """
 
     def __init__(

@@ -66,7 +66,7 @@ class Beginning:
 
 
 class NumberTable:
-    """A table with a number of columns; raises ``Failure`` (902730) if there is no room for it."""
+    """Rows of ``width`` numbers; adding some raises ``Failure`` (902730) when the disk is full."""
 
     def __init__(self, width: int) -> None:
         self._width = width

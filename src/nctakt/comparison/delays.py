@@ -157,7 +157,7 @@ class _SignalSums:
         return counts
 
     def without_constant_speeds(self) -> Numbers:
-        """Return the sums; where the speed is constant, a delay is no other than a bias."""
+        """Return the sums; at constant speed a delay cannot be told from a bias."""
         is_constant = self._sums[0] <= _CONSTANT * self._sizes * self._slopes**2
         self._sums[:3, is_constant] = 0.0
         return self._sums

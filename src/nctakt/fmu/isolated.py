@@ -113,7 +113,7 @@ class IsolatedInstance:
         return answer["value"]
 
     def _broken(self, call: str) -> FmuError:
-        """Return why there is no answer; the process has ended."""
+        """End the process that gave no answer, and return the error for it."""
         code = self._give_up()
         shown: dict[str, Any] = {
             "file": self._file,

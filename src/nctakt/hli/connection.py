@@ -187,7 +187,7 @@ def _existing(name: str) -> SharedFile | None:
 
 
 def _is_finished(shared: SharedFile) -> bool:
-    """Return whether the CNC is ready, or the memory is no image, which is reported later."""
+    """Return whether the CNC is ready; true also without an image, which is reported later."""
     magic = bytes(shared.memory[: len(MAGIC)])
     if magic != MAGIC or len(shared.memory) < size_of(HEADER):
         return any(magic)

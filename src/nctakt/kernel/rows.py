@@ -421,7 +421,7 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_WIDTH,
 ) = range(9)
 
-#: Kinds of events; at each what comes from ``EVENT_A`` on, and in the subject if it is no cycle.
+#: Kinds of events: what each has from ``EVENT_A`` on, and as its subject where that is no cycle.
 (
     EVENT_CREATED,  # scope (``codes.BLOCK_SCOPE`` …)
     EVENT_STARTED,

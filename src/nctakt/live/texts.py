@@ -246,10 +246,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "tour_why_title": ("Why?", "Warum?"),
     "tour_why": (
         "The list below answers for line {line}: the condition was evaluated once, in tick {tick}, "
-        "and compared 0 == 1. Just then, somebody stood at the gate, and nobody asked again.",
+        "and compared 0 == 1. Somebody was at the gate then, and it is not evaluated again.",
         "Die Liste unten antwortet für Zeile {line}: Die Bedingung wurde einmal ausgewertet, in "
-        "Takt {tick}, und verglich 0 == 1. Gerade da stand jemand am Tor, und niemand fragte "
-        "noch einmal.",
+        "Takt {tick}, und verglich 0 == 1. In diesem Takt war jemand am Tor, und sie wird nicht "
+        "noch einmal ausgewertet.",
     ),
     "tour_past_title": ("Back in time", "Zurück in der Zeit"),
     "tour_past": (

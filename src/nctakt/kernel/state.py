@@ -2,9 +2,10 @@
 """What copies the state of the realtime part's objects, and what returns their arrays.
 
 In: the fields that ``state_fields`` finds in the C types. Out: ``COPIERS`` (class -> a function
-that copies from one object to another) and ``ARRAYS`` (class -> a function that returns the arrays
-whose content is kept); what a base class declares, its own entries copy. Compiled, both are in
-``_state``, which the build writes; plain, they are made here.
+that copies from one object to another), ``ARRAYS`` (class -> a function that returns the arrays
+whose content is kept) and ``ArrayCopies``, which keeps that content; what a base class declares,
+its own entries copy. Compiled, they are in ``_state``, which the build writes; plain, they are
+made here.
 """
 
 from __future__ import annotations
@@ -13,13 +14,40 @@ import importlib
 from collections.abc import Callable
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Protocol
 
 from nctakt.base.mode import is_compiled
 from nctakt.kernel.state_fields import TypedClass, typed_classes
 
 Copier = Callable[[Any, Any], None]
 Arrays = Callable[[Any], tuple[Any, ...]]
+
+
+class KeptArrays(Protocol):
+    """The content of arrays at some moment."""
+
+    def take(self) -> None:
+        """Take the present content."""
+
+    def put_back(self) -> None:
+        """Put the content back as it was when it was taken."""
+
+
+class PlainArrayCopies:
+    """The content of arrays, taken when it is made."""
+
+    def __init__(self, arrays: list[bytearray]) -> None:
+        self._pairs = [(memoryview(one), memoryview(bytearray(one))) for one in arrays]
+
+    def take(self) -> None:
+        """Take the present content."""
+        for live, kept in self._pairs:
+            kept[:] = live
+
+    def put_back(self) -> None:
+        """Put the content back as it was when it was taken."""
+        for live, kept in self._pairs:
+            live[:] = kept
 
 
 def _copier(found: TypedClass) -> Copier:
@@ -40,8 +68,8 @@ def _arrays(found: TypedClass) -> Arrays:
     return lambda part: tuple(getattr(part, name) for name in names)
 
 
-def _plain() -> tuple[dict[type, Copier], dict[type, Arrays]]:
-    """Return ``COPIERS`` and ``ARRAYS`` of the plain classes."""
+def _plain() -> tuple[dict[type, Copier], dict[type, Arrays], Callable[..., KeptArrays]]:
+    """Return ``COPIERS``, ``ARRAYS`` and ``ArrayCopies`` of the plain classes."""
     copiers, arrays = {}, {}
     for found in typed_classes(Path(__file__).parent):
         if found.copied or found.arrays:
@@ -50,15 +78,16 @@ def _plain() -> tuple[dict[type, Copier], dict[type, Arrays]]:
                 copiers[cls] = _copier(found)
             if found.arrays:
                 arrays[cls] = _arrays(found)
-    return copiers, arrays
+    return copiers, arrays, PlainArrayCopies
 
 
-def _compiled() -> tuple[dict[type, Copier], dict[type, Arrays]]:
-    """Return ``COPIERS`` and ``ARRAYS`` of the compiled classes."""
+def _compiled() -> tuple[dict[type, Copier], dict[type, Arrays], Callable[..., KeptArrays]]:
+    """Return ``COPIERS``, ``ARRAYS`` and ``ArrayCopies`` of the compiled classes."""
     module = importlib.import_module("nctakt.kernel._state")
-    return module.COPIERS, module.ARRAYS
+    return module.COPIERS, module.ARRAYS, module.ArrayCopies
 
 
 _FOUND = _compiled() if is_compiled() else _plain()
 COPIERS = MappingProxyType(_FOUND[0])
 ARRAYS = MappingProxyType(_FOUND[1])
+ArrayCopies = _FOUND[2]

@@ -106,6 +106,51 @@ class TypedClass(NamedTuple):
         ]
 
 
+#: What keeps the content of arrays, in the compiled module: one block of memory for all of them.
+ARRAY_COPIES = """
+from cpython.buffer cimport PyBUF_WRITABLE, PyBuffer_Release, PyObject_GetBuffer
+from libc.stdlib cimport free, malloc
+from libc.string cimport memcpy
+
+cdef class ArrayCopies:
+    cdef Py_buffer* live
+    cdef char* kept
+    cdef Py_ssize_t count
+    def __init__(self, list arrays):
+        cdef Py_ssize_t size = 0
+        if self.live:
+            raise TypeError("the arrays are given once")
+        self.live = <Py_buffer*>malloc((len(arrays) + 1) * sizeof(Py_buffer))
+        if not self.live:
+            raise MemoryError
+        for array in arrays:
+            PyObject_GetBuffer(array, &self.live[self.count], PyBUF_WRITABLE)
+            size += self.live[self.count].len
+            self.count += 1
+        self.kept = <char*>malloc(size + 1)
+        if not self.kept:
+            raise MemoryError
+        self.take()
+    def __dealloc__(self):
+        for i in range(self.count):
+            PyBuffer_Release(&self.live[i])
+        free(self.live)
+        free(self.kept)
+    def take(self):
+        cdef char* kept = self.kept
+        cdef Py_ssize_t i
+        for i in range(self.count):
+            memcpy(kept, self.live[i].buf, self.live[i].len)
+            kept += self.live[i].len
+    def put_back(self):
+        cdef char* kept = self.kept
+        cdef Py_ssize_t i
+        for i in range(self.count):
+            memcpy(self.live[i].buf, kept, self.live[i].len)
+            kept += self.live[i].len
+"""
+
+
 def typed_classes(kernel: Path) -> Iterator[TypedClass]:
     """Yield the classes that the ``.pxd`` files of the folder ``kernel`` declare, by module."""
     for file in sorted(kernel.rglob("*.pxd")):
@@ -144,4 +189,5 @@ def compiled_source(kernel: Path) -> str:
         lines += [f"def arrays_of_{found.name}({found.name} part):", f"    return ({items})"]
     copiers = "".join(f"{one.name}: copy_{one.name}, " for one in kept if one.copied)
     arrays = "".join(f"{one.name}: arrays_of_{one.name}, " for one in kept if one.arrays)
-    return "\n".join([*lines, f"COPIERS = {{{copiers}}}", f"ARRAYS = {{{arrays}}}", ""])
+    lines += [f"COPIERS = {{{copiers}}}", f"ARRAYS = {{{arrays}}}", ARRAY_COPIES]
+    return "\n".join(lines)

@@ -18,7 +18,7 @@ from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.kernel import Kernel
 from nctakt.kernel.kinematics.maps import KinematicMaps
 from nctakt.kernel.path.path import Path
-from nctakt.kernel.state import ARRAYS, COPIERS
+from nctakt.kernel.state import ARRAYS, COPIERS, ArrayCopies
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.loop_body import LoopBody
 from nctakt.nc.vocabulary.cells import CELL_BYTES
@@ -53,7 +53,7 @@ class Snapshot:
                 self._growing.append((part, arrays))
             if isinstance(part, Path):
                 self._paths.append(part)
-        self._buffers = [(memoryview(one), bytearray(len(one))) for one in buffers.values()]
+        self._arrays = ArrayCopies(list(buffers.values()))
         self._histories: list[tuple[memoryview, bytes]] = []
         self._cycles = self._loaded_cycles()
         self._take()
@@ -83,8 +83,7 @@ class Snapshot:
             raise ValueError("the record has not been emptied")
         for copy, part, kept in self._copies:
             copy(part, kept)
-        for buffer, content in self._buffers:
-            content[:] = buffer
+        self._arrays.take()
         self._histories = []
         for one in self._paths:
             rows, cells = one.history()
@@ -95,8 +94,7 @@ class Snapshot:
         """Put everything back as it was when the snapshot was taken."""
         for copy, part, kept in self._copies:
             copy(kept, part)
-        for buffer, content in self._buffers:
-            buffer[:] = content
+        self._arrays.put_back()
         for history, kept_rows in self._histories:
             history[:] = kept_rows
 

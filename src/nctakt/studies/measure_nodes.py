@@ -7,6 +7,7 @@ what is computed from them. Rounding to a binary number comes where a result is 
 
 from __future__ import annotations
 
+import itertools
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -104,16 +105,20 @@ class Condition:
     word: str
     limit: float
 
-    def holds(self, value: float) -> bool:
-        """Return whether it holds for a value of the signal."""
-        return bool(COMPARISONS[self.word](value, self.limit))
+    def _held(self, values: Sequence[float]) -> Iterator[bool]:
+        """Yield for each value of the signal whether it holds."""
+        return map(COMPARISONS[self.word], values, itertools.repeat(self.limit))
+
+    def first_tick(self, outcome: Outcome, begin: int) -> int | None:
+        """Return the first tick from ``begin`` on in which it holds."""
+        held = self._held(outcome.values_from(self.name, begin))
+        return next(itertools.compress(itertools.count(begin), held), None)
 
     def times_us(self, outcome: Outcome) -> list[int]:
         """Return the times at which it becomes true; 0 if it is true from the begin on."""
         was_true = False
         times = []
-        for tick, value in enumerate(outcome.values(self.name)):
-            is_true = self.holds(value)
+        for tick, is_true in enumerate(self._held(outcome.values(self.name))):
             if is_true and not was_true:
                 times.append(tick * outcome.run.cycle_time_us)
             was_true = is_true
@@ -342,11 +347,10 @@ class Reaction:
     def reaction_us(self, outcome: Outcome) -> int:
         """Return the time until the condition holds; raises ``NotMeasuredError``."""
         begin_us, length_us = self.begin_us(outcome), outcome.cycle_time_us
-        values = outcome.values(self.condition.name)
-        for tick in range(-(-begin_us // length_us), len(values)):
-            if self.condition.holds(values[tick]):
-                return tick * length_us - begin_us
-        raise NotMeasuredError
+        tick = self.condition.first_tick(outcome, -(-begin_us // length_us))
+        if tick is None:
+            raise NotMeasuredError
+        return tick * length_us - begin_us
 
     def value(self, outcome: Outcome) -> Number:
         """Return 1 or 0; raises ``NotMeasuredError`` if the condition does not become true."""

@@ -55,6 +55,10 @@ class Outcome:
             self._columns[signal] = [self.run.before[signal], *self.run.trace[signal].tolist()]
         return self._columns[signal]
 
+    def values_from(self, name: str, tick: int) -> Sequence[float]:
+        """Return the values of a signal from a tick on."""
+        return self.values(name)[tick:]
+
     def value_at(self, name: str, time_us: int) -> float:
         """Return a signal at a time, as a realtime cycle reads it then."""
         values = self.values(name)

@@ -46,7 +46,7 @@ class Injection:
         values = outcome.values(reaction.condition.name)
         if (len(values) - 1) * self.cycle_time_us > limit_us:
             return True
-        return any(reaction.condition.holds(values[i]) for i in range(self.tick, len(values)))
+        return reaction.condition.first_tick(outcome, self.tick) is not None
 
 
 class ValuesFrom(Sequence[float]):
@@ -89,11 +89,22 @@ class WindowOutcome(Outcome):
         self._injection = injection
         self._signals = signals
         self._rows = rows
+        self._found: dict[str, array[float]] = {}
 
     def values(self, name: str) -> Sequence[float]:
         """Return the values of a signal from the injection on."""
-        number = self._signals.index(signal_of(self.queries, name))
-        return ValuesFrom(self._injection.tick, self._rows[number :: len(self._signals)])
+        return ValuesFrom(self._injection.tick, self._column(name))
+
+    def values_from(self, name: str, tick: int) -> Sequence[float]:
+        """Return the values of a signal from a tick on; there are none before the injection."""
+        return self._column(name)[tick - self._injection.tick :]
+
+    def _column(self, name: str) -> array[float]:
+        """Return the values of a signal that are there."""
+        if name not in self._found:
+            number = self._signals.index(signal_of(self.queries, name))
+            self._found[name] = self._rows[number :: len(self._signals)]
+        return self._found[name]
 
 
 def decided_run(ticks: int, cycle_time_us: int, before: Mapping[str, float]) -> Run:

@@ -6,13 +6,13 @@
 #include <stdint.h>
 
 #define HLI_MAGIC "NCTAKT"
-#define HLI_VERSION 8
+#define HLI_VERSION 9
 #define HLI_UNITS 20
 
 /* the begin of the image: what there is, where it stands, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
-    uint32_t version; /* 8; another one is another layout */
+    uint32_t version; /* 9; another one is another layout */
     uint32_t ready; /* 1 while the CNC is there; written last, taken away first */
     uint32_t size; /* the whole image (bytes) */
     uint32_t cycle_time_us; /* the length of a tick (µs) */
@@ -223,9 +223,11 @@ typedef struct hli_command {
     uint8_t m01_stop_enable_command_w; /* 1: M01 stops as M00 does */
     uint8_t mc_watchdog_enable_w; /* 1: the PLC shows in time that it lives, or it is an error */
     uint8_t mc_watchdog_alive_rw; /* the sign of life: the PLC writes 1, the CNC takes it, writes 0 */
+    uint16_t block_search_type_command_w; /* block search of each program that begins: 0 none, 4 to a block */
+    uint32_t block_search_number_command_w; /* N number of the block to which block search goes */
+    uint32_t block_search_pass_command_w; /* the pass over this block at which the program begins, from 1 */
     uint32_t ack_program[20]; /* acknowledges program[i] of the channel: its serial */
     uint32_t ack_realtime[20]; /* acknowledges realtime[i] of the channel: its serial */
-    uint8_t fill_up[4];
 } hli_command;
 _Static_assert(offsetof(hli_command, override_command_w) == 0, "override_command_w");
 _Static_assert(offsetof(hli_command, feedhold_command_w) == 2, "feedhold_command_w");
@@ -238,9 +240,12 @@ _Static_assert(offsetof(hli_command, probe_command_w) == 8, "probe_command_w");
 _Static_assert(offsetof(hli_command, m01_stop_enable_command_w) == 9, "m01_stop_enable_command_w");
 _Static_assert(offsetof(hli_command, mc_watchdog_enable_w) == 10, "mc_watchdog_enable_w");
 _Static_assert(offsetof(hli_command, mc_watchdog_alive_rw) == 11, "mc_watchdog_alive_rw");
-_Static_assert(offsetof(hli_command, ack_program) == 12, "ack_program");
-_Static_assert(offsetof(hli_command, ack_realtime) == 92, "ack_realtime");
-_Static_assert(sizeof(hli_command) == 176, "hli_command");
+_Static_assert(offsetof(hli_command, block_search_type_command_w) == 12, "block_search_type_command_w");
+_Static_assert(offsetof(hli_command, block_search_number_command_w) == 16, "block_search_number_command_w");
+_Static_assert(offsetof(hli_command, block_search_pass_command_w) == 20, "block_search_pass_command_w");
+_Static_assert(offsetof(hli_command, ack_program) == 24, "ack_program");
+_Static_assert(offsetof(hli_command, ack_realtime) == 104, "ack_realtime");
+_Static_assert(sizeof(hli_command) == 184, "hli_command");
 
 /* what the PLC commands a spindle, and its answer for one that it turns */
 typedef struct hli_spindle_command {

@@ -131,6 +131,9 @@ class _Machine:
         self.inputs = self
         self.report = session.report
         self.cells = _Cells(session)
+        names = tuple(axis.name for axis in configuration.channels[0].axes)
+        offsets, places = SimpleNamespace(zero_groups={}), SimpleNamespace(names=names)
+        self.assembled = (cast("Any", SimpleNamespace(offsets=offsets, places=places)),)
         self._session = session
 
     def signals(self) -> Any:

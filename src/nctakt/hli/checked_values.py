@@ -16,6 +16,7 @@ from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
+from nctakt.messages.hli_table import NUMBER_NOT_TAKEN
 from nctakt.messages.inputs import VALUE_NOT_OF_TYPE, VARIABLE_NOT_SETTABLE
 from nctakt.messages.realtime import VALUE_NOT_FINITE
 from nctakt.nc.vocabulary import strings
@@ -43,6 +44,9 @@ def command_number(name: str, entry: Entry, value: float | bool | str) -> float:
         raise Failure(
             diagnostic(VALUE_OUTSIDE_TYPE_RANGE, name=name, value=number, low=0, high=high)
         )
+    tie = entry.tie
+    if tie is not None and not tie.takes(number):
+        raise Failure(diagnostic(NUMBER_NOT_TAKEN, path=name, value=number, known=tie.taken))
     return number
 
 

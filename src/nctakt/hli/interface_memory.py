@@ -75,20 +75,31 @@ RELEASES = tuple(
 )
 
 #: The initial commands of control units that do not start at 0.
-_INITIAL = {"HLI.OVERRIDE": 100.0, "OVERRIDE": 100.0}
+_INITIAL = {"HLI.OVERRIDE": 100.0, "OVERRIDE": 100.0, "HLI.SEARCH_PASS": 1.0}
 
 
 class NotWritable(Exception):
     """A write that is refused: ``reason``.
 
-    ``is_size``: for its length; ``is_of_cnc``: because the CNC writes it.
+    ``is_size``: for its length; ``is_of_cnc``: because the CNC writes it; ``number``: for this
+    number, which the element ``slot`` does not take.
     """
 
-    def __init__(self, reason: str, *, is_size: bool = False, is_of_cnc: bool = False) -> None:
+    def __init__(
+        self,
+        reason: str,
+        *,
+        is_size: bool = False,
+        is_of_cnc: bool = False,
+        number: float | None = None,
+        slot: Slot | None = None,
+    ) -> None:
         super().__init__(reason)
         self.reason = reason
         self.is_size = is_size
         self.is_of_cnc = is_of_cnc
+        self.number = number
+        self.slot = slot
 
 
 @dataclass(frozen=True, slots=True)
@@ -290,7 +301,16 @@ class AreaShape:
             part = data[slot.offset - offset : slot.end - offset]
             if slot.code == "d" and not math.isfinite(*struct.unpack("<d", part)):
                 raise NotWritable(f"{self.name}.{slot.path} takes finite numbers only")
+            if slot.is_commanded and not slot.element.is_enable:
+                self.check_command(slot, slot.value_of(part))
         return touched, data
+
+    def check_command(self, slot: Slot, number: float | str) -> None:
+        """Raise ``NotWritable`` for a number that a control unit does not take."""
+        tie = slot.element.tie
+        if tie is not None and not isinstance(number, str) and not tie.takes(number):
+            reason = f"{self.name}.{slot.path} does not take {number:g}"
+            raise NotWritable(reason, number=number, slot=slot)
 
 
 class Area:
@@ -579,6 +599,7 @@ class Area:
         """
         self._show(self._present, values)
         command = self._slot(f"{unit}.command_w")
+        self.shape.check_command(command, number)
         tie, name = command.element.tie, self.shape.session_name(command.element)
         self._put(self._slot(f"{unit}.request_r"), number)
         if tie is None or not name:
@@ -606,6 +627,16 @@ class Area:
         written_now = self.go_to(mode, state, program, values)
         written.values.update(written_now.values)
         written.programs.extend(written_now.programs)
+
+    def begin(self, program: str, values: Mapping[str, Scalar]) -> Written:
+        """Select a program and press START, as the job of a client orders it.
+
+        While another one runs, only the selection is written, which is refused then.
+        """
+        written = Written(programs=[(self.shape.index + 1, program)])
+        if self._mode_state(values) not in (ACTIVE, HOLD):
+            written.values[self._panel("START")] = 1.0
+        return written
 
     def go_to(self, mode: int, state: int, program: str, values: Mapping[str, Scalar]) -> Written:
         """Go to a state of the automatic mode, through all states between.

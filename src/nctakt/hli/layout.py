@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
-from nctakt.hli.table import Element, find
+from nctakt.hli.table import Element, Tie, find
 from nctakt.kernel import cells
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 
@@ -25,7 +25,7 @@ PREFIX = "HLI."
 MAGIC = b"NCTAKT\0\0"
 
 #: Version of the layout, changed whenever a value changes its offset or meaning.
-VERSION = 8
+VERSION = 9
 
 #: What has changed with each version, for whoever meets an older or newer partner.
 DIFFERENCES = {
@@ -38,6 +38,10 @@ DIFFERENCES = {
         "(active_feed_r, override_command_w …); mc_watchdog, error_serial",
         "8: Werte, die auch die Steuerung hat, tragen deren Namen, Typen und Einheiten "
         "(active_feed_r, override_command_w …); mc_watchdog, error_serial",
+    ),
+    9: Text(
+        "9: block search (block_search_type_command_w …)",
+        "9: Satzvorlauf (block_search_type_command_w …)",
     ),
 }
 
@@ -109,12 +113,15 @@ class Entry:
         return self.unit if element is None else element.unit
 
     @property
+    def tie(self) -> Tie | None:
+        """What the value on the controller has to do with a run."""
+        return None if self._element is None else self._element.tie
+
+    @property
     def factor(self) -> float:
         """How many units of the image one of the session is."""
-        element = self._element
-        if element is None or element.tie is None or element.tie.kind == "fact":
-            return 1.0
-        return float(element.tie.factor)
+        tie = self.tie
+        return 1.0 if tie is None or tie.kind == "fact" else float(tie.factor)
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,6 +216,27 @@ PANEL = (
         "",
         "the sign of life: the PLC writes 1, the CNC takes it, writes 0",
         path="gpCh[0]^.head.mc_watchdog.alive_rw",
+    ),
+    Entry(
+        "search_type",
+        "UNS16",
+        "",
+        "block search of each program that begins: 0 none, 4 to a block",
+        path="gpCh[0]^.decoder_mc_control.block_search_type.command_w",
+    ),
+    Entry(
+        "search_block",
+        "UNS32",
+        "",
+        "N number of the block to which block search goes",
+        path="gpCh[0]^.decoder_mc_control.block_search_number.command_w",
+    ),
+    Entry(
+        "search_pass",
+        "UNS32",
+        "",
+        "the pass over this block at which the program begins, from 1",
+        path="gpCh[0]^.decoder_mc_control.block_search_pass.command_w",
     ),
 )
 

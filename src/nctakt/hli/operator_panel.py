@@ -77,6 +77,17 @@ class OperatorPanel:
         self.write("HLI.BACKWARD_MOTION", value)
 
     @property
+    def search_block(self) -> int:
+        """The N number to which block search goes when a program begins; 0: from its beginning."""
+        is_on = int(self.read("HLI.SEARCH_TYPE")) != 0
+        return int(self.read("HLI.SEARCH_BLOCK")) if is_on else 0
+
+    @search_block.setter
+    def search_block(self, value: int) -> None:
+        self.write("HLI.SEARCH_BLOCK", value)
+        self.write("HLI.SEARCH_TYPE", 4 if value else 0)
+
+    @property
     def retrace(self) -> str:
         """Backward motion on the path: ``front``, or in the history ``backward`` or ``forward``."""
         return RETRACES[int(self.read("HLI.RETRACE"))]

@@ -126,6 +126,15 @@ class Tie:
         """Return the value of the session that a written number stands for."""
         return number / self.factor
 
+    def takes(self, number: float) -> bool:
+        """Return whether a number is one that may be commanded."""
+        return self.kind != ACTS or self.numbers is None or number in self.numbers.values()
+
+    @property
+    def taken(self) -> str:
+        """The numbers that may be commanded, as a text; empty: all."""
+        return ", ".join(map(str, (self.numbers or {}).values()))
+
 
 @dataclass(frozen=True, slots=True)
 class Row:

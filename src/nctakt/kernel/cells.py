@@ -71,6 +71,9 @@ TIMERS = 128
     PANEL_OPTIONAL_STOP,
     PANEL_WATCHDOG,
     PANEL_ALIVE,
+    PANEL_SEARCH_TYPE,
+    PANEL_SEARCH_BLOCK,
+    PANEL_SEARCH_PASS,
     PANEL_STATE,  # the lamps begin
     PANEL_PAUSED,
     PANEL_ARMED,
@@ -87,7 +90,7 @@ TIMERS = 128
     PANEL_LIFE_DISTANCE,
     PANEL_ERROR_SERIAL,
     PANEL_CELLS,
-) = range(27)
+) = range(30)
 
 #: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
 #: ``nc/vocabulary/realtime_variables.py``.

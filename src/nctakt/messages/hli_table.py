@@ -83,6 +83,15 @@ NO_SUCH_TRANSITION = error(
     remedy_de="In Betriebsart 2 (Automatik) gehen, Zustand 1 … 5 oder 15.",
     path=_PATH,
 )
+NUMBER_NOT_TAKEN = error(
+    902850,
+    en="{path} does not take {value}: what this number means on the controller is not simulated",
+    de="{path} nimmt {value} nicht an: was diese Zahl auf der Steuerung heißt, ist nicht simuliert",
+    remedy_en="Write one of these: {known}.",
+    remedy_de="Eine von diesen schreiben: {known}.",
+    path=_PATH,
+    known=("the numbers that are simulated", "die Zahlen, die simuliert werden"),
+)
 NO_SUCH_BYTES = error(
     902321,
     en="{path}: no element begins and ends there; {size} bytes are behind the pointer",

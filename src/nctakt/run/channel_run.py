@@ -16,6 +16,7 @@ from nctakt.base.failure import Failure
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.kernel import codes
 from nctakt.messages import diagnostic
+from nctakt.messages.hli_table import NUMBER_NOT_TAKEN
 from nctakt.messages.user_errors import STOPPED_BY_FATAL_USER_ERROR
 from nctakt.results.run import RunState
 from nctakt.run.assembly import AssembledMachine
@@ -23,6 +24,9 @@ from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.queue_feeder import QueueFeeder
 from nctakt.trace.events import Event
+
+#: The kinds of block search that the interface can order (``HLI.SEARCH_TYPE``).
+NO_SEARCH, SEARCH_TO_BLOCK = 0, 4
 
 
 class ChannelRun:
@@ -131,10 +135,27 @@ class ChannelRun:
             self.skip_levels,
             self.marks_blocks,
             self.budget,
-            self.start,
+            self.start or self._searched_block(),
         )
         self.start = None
         self.channel.panel.begin_program()
+
+    def _searched_block(self) -> StartBlock | None:
+        """Return the block to which the interface orders block search; ``None`` without an order.
+
+        What another process has put into the memory unchecked is reported, and orders nothing.
+        """
+        kind, number, passes = (
+            int(self._machine.read(f"{self._machine.assembled[self._index].prefix}HLI.{name}"))
+            for name in ("SEARCH_TYPE", "SEARCH_BLOCK", "SEARCH_PASS")
+        )
+        if kind == SEARCH_TO_BLOCK:
+            return StartBlock(number=number, passes=max(passes, 1))
+        if kind != NO_SEARCH:
+            known = f"{NO_SEARCH}, {SEARCH_TO_BLOCK}"
+            name = "HLI.SEARCH_TYPE"
+            self._report(diagnostic(NUMBER_NOT_TAKEN, path=name, value=kind, known=known))
+        return None
 
     def close(self) -> None:
         """End the sequence of programs: none waits for START any more."""

@@ -33,6 +33,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.hli_table import (
     NO_SUCH_BYTES,
     NO_SUCH_TRANSITION,
+    NUMBER_NOT_TAKEN,
     PATH_HAS_NO_EFFECT,
     PATH_IS_STRUCTURE,
     PATH_NOT_SERVED,
@@ -45,6 +46,7 @@ from nctakt.messages.inputs import VALUE_NOT_OF_TYPE
 from nctakt.run.inputs import PLC, Inputs
 from nctakt.run.machine_names import prefix_of
 from nctakt.run.named_values import SignalCell
+from nctakt.run.zero_offset_access import ChannelOffsets, ZeroOffsetAccess, is_zero_offset
 
 _T = TypeVar("_T")
 
@@ -72,8 +74,15 @@ _RANGE = re.compile(r"(gpPform|gpCh|gpAx)(?:\[(\d+)\])?\^:(\d+)\+(\d+)")
 #: effect and are only read back.
 ASK, KEPT = "ask ", "kept ^"
 
+#: What begins the names of channels that a client orders to work through a program file.
+JOB = "job "
+
 #: Bytes without an effect that are kept at most, and the digits of each.
 _MAX_KEPT_NAMES, _MAX_DIGITS = 5000, 8192
+
+
+#: Characters of the name of a program at most.
+_MAX_FILE_NAME = 255
 
 
 class RunningMachine(Protocol):
@@ -83,6 +92,10 @@ class RunningMachine(Protocol):
     cells: Any
     inputs: Inputs
     report: Callable[[Diagnostic], None]
+
+    @property
+    def assembled(self) -> Sequence[ChannelOffsets]:
+        """The channels with their zero offsets."""
 
     def signals(self) -> Mapping[str, SignalCell]:
         """Return the cells of all signals."""
@@ -146,6 +159,7 @@ class InterfaceAccess:
         self._values = _Values(machine)
         self._found: dict[str, _Found] = {}
         self._kept: dict[str, str] = {}
+        self._zero_offsets = ZeroOffsetAccess(dict(enumerate(machine.assembled, 1)))
         self._reported: set[str] = set()
 
     def _announce(self) -> None:
@@ -160,6 +174,10 @@ class InterfaceAccess:
         """Return an element, a range of bytes, or what is kept; raises ``Failure``."""
         if name.startswith(KEPT):
             return self._kept.get(name, "")
+        if name.startswith(JOB):
+            return ""
+        if is_zero_offset(name):
+            return self._zero_offsets.read(name)
         if name.startswith(ASK):
             return self.get(f"{name.removeprefix(ASK)}.request_r")
         match = _RANGE.fullmatch(name)
@@ -172,6 +190,10 @@ class InterfaceAccess:
         """Raise ``Failure`` for a name or value that ``write`` would not take now."""
         if name.startswith(KEPT):
             self._digits(name, value)
+        elif name.startswith(JOB):
+            self._job(name, value)
+        elif is_zero_offset(name):
+            self._zero_offsets.check(name, value)
         elif name.startswith(ASK):
             self._asked(name, value)
         else:
@@ -189,6 +211,11 @@ class InterfaceAccess:
             digits = self._digits(name, value)
             if name in self._kept or len(self._kept) < _MAX_KEPT_NAMES:
                 self._kept[name] = digits
+        elif name.startswith(JOB):
+            area, program = self._job(name, value)
+            self._let_act(area.begin(program, self._values), source)
+        elif is_zero_offset(name):
+            self._zero_offsets.write(name, value)
         elif name.startswith(ASK):
             found, number = self._asked(name, value)
             self._let_act(found.area.ask(found.slot.unit, number, self._values), source)
@@ -204,6 +231,9 @@ class InterfaceAccess:
             found = diagnostic(NO_SUCH_TRANSITION, path=name)
             if refused.is_of_cnc:
                 found = diagnostic(PATH_READ_ONLY, path=name)
+            elif refused.slot is not None and refused.slot.element.tie is not None:
+                known = refused.slot.element.tie.taken
+                found = diagnostic(NUMBER_NOT_TAKEN, path=name, value=refused.number, known=known)
             raise Failure(found) from None
 
     def _digits(self, name: str, value: Scalar) -> str:
@@ -218,7 +248,17 @@ class InterfaceAccess:
         if type_ is None or isinstance(value, str):
             shown = found.slot.type.name
             raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=name, type=shown, value=value))
-        return found, number_of(name, type_, float(value))
+        number = number_of(name, type_, float(value))
+        self._refusing(name, lambda: found.area.shape.check_command(found.slot, number))
+        return found, number
+
+    def _job(self, name: str, value: Scalar) -> tuple[Area, str]:
+        """Return the channel that a job is for, and its program; raises ``Failure``."""
+        found = self._find(f"{name.removeprefix(JOB)}.head.plc_present_w")
+        if not isinstance(value, str) or not value or len(value) > _MAX_FILE_NAME:
+            shown = f"STRING({_MAX_FILE_NAME})"
+            raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=name, type=shown, value=value))
+        return found.area, value
 
     def _range(self, name: str, match: re.Match[str]) -> tuple[Area, int, int]:
         """Return the area, offset and size of a range; raises ``Failure``."""

@@ -37,6 +37,7 @@ from nctakt.nc.vocabulary.variable_table import Location, NameTable, NotFound
 from nctakt.run.bound_values import BoundValue, InputNotes
 from nctakt.run.input_words import API, WRITE
 from nctakt.run.named_values import InterfaceValues, NamedValues, SignalCell
+from nctakt.run.zero_offset_access import is_zero_offset
 
 #: Names that are kept bound; there are as many spellings of them as one likes.
 _MAX_BOUND = 10_000
@@ -122,7 +123,8 @@ class VariableAccess:
     def _bind(self, name: str) -> BoundValue:
         shown = self._find_panel(name)
         if shown is not None:
-            cell, type_, is_settable = shown.cell, shown.entry.type, shown.is_command
+            cell, type_, tie = shown.cell, shown.entry.type, shown.entry.tie
+            is_settable = shown.is_command and (tie is None or not tie.taken)
             lowest = max(0.0, SCALARS[type_].low)
         else:
             location, cell = self._find(name)
@@ -207,8 +209,8 @@ class VariableAccess:
 
 
 def is_path(name: str) -> bool:
-    """Return whether a name is one of the interface: all pointers have a caret."""
-    return isinstance(name, str) and "^" in name
+    """Return whether a name is one of the interface: a pointer has a caret, or a zero offset."""
+    return isinstance(name, str) and ("^" in name or ("[" in name and is_zero_offset(name)))
 
 
 def _characters(name: str, location: Location, text: str) -> bytes:

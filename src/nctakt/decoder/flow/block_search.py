@@ -181,6 +181,7 @@ class BlockSearch:
         self._start = start
         self._pass_time = pass_time
         self._file = ""
+        self._passes = 0
         self._is_locked = False
         self._gears = gears
         self._uncertain_axes = uncertain_axes
@@ -209,6 +210,9 @@ class BlockSearch:
         """Begin the program here if this is the start block; raises ``DecodeError`` 21399."""
         start = self._start
         if start is None or not start.is_at(statement.span, self._file, number):
+            return
+        self._passes += 1
+        if self._passes < start.passes:
             return
         if self._is_locked:
             self._values.fail(START_BLOCK_LOCKED, statement.span)

@@ -22,10 +22,14 @@ class SingleStep(Command):
 
 @dataclass(frozen=True, slots=True)
 class StartBlock:
-    """A line of the main program's file, or the N word of one of its blocks; 0: not by this."""
+    """A line of the main program's file, or the N word of one of its blocks; 0: not by this.
+
+    ``passes``: how often the program has to come to it, the last time included.
+    """
 
     line: int = 0
     number: int = 0
+    passes: int = 1
 
     def is_at(self, span: Span, file: str, number: int) -> bool:
         """Return whether the statement at ``span`` with this N word is the start block."""
@@ -38,6 +42,10 @@ class StartBlock:
         """The block as users name it."""
         if self.line:
             return Text(f"line {self.line}", f"Zeile {self.line}")
+        if self.passes > 1:
+            return Text(
+                f"N{self.number}, pass {self.passes}", f"N{self.number}, Durchlauf {self.passes}"
+            )
         return Text(f"N{self.number}", f"N{self.number}")
 
 

@@ -41,13 +41,14 @@ class Panel:
         self.silent_ticks = 0
         self.backward_motion = False
         self.cells[first_cell + cells.PANEL_OVERRIDE] = 100.0
+        self.cells[first_cell + cells.PANEL_SEARCH_PASS] = 1.0
         self.latch()
 
     # --- Python's side, between two ticks -------------------------------------------------------
 
     def put(self, command: int, value: float) -> None:
-        """Write a command, ``cells.PANEL_OVERRIDE`` … ``cells.PANEL_ALIVE``."""
-        check_range(command, cells.PANEL_OVERRIDE, cells.PANEL_ALIVE, "command of the panel")
+        """Write a command, ``cells.PANEL_OVERRIDE`` … ``cells.PANEL_SEARCH_PASS``."""
+        check_range(command, cells.PANEL_OVERRIDE, cells.PANEL_SEARCH_PASS, "command of the panel")
         self.cells[self.first_cell + command] = value
 
     def arm(self, is_armed: bool) -> None:

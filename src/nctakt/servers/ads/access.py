@@ -121,12 +121,15 @@ class Access:
         for number, channel in enumerate(glance.channels, 1):
             in_force = channel.in_force
             found[f"{GLANCE}{number}.feed"] = 1000.0 * channel.programmed_mm_s
-            function = 0 if in_force is None else in_force.zero_offset
-            group = function - _NO_ZERO_OFFSET if function in _ZERO_OFFSETS else 0
-            found[f"{GLANCE}{number}.zero_offset"] = float(group)
+            found[f"{GLANCE}{number}.tool"] = float(0 if in_force is None else in_force.tool)
+            function = _NO_ZERO_OFFSET if in_force is None else in_force.zero_offset
+            if function in _ZERO_OFFSETS:
+                found[f"{GLANCE}{number}.zero_offset"] = float(function - _NO_ZERO_OFFSET)
         self._once = {**self._host.store.values, **found}
         try:
             return read()
+        except Missing:  # of G159 only the function is known
+            raise AdsError(Error.SERVICE, "the group that G159 has selected is not known") from None
         finally:
             self._once = None
 
@@ -229,8 +232,9 @@ class Access:
             group, offset = symbol.group, symbol.offset
         if self.symbols.has_group(group):
             data = self.symbols.filled_up(group, offset, data)
-        item = self.resolve(client, group, offset, len(data))
-        return item.write(data)
+        if self.objects.has_group(group):  # each knows which lengths it takes
+            return self.objects.item(group, offset, len(data)).write(data)
+        return self.resolve(client, group, offset, len(data)).write(data)
 
     async def write_values(self, client: Client, values: dict[str, Scalar]) -> Error:
         """Write values; return once a tick has latched them, or why they are refused."""

@@ -3,18 +3,20 @@
 
 In: group, offset and data of a request. Out: its answer. Variables of the machine come from the
 latest values; V.P, V.L, V.S, V.CYC, V.G and V.A belong to the decoder's open programs, so the
-session is asked. Structures are resolved into their elements; an array of numbers or texts can be
-taken whole.
+session is asked; numbered zero offsets (V.G.NP) are there without one. Structures are resolved
+into their elements; an array of numbers or texts can be taken whole.
 """
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from struct import Struct, pack
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure, error_text
+from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.variables import Node
 from nctakt.nc.vocabulary import strings
@@ -22,8 +24,9 @@ from nctakt.nc.vocabulary.strings import encode
 from nctakt.nc.vocabulary.system_names import ROWS
 from nctakt.run.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
-from nctakt.servers.ads.data import NUMERIC, Item, Leaf
-from nctakt.servers.ads.objects import BASE, DECODER, LOGICAL
+from nctakt.servers.ads.data import NUMERIC, Item, Leaf, Readable
+from nctakt.servers.ads.object_values import ZeroOffsets
+from nctakt.servers.ads.objects import BASE, DECODER, LOGICAL, ZERO_OFFSET
 from nctakt.servers.host import Host
 from nctakt.servers.store import Scalar
 from nctakt.session.decoders import DecoderState, DecoderVariable
@@ -49,6 +52,10 @@ _NUMBER = Struct("<I")
 _OF_PROGRAMS = ("V.P.", "V.L.", "V.S.", "V.CYC.", "V.G.", "V.A.")
 
 
+#: A zero offset of all axes, or of one.
+_ZERO_OFFSET = re.compile(r"V\.G\.NP\[ ?(\d{1,9}) ?\]\.V(?:\.(\w+))?", re.IGNORECASE)
+
+
 @dataclass(frozen=True, slots=True)
 class Described:
     """A variable: its name as clients say it, the names in the session of its elements.
@@ -71,7 +78,7 @@ class Described:
         numbers = (handle, _TYPES.index(type_) + 1, access, self.size_bytes, len(own), *own)
         return pack(f"<{len(numbers)}I", *numbers)
 
-    def item(self, indices: tuple[int, ...]) -> Item:
+    def item(self, indices: tuple[int, ...]) -> Readable:
         """Return an element, or all of them without an index; raises ``AdsError`` (0x703)."""
         names = self.values
         if indices:
@@ -84,6 +91,14 @@ class Described:
             for at, name in enumerate(names)
         ]
         return Item(leaves, size * len(leaves))
+
+
+class ZeroOffset(Described):
+    """A zero offset of all axes of a channel, in units of 0.1 µm."""
+
+    def item(self, indices: tuple[int, ...]) -> Readable:
+        """Return that of an axis, or of all axes without an index; raises ``AdsError``."""
+        return ZeroOffsets(super().item(indices).names)
 
 
 class DecoderVariables:
@@ -120,6 +135,16 @@ class DecoderVariables:
                 name = f"V.{row.family}.{row.path}{axis}"
                 size = SCALARS[row.type].size_bytes
                 yield Described(name, (name,), row.type, size, is_writable=False)
+
+    def _zero_offset(self, channel: int, group: int) -> ZeroOffset:
+        """Return the zero offset of all axes; raises ``AdsError`` for a number that is none."""
+        if group >= MAX_GROUPS:
+            raise AdsError(Error.SYMBOL, f"there is no zero offset {group}")
+        axes = [axis.name for axis in self._machine.channels[channel - 1].axes]
+        prefix = prefix_of(channel - 1) if len(self._machine.channels) > 1 else ""
+        name = f"V.G.NP[{group}].V"
+        values = tuple(f"{prefix}{name}.{axis}" for axis in axes)
+        return ZeroOffset(name, values, "SGN32", 4, is_writable=True, count=len(axes))
 
     # --- requests -------------------------------------------------------------------------------
 
@@ -161,14 +186,14 @@ class DecoderVariables:
                 return _NUMBER.pack(self._handle(channel, self._full(channel, axis, data)[0]))
             case 0x47:
                 one, indices, _ = self._of_handle(channel, data)
-                if one.name.startswith(_OF_PROGRAMS):
+                if _is_of_program(one.name):
                     return await self._of_program(channel, one.name)
                 return await self._read(one.item(indices))
             case 0x48:
                 return await self._by_name(channel, self._full(channel, axis, data)[0])
         name, _ = self._full(channel, axis, data)
         handle = self._handle(channel, name)
-        return self._lists[channel - 1][handle - 1].description(handle)
+        return self._known(channel, handle).description(handle)
 
     def decode(self, group: int, offset: int, data: bytes) -> dict[str, Scalar]:
         """Return the values that a function writes; raises ``AdsError``."""
@@ -212,7 +237,19 @@ class DecoderVariables:
             name = f"{name}.{axes[axis - 1].name}"
         return name, rest
 
+    def _known(self, channel: int, handle: int) -> Described:
+        """Return the variable of a handle; raises ``AdsError``."""
+        known = self._lists[channel - 1]
+        if handle >= ZERO_OFFSET:
+            return self._zero_offset(channel, handle - ZERO_OFFSET)
+        if not 0 < handle <= len(known):
+            raise AdsError(Error.SYMBOL, "an unknown handle")
+        return known[handle - 1]
+
     def _handle(self, channel: int, name: str) -> int:
+        match = _ZERO_OFFSET.fullmatch(name)
+        if match is not None and not match[2]:
+            return ZERO_OFFSET + int(match[1])
         handle = self._handles[channel - 1].get(name.upper())
         if handle is None:
             raise AdsError(Error.SYMBOL, f"no variable {name}")
@@ -227,15 +264,16 @@ class DecoderVariables:
         end = head.size + 4 * count
         if len(data) < end:
             raise AdsError(Error.SIZE, f"{count} indices are missing")
-        known = self._lists[channel - 1]
-        if not 0 < handle <= len(known):
-            raise AdsError(Error.SYMBOL, "an unknown handle")
+        known = self._known(channel, handle)
         indices = tuple(number for (number,) in _NUMBER.iter_unpack(data[head.size : end]))
-        return known[handle - 1], indices, data[end:]
+        return known, indices, data[end:]
 
     def _element(self, channel: int, name: str) -> tuple[Described, tuple[int, ...]]:
         """Return the variable of a name, which may end with an index; raises ``AdsError``."""
         handles = self._handles[channel - 1]
+        match = _ZERO_OFFSET.fullmatch(name)
+        if match is not None:
+            return self._element_of_offset(channel, int(match[1]), (match[2] or "").upper())
         if name.upper() in handles:
             return self._lists[channel - 1][handles[name.upper()] - 1], ()
         array, _, index = name.removesuffix("]").rpartition("[")
@@ -243,15 +281,24 @@ class DecoderVariables:
             raise AdsError(Error.SYMBOL, f"no variable {name}")
         return self._lists[channel - 1][self._handle(channel, array) - 1], (int(index),)
 
+    def _element_of_offset(
+        self, channel: int, group: int, axis: str
+    ) -> tuple[Described, tuple[int, ...]]:
+        """Return a zero offset, and the place of an axis in it; raises ``AdsError``."""
+        names = [one.name.upper() for one in self._machine.channels[channel - 1].axes]
+        if axis and axis not in names:
+            raise AdsError(Error.SYMBOL, f"there is no axis {axis}")
+        return self._zero_offset(channel, group), (names.index(axis),) if axis else ()
+
     # --- values ---------------------------------------------------------------------------------
 
     async def _by_name(self, channel: int, name: str) -> bytes:
-        if name.upper().startswith(_OF_PROGRAMS):
+        if _is_of_program(name):
             return await self._of_program(channel, name)
         one, indices = self._element(channel, name)
         return await self._read(one.item(indices))
 
-    async def _read(self, item: Item) -> bytes:
+    async def _read(self, item: Readable) -> bytes:
         if item.size_bytes > MAX_BYTES:
             raise AdsError(Error.SIZE, f"{item.size_bytes} bytes, more than {MAX_BYTES}")
         try:
@@ -311,7 +358,12 @@ def _packed(variable: DecoderVariable, value: float | str) -> bytes:
     return pack(f"<{NUMERIC[variable.type][0]}", 0 if math.isnan(value) else int(value))
 
 
-def _filled(one: Described, indices: tuple[int, ...]) -> Item:
+def _is_of_program(name: str) -> bool:
+    """Return whether a variable belongs to the decoder's open programs."""
+    return name.upper().startswith(_OF_PROGRAMS) and _ZERO_OFFSET.fullmatch(name) is None
+
+
+def _filled(one: Described, indices: tuple[int, ...]) -> Readable:
     """Return what a write reaches; raises ``AdsError`` for one that no one may write."""
     if not one.is_writable:
         raise AdsError(Error.ACCESS, f"{one.name} cannot be written")

@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from struct import calcsize, pack, unpack
+from collections.abc import Callable, Mapping, Sequence
+from struct import Struct, calcsize, iter_unpack, pack, unpack
 
 from nctakt.hli.interface_memory import ASKED, AreaShape
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.run.interface_access import ASK, KEPT
+from nctakt.nc.vocabulary import strings
+from nctakt.run.interface_access import ASK, JOB, KEPT
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC
 from nctakt.servers.store import Scalar
+
+#: How many units of 0.1 µm and 0.0001° a mm or a degree is.
+INCREMENTS = 10_000.0
 
 #: What begins the names of values that no signal has: they are asked of the session at each read.
 GLANCE = ASKED
@@ -106,6 +110,36 @@ class Asked(_Value):
         return {self.names[0]: float(number)}
 
 
+class Pressed(Asked):
+    """A key of a control unit: whatever is written presses it."""
+
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Return the key that is pressed; raises ``AdsError``."""
+        super().write(data)
+        return {self.names[0]: 1.0}
+
+
+class Job(_Value):
+    """The order to a channel to work through a program file; it reads as an empty text."""
+
+    def __init__(self, area: AreaShape, size: int) -> None:
+        self.names = (f"{JOB}{area.name}",)
+        self.size_bytes = size
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return zeros; raises ``KeyError`` where the value is missing."""
+        return bytes(self.size_bytes) if values[self.names[0]] == "" else b""
+
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Return the program that is begun; raises ``AdsError``."""
+        if len(data) > self.size_bytes:
+            raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
+        program = strings.decode(data).strip()
+        if not program:
+            raise AdsError(Error.PARAMETER, "no program is named")
+        return {self.names[0]: program}
+
+
 class Kept(_Value):
     """Bytes without an effect, which are read back; ``key``: those with the same one are one."""
 
@@ -126,3 +160,25 @@ class Kept(_Value):
         if len(data) > self.size_bytes or (len(data) < self.size_bytes and self.size_bytes < 16):
             raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
         return {self.names[0]: data.hex()}
+
+
+class ZeroOffsets(_Value):
+    """A zero offset of all axes of a channel (``V.G.NP[1].V``), an SGN32 of 0.1 µm each."""
+
+    def __init__(self, names: Sequence[str]) -> None:
+        self.names = tuple(names)
+        self._format = Struct(f"<{len(self.names)}i")
+        self.size_bytes = self._format.size
+
+    def read(self, values: Mapping[str, Scalar]) -> bytes:
+        """Return their bytes; raises ``KeyError`` where a value is missing."""
+        return b"".join(
+            number_bytes("SGN32", float(values[name]) * INCREMENTS) for name in self.names
+        )
+
+    def write(self, data: bytes) -> dict[str, Scalar]:
+        """Return the offsets in mm and degrees, of the first axes as well; raises ``AdsError``."""
+        if not data or len(data) > self.size_bytes or len(data) % 4:
+            raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
+        numbers = (number for (number,) in iter_unpack("<i", data))
+        return {name: n / INCREMENTS for name, n in zip(self.names, numbers, strict=False)}

@@ -12,15 +12,17 @@ the instance; a number without an element is 0x703, one that is refused for a re
 ``number``  of the element, hexadecimal
 ``type``    as the controller names it; a text with its bytes
 ``tie``     ``shows``: as in the table of the interface; ``at PATH``: an element of the interface;
-            ``ask UNIT``: what the HMI asks a control unit for; ``kept KEY``: no effect, read back
-            under the same key; ``glance``: what is asked of the session; ``fact``, ``const``
+            ``ask UNIT``: what the HMI asks a control unit for; ``press UNIT``: its key, whatever
+            is written; ``job``: a program that is selected and started; ``kept KEY``: no effect,
+            read back under the same key; ``glance``: what is asked of the session; ``fact``,
+            ``const``
 ``refused`` why there is no value, for those without a tie
 ==========  ========================================================================================
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from struct import calcsize, pack
@@ -29,12 +31,23 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.version import __version__
 from nctakt.hli.interface_memory import AXIS_TYPES, AreaShape
 from nctakt.hli.table import read_tie
+from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary import strings
 from nctakt.run.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC, Fixed, Readable, Scaled
-from nctakt.servers.ads.object_values import Asked, Glanced, Kept, Shown, Ticks, number_bytes
+from nctakt.servers.ads.object_values import (
+    Asked,
+    Glanced,
+    Job,
+    Kept,
+    Pressed,
+    Shown,
+    Ticks,
+    ZeroOffsets,
+    number_bytes,
+)
 from nctakt.servers.catalogue import Catalogue, Value
 
 #: The first group of objects, and what logical addressing adds.
@@ -63,6 +76,9 @@ _NAME_BYTES = 32
 
 #: The bounds that no machine passes: axes, spindles, channels.
 _BOUNDS = {"axes_max": 32, "spindles_max": 6, "channels_max": 12}
+
+#: Where the zero offsets begin in the decoder class: the handle of V.G.NP[0].V.
+ZERO_OFFSET = 0x4000
 
 #: Units of the session -> units of lists, and the factor between them.
 _LIST_UNITS = {
@@ -255,9 +271,11 @@ class Objects:
         for class_ in (INTERPOLATION, DECODER, HLD, PREPARATION):
             table = {INTERPOLATION: "ipo", HLD: "hld"}.get(class_, "")
             elements = self._rows(table, area, index) if table else {}
-            names = _OF_CHANNEL.get(class_) or list(self._catalogue.names.panels[index])
+            names = _OF_CHANNEL.get(class_) or _panel_names(self._catalogue.names.panels[index])
             for offset, name in enumerate(names):
                 elements[_OWN[class_] + offset] = self._value(prefix, name)
+            if class_ == DECODER:
+                elements |= dict(_zero_offsets(prefix, [axis.name for axis in axes]))
             instance: _Instance = {
                 0: {**elements, 0: _count(f"{_TITLES[class_]} {number}", elements)}
             }
@@ -327,6 +345,10 @@ class Objects:
                 return Asked(area, word, type_, is_unit=False)
             case "ask":
                 return Asked(area, word, type_, is_unit=True)
+            case "press":
+                return Pressed(area, word, type_, is_unit=True)
+            case "job":
+                return Job(area, size)
             case "kept":
                 key = (
                     f"{area.name}{axis}{word}"
@@ -500,6 +522,19 @@ def _record(at: int, group: int, offset: int, name: str, element: Element) -> by
     head = pack("<IIHHII", at, element.value.size_bytes, element.is_writable, 0, group, offset)
     texts = (name, _LISTED_TYPES.get(element.type, element.type))
     return head + b"".join(strings.encode(one[: _NAME_BYTES - 1], _NAME_BYTES) for one in texts)
+
+
+def _panel_names(panel: Iterable[str]) -> list[str]:
+    """Return the operator's values in the order of their numbers: later ones come last."""
+    return sorted(panel, key=lambda name: name.startswith("HLI.SEARCH_"))
+
+
+def _zero_offsets(prefix: str, axes: Sequence[str]) -> Iterator[tuple[int, Element]]:
+    """Yield the zero offsets of a channel by their numbers, which are their handles."""
+    for group in range(MAX_GROUPS):
+        name = f"V.G.NP[{group}].V"
+        value = ZeroOffsets([f"{prefix}{name}.{axis}" for axis in axes])
+        yield ZERO_OFFSET + group, Element(name, "SGN32", "0.1 um", True, value)
 
 
 def _count(name: str, elements: Mapping[int, Element]) -> Element:

@@ -24,12 +24,13 @@ from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.messages import diagnostic
 from nctakt.messages.checking import NOTHING_TO_CHECK
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
-from nctakt.st.files.objects import OBJECT_SUFFIXES, TEXT_SUFFIXES
-from nctakt.st.files.project import (
+from nctakt.st.files.project import project_around
+from nctakt.st.files.suffixes import (
     FOLDER_SUFFIXES,
+    OBJECT_SUFFIXES,
     PLC_SUFFIXES,
     PROJECT_SUFFIXES,
-    project_around,
+    TEXT_SUFFIXES,
 )
 
 #: Suffixes of programs in folders.

@@ -92,3 +92,5 @@ class Diagnosis:
         if self._workspace.documents.get(document.uri) is document:
             self.findings[document.uri] = found
             self._publish(document, found)
+            if document.is_structured:
+                self._pool.submit(self._workspace.plc.tidy)

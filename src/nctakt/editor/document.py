@@ -21,11 +21,14 @@ from lsprotocol.types import (
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
+from nctakt.st.files.suffixes import SOURCE_SUFFIXES
 
 #: The language of lists among the languages of editors; any other document is a program.
 LIST_LANGUAGE = "nctakt-list"
 #: The ends of the names of lists.
 LIST_SUFFIXES = (".lis", ".xml")
+#: The language of Structured Text, plain or as objects in XML.
+STRUCTURED_LANGUAGE = "nctakt-st"
 
 
 @dataclass(slots=True)
@@ -59,6 +62,17 @@ class Document:
         """Whether it is a list of parameters, by its language or the end of its name."""
         suffix = Path(self.name).suffix.casefold()
         return self.language == LIST_LANGUAGE or suffix in LIST_SUFFIXES
+
+    @property
+    def is_structured(self) -> bool:
+        """Whether it is Structured Text, by its language or the end of its name."""
+        suffix = Path(self.name).suffix.casefold()
+        return self.language == STRUCTURED_LANGUAGE or suffix in SOURCE_SUFFIXES
+
+    @property
+    def is_program(self) -> bool:
+        """Whether it is an NC program."""
+        return not (self.is_list or self.is_structured)
 
     def program_lines(self) -> list[str]:
         """Return the lines as the check counts them: an end of line begins no other line.

@@ -24,7 +24,7 @@ class OpenBuffers(FileAccess):
         self._noted: dict[Path, _Stamp] = {}
 
     def read_bytes(self, path: Path, *, is_replaced: bool = False) -> bytes:
-        self._noted[path] = self._stamp(path)
+        self._noted[path] = self.state_of(path)
         lines = self._buffers(path)
         if lines is None:
             return super().read_bytes(path, is_replaced=is_replaced)
@@ -48,9 +48,10 @@ class OpenBuffers(FileAccess):
     def is_outdated(self) -> bool:
         """Return whether a file that was read as a whole has changed since."""
         noted = list(self._noted.items())  # a check beside this thread may note another one
-        return any(self._stamp(path) != stamp for path, stamp in noted)
+        return any(self.state_of(path) != stamp for path, stamp in noted)
 
-    def _stamp(self, path: Path) -> _Stamp:
+    def state_of(self, path: Path) -> _Stamp:
+        """Return what changes with the text of a file, open or not."""
         lines = self._buffers(path)
         if lines is not None:
             return (len(lines), hash(tuple(lines)))

@@ -126,7 +126,10 @@ class Server(LanguageServer):
         self.diagnosis.changed(document, pause=False)
 
     def changed(self, params: types.DidChangeTextDocumentParams) -> None:
-        """Change a document and check it; a list changes the programs of its machine, too."""
+        """Change a document and check it; with it others that may depend on it.
+
+        A list changes the programs of its machine, an object of a PLC those of its project.
+        """
         document = self.work.documents.get(params.text_document.uri)
         if document is None:
             return
@@ -136,11 +139,21 @@ class Server(LanguageServer):
         self.diagnosis.changed(document)
         if document.is_list:
             self.recheck(document)
+        elif document.is_structured:
+            for other in self.work.plc.documents_beside(document):
+                self.diagnosis.changed(other)
 
     def recheck(self, changed: Document | None = None) -> None:
         """Check the other programs anew: a list or a file has changed."""
         for other in self.work.documents.values():
-            if other is not changed and not other.is_list:
+            if other is not changed and other.is_program:
+                self.diagnosis.changed(other)
+
+    def recheck_structured(self) -> None:
+        """Find the projects of PLCs anew, and check their open documents."""
+        self.work.plc.forget()
+        for other in self.work.documents.values():
+            if other.is_structured:
                 self.diagnosis.changed(other)
 
     def closed(self, uri: str) -> None:
@@ -233,6 +246,7 @@ def _register_lifecycle(server: Server) -> None:
     @feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
     def saved(_: Any) -> None:
         server.recheck()
+        server.recheck_structured()
 
 
 def _register_help(server: Server) -> None:

@@ -22,6 +22,7 @@ from nctakt.editor.document import LIST_SUFFIXES, Document, split_text, uri_of
 if TYPE_CHECKING:
     from nctakt.checking.check_memory import CheckMemory
     from nctakt.editor.open_buffers import OpenBuffers
+    from nctakt.editor.structured_text.plc_projects import PlcProjects
     from nctakt.project.machine_choice import MachineChoice
     from nctakt.run.assembly import AssembledMachine
 
@@ -64,6 +65,16 @@ class Workspace:
         self._paths: dict[Path, Document] = {}
         self._machines: dict[Path, LoadedMachine] = {}
         self._memory: CheckMemory | None = None
+        self._plc: PlcProjects | None = None
+
+    @property
+    def plc(self) -> PlcProjects:
+        """The projects of documents in Structured Text."""
+        if self._plc is None:
+            from nctakt.editor.structured_text.plc_projects import PlcProjects  # noqa: PLC0415 - as above
+
+            self._plc = PlcProjects(self)
+        return self._plc
 
     def open(self, document: Document) -> None:
         """Add a document."""
@@ -104,7 +115,7 @@ class Workspace:
 
     def programs(self, folders: Sequence[Path]) -> list[Document]:
         """Return the open programs, and those of the editor's folders, ``MAX_FILES`` at most."""
-        documents = [item for item in self.documents.values() if not item.is_list]
+        documents = [item for item in self.documents.values() if item.is_program]
         known = {_real(item.path) for item in documents if item.path is not None}
         for folder in folders:
             paths = (path for path in sorted(folder.rglob("*")) if path.suffix.lower() in SUFFIXES)
@@ -193,6 +204,8 @@ class Workspace:
         from nctakt.checking.check_memory import CheckMemory  # noqa: PLC0415
         from nctakt.run.program_loader import NcText  # noqa: PLC0415
 
+        if document.is_structured:
+            return self.plc.findings(document, poll)
         if document.is_list:
             return self._check_list(document)
         if self._memory is None:

@@ -35,7 +35,7 @@ from nctakt.messages.plc import (
 from nctakt.plc.error import PlcError
 from nctakt.run.plc_view import AnyPlc, Declaration, WatchedPlc
 from nctakt.run.realtime_plc import plc_object
-from nctakt.st.files.project import PLC_SUFFIXES
+from nctakt.st.files.suffixes import PLC_SUFFIXES
 
 if TYPE_CHECKING:
     from nctakt.run.plc_view import PlcView

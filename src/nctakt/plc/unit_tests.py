@@ -27,7 +27,7 @@ from nctakt.messages.unit_tests import (
 from nctakt.plc.structured_text import StructuredPlc, inspected, plc_of
 from nctakt.run.controller import Controller, NcText
 from nctakt.st.check.project import DEFAULT_CYCLE_US, DEFAULT_TASK
-from nctakt.st.files.objects import TEXT_SUFFIXES
+from nctakt.st.files.suffixes import TEXT_SUFFIXES
 from nctakt.st.program import Program, Task
 from nctakt.st.tree import Call
 from nctakt.st.types import Callable, Kind, Node, Pou

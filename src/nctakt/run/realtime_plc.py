@@ -32,7 +32,7 @@ def is_structured(path: str | Path | None) -> bool:
     """Return whether a PLC's file is Structured Text, which runs again where a tape is replayed."""
     if path is None:
         return False
-    from nctakt.st.files.project import PLC_SUFFIXES  # noqa: PLC0415 - a plain run reads no XML
+    from nctakt.st.files.suffixes import PLC_SUFFIXES  # noqa: PLC0415 - a plain run reads no XML
 
     return Path(path).suffix.lower() in PLC_SUFFIXES
 

@@ -42,7 +42,7 @@ from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import BLOCKS, StopAt
 from nctakt.session.workshop import ProcessPool, RemoteEngine
-from nctakt.st.files.project import PLC_SUFFIXES
+from nctakt.st.files.suffixes import PLC_SUFFIXES
 
 #: Ticks, and marks, between two calls of ``poll`` while the past is run again.
 PART_TICKS = 100_000

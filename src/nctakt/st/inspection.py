@@ -12,14 +12,8 @@ from nctakt.messages import Collector
 from nctakt.st.check.project import check_project
 from nctakt.st.files.libraries import OwnLibrary, own_libraries
 from nctakt.st.files.objects import read_objects
-from nctakt.st.files.project import (
-    PROJECT_SUFFIX,
-    SYSTEM_SUFFIX,
-    PlcSources,
-    ReadFile,
-    loose_files,
-    read_project,
-)
+from nctakt.st.files.project import PlcSources, ReadFile, loose_files, read_project
+from nctakt.st.files.suffixes import PROJECT_SUFFIX, SYSTEM_SUFFIX
 from nctakt.st.parse.lexer import Definitions
 from nctakt.st.program import Program
 from nctakt.st.reporting import Reporter
@@ -86,12 +80,12 @@ def inspect_texts(
     own: Mapping[str, OwnLibrary] | None = None,
 ) -> Program:
     """Check texts by their names; ``libraries`` ``None``: all known ones."""
-    with _collector_waiting():
+    with collector_waiting():
         return _inspect(name, texts, reporter, libraries, project, own)
 
 
 @contextlib.contextmanager
-def _collector_waiting() -> Iterator[None]:
+def collector_waiting() -> Iterator[None]:
     """Let the garbage collector wait: it would look through the growing trees again and again."""
     was_enabled = gc.isenabled()
     gc.disable()

@@ -121,6 +121,7 @@ class CallChecker(ExpressionChecker):
         self.unit: CallableUnit | None = None
 
     def _call(self, node: Call) -> Type | None:
+        node.target, node.instance, node.is_virtual = None, None, True
         target, instance = self._callee(node)
         if isinstance(target, str):
             return self._built_in(node, target)
@@ -267,6 +268,7 @@ class CallChecker(ExpressionChecker):
 
     def _bind(self, node: Call, target: CallableUnit) -> None:
         """Bind the arguments of a call to the parameters (ST-520)."""
+        node.bound.clear()
         parameters = target.parameters
         if isinstance(target, Method) and target.is_action and target.owner is not None:
             parameters = target.owner.parameters

@@ -180,6 +180,8 @@ class ExpressionChecker:
         self.foreign_libraries: list[str] = []
         self._known_names: KnownNames | None = None
         self._reported_foreign: set[str] = set()
+        #: Names of libraries without sources are reported in each unit, not once for the project.
+        self.reports_in_each_unit = False
         self._checks: dict[type[Expression], Callable[..., Type | None]] = {
             Name: self._name,
             Literal: self._literal,
@@ -203,6 +205,7 @@ class ExpressionChecker:
 
     def operand(self, node: Expression) -> Type | None:
         """Check an expression and return its type, ``UNTYPED`` for what is a literal."""
+        node.value = None  # an editor checks a tree again after other files have changed
         kind = self._checks[type(node)](node)
         node.type = kind
         return kind
@@ -296,7 +299,7 @@ class ExpressionChecker:
     def unknown(self, message: Message, name: str, start: int, end: int, scope: Scope) -> None:
         """Report an unknown name, with the nearest known one, or its libraries."""
         if self.foreign_libraries and not scope.library:
-            key = name.lower()
+            key = f"{scope.title if self.reports_in_each_unit else ''}\0{name.lower()}"
             if key in self._reported_foreign:
                 return
             self._reported_foreign.add(key)
@@ -358,11 +361,8 @@ class ExpressionChecker:
         self.unknown(NAME_UNKNOWN, node.name, node.start, node.end, self.scope)
 
     def _name(self, node: Name) -> Type | None:
-        target = self._lookup(node)
-        if target is None:
-            return None
-        node.target = target
-        return self._value_of(node, target)
+        target = node.target = self._lookup(node)
+        return None if target is None else self._value_of(node, target)
 
     def _value_of(self, node: Name | Member, target: Target) -> Type | None:
         """Return the type of what a name stands for, as a value."""
@@ -436,6 +436,7 @@ class ExpressionChecker:
     # --- members ----------------------------------------------------------------------------------
 
     def _member(self, node: Member) -> Type | None:
+        node.target, node.bit = None, -1
         qualifier = self.qualifier(node.base)
         key = node.name.lower()
         if isinstance(qualifier, GlobalList):
@@ -800,6 +801,7 @@ class ExpressionChecker:
         left = self.operand(chain[-1].left)
         kind: Type | None = left
         for part in reversed(chain):
+            part.value = None
             left = kind
             right = self.operand(part.right)
             kind = None if left is None or right is None else self._operation(part, left, right)
@@ -1085,6 +1087,7 @@ class ExpressionChecker:
         return 0
 
     def _struct_initial(self, node: StructInitial, target: Type | None) -> None:
+        node.bound.clear()
         for argument in node.arguments:
             if argument.value is None:
                 continue

@@ -7,7 +7,9 @@ are reported; an object with mistakes leaves the others checked.
 
 from __future__ import annotations
 
+from collections.abc import Callable as CallableFunction
 from collections.abc import Iterator, Mapping
+from typing import Protocol
 
 from nctakt.messages.st_check import (
     CONSTANT_EXPECTED,
@@ -67,6 +69,10 @@ class ProjectChecker(StatementChecker):
         super().__init__(names, resolver, reporter)
         #: Libraries that have been read, whose variables have not been checked yet.
         self.libraries_read: list[tuple[Namespace, list[Declaration]]] = []
+        #: What an editor keeps of units that have not changed; without it all are checked.
+        self.memory: UnitMemory | None = None
+        #: Constants whose initial values were checked when they were evaluated.
+        self._evaluated: set[Variable] = set()
 
     # --- what the resolver asks -------------------------------------------------------------------
 
@@ -88,6 +94,7 @@ class ProjectChecker(StatementChecker):
         self.initial(variable.initial, variable.type)
         self.scope = outer
         variable.value = variable.initial.value
+        self._evaluated.add(variable)
 
     def enumeration_value(self, node: Expression, scope: Scope, kind: EnumType) -> int | None:
         """Return the value of an item of an enumeration."""
@@ -110,6 +117,8 @@ class ProjectChecker(StatementChecker):
         resolver = self.resolver
         for declared in self.names.project.declared.values():
             self._guarded(declared.node, lambda one=declared: resolver.target_of(one))
+        for variable in resolver.pending():
+            self._guarded(variable, lambda one=variable: resolver.complete(one))
         for node in declarations:
             if not isinstance(node, TaskNode):
                 self._guarded(node, lambda one=node: self._object(one))
@@ -172,7 +181,7 @@ class ProjectChecker(StatementChecker):
     def _variable(self, node: VariableNode, variable: Variable) -> None:
         """Check the declaration of a variable: its type, initial value and arguments."""
         self.resolver.complete(variable)
-        if node.initial is not None and node.initial.type is None:
+        if node.initial is not None and variable not in self._evaluated:
             if node.is_bound:
                 self.expression(node.initial)
             else:
@@ -199,6 +208,14 @@ class ProjectChecker(StatementChecker):
     def _check_unit(self, node: Header, unit: Callable) -> None:
         """Check the variables and the body of a POU, method, action or accessor."""
         assert isinstance(unit, Pou | Method)
+        self.resolver.lay_out_frame(unit)
+        if self.memory is None:
+            self.unit_inside(node, unit)
+        else:
+            self.memory.check(node, unit, self)
+
+    def unit_inside(self, node: Header, unit: Pou | Method) -> None:
+        """Check the initial values and the statements of a unit, in its own scope."""
         self.scope = self.resolver.nodes[unit][1]
         self.unit = unit
         for block in node.variables:
@@ -206,7 +223,6 @@ class ProjectChecker(StatementChecker):
                 variable = unit.variables.get(item.name.lower())
                 if variable is not None and variable.start == item.start:
                     self._variable(item, variable)
-        self.resolver.lay_out_frame(unit)
         self.body(unit.body)
         self.unit = None
 
@@ -364,6 +380,18 @@ class ProjectChecker(StatementChecker):
         return tasks
 
 
+class UnitMemory(Protocol):
+    """What is kept between checks of a project that changes (``editor.structured_text``)."""
+
+    def check(self, node: Header, unit: Pou | Method, checker: ProjectChecker) -> None:
+        """Check a unit, or report again what its last check has found."""
+
+    def library(
+        self, name: str, parse: CallableFunction[[], list[Declaration]]
+    ) -> list[Declaration]:
+        """Return the declarations of a known library, parsed once."""
+
+
 def check_project(
     name: str,
     declarations: list[Declaration],
@@ -375,36 +403,57 @@ def check_project(
 
     ``own``: the libraries whose sources the user gives, by their names in lower case.
     """
+    return checked(name, declarations, checker_of(libraries, reporter, own))
+
+
+def checker_of(
+    libraries: list[str],
+    reporter: Reporter,
+    own: Mapping[str, OwnLibrary] | None = None,
+    memory: UnitMemory | None = None,
+) -> ProjectChecker:
+    """Return a checker with all names of libraries, which are read when they are used."""
     own = {key: one for key, one in (own or {}).items() if not known(one.name)}
     found = [known(library) for library in libraries]
-    loaded = list(dict.fromkeys([one for one in found if one] + [SYSTEM]))
-    names = Names(loaded, own)
+    names = Names(list(dict.fromkeys([one for one in found if one] + [SYSTEM])), own)
     resolver = Resolver(names, reporter)
     checker = ProjectChecker(names, resolver, reporter)
+    checker.memory, checker.reports_in_each_unit = memory, memory is not None
     resolver.evaluator = checker
     references = [library.partition(",")[0] for library in libraries]
     checker.foreign_libraries = [
         one for one in references if not known(one) and one.strip().lower() not in own
     ]
 
+    def parsed(name: str) -> list[Declaration]:
+        return parse_text(name, text_of(name), reporter)
+
     def load(space: Namespace) -> None:
         """Enter what a library declares, when one of its names is used."""
         library = own.get(space.library.lower())
-        if library is None:
-            nodes = parse_text(space.library, text_of(space.library), reporter)
-        else:
+        if library is not None:
             nodes = library.declarations
+        elif memory is None:
+            nodes = parsed(space.library)
+        else:
+            nodes = memory.library(space.library, lambda: parsed(space.library))
         resolver.declare(space, nodes)
         resolver.declare_values(space)
         checker.libraries_read.append((space, nodes))
 
     names.load = load
+    return checker
+
+
+def checked(name: str, declarations: list[Declaration], checker: ProjectChecker) -> Program:
+    """Check the objects of a project with a new checker; return them as a program."""
+    resolver, names = checker.resolver, checker.names
     resolver.declare(names.project, declarations)
     resolver.declare_values(names.project)
     checker.check(declarations)
     tasks = checker.tasks([node for node in declarations if isinstance(node, TaskNode)])
     program = _program(name, resolver, names, tasks)
-    report_overlaps(program, reporter)
+    report_overlaps(program, resolver.reporter)
     return program
 
 

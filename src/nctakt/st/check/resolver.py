@@ -151,6 +151,10 @@ class Resolver:
             self._complete(variable, pending)
             self.open_variables.discard(variable)
 
+    def pending(self) -> list[Variable]:
+        """Return the variables whose declarations have not been read yet, in their order."""
+        return list(self._pending)
+
     def target_of(self, declared: Declared) -> Type | Pou | None:
         """Return the type or POU of a declaration, whose own declaration may be read by it."""
         if declared.target is None and not declared.is_open:

@@ -13,13 +13,8 @@ from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.st.files.objects import read_objects
-from nctakt.st.files.project import (
-    FOLDER_SUFFIXES,
-    PROJECT_SUFFIX,
-    PlcSources,
-    ReadFile,
-    read_project,
-)
+from nctakt.st.files.project import PlcSources, ReadFile, read_project
+from nctakt.st.files.suffixes import FOLDER_SUFFIXES, PROJECT_SUFFIX
 from nctakt.st.parse.lexer import Definitions
 from nctakt.st.reporting import Reporter
 from nctakt.st.tree import Declaration

@@ -19,6 +19,7 @@ from nctakt.messages.st_text import (
     UNEXPECTED_TOKEN,
     XML_ELEMENT_UNKNOWN,
 )
+from nctakt.st.files.suffixes import TEXT_SUFFIXES
 from nctakt.st.files.xml_text import MAX_BYTES, Element, read_xml
 from nctakt.st.parse.declarations import DeclarationParser
 from nctakt.st.parse.lexer import Definitions, Lexer
@@ -35,10 +36,6 @@ from nctakt.st.tree import (
     TaskNode,
 )
 from nctakt.st.types import Statement
-
-#: Suffixes of files with objects in XML, and in plain text.
-OBJECT_SUFFIXES = (".tcpou", ".tcdut", ".tcgvl", ".tcio", ".tctto")
-TEXT_SUFFIXES = (".st", ".iecst", ".exp")
 
 _LANGUAGES = {
     "NWL": Text("LD/FBD/IL networks", "KOP-/FUP-/AWL-Netzwerken"),

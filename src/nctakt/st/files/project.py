@@ -14,16 +14,9 @@ from urllib.parse import unquote
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.messages.st_text import PROJECT_FILE_MISSING
-from nctakt.st.files.objects import OBJECT_SUFFIXES, TEXT_SUFFIXES
+from nctakt.st.files.suffixes import OBJECT_SUFFIXES, PROJECT_SUFFIX, SYSTEM_SUFFIX
 from nctakt.st.files.xml_text import MAX_BYTES, Element, read_xml
 from nctakt.st.reporting import Reporter
-
-PROJECT_SUFFIX, SYSTEM_SUFFIX = ".plcproj", ".tsproj"
-PROJECT_SUFFIXES = (PROJECT_SUFFIX, SYSTEM_SUFFIX)
-#: All suffixes that belong to a PLC.
-PLC_SUFFIXES = (*OBJECT_SUFFIXES, *TEXT_SUFFIXES, PROJECT_SUFFIX, SYSTEM_SUFFIX)
-#: Suffixes by which a folder's files are known to belong to a PLC: others may use ``.exp``.
-FOLDER_SUFFIXES = (*OBJECT_SUFFIXES, ".st", ".iecst", PROJECT_SUFFIX)
 
 #: Folders above an object in which its project is looked for.
 MAX_LEVELS = 8

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: MIT
+"""A PLC project that is checked while its files are typed.
+
+In: the files of a project, as they are in the editor. Out: its findings by file, and the checker
+with all that names stand for. After a change the changed file alone is read; names and types are
+resolved anew, which is fast; bodies are checked where they name something that is declared
+otherwise than before. What a check finds is what ``nctakt check`` finds.
+"""
+
+from __future__ import annotations
+
+import gc
+import hashlib
+import threading
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Protocol
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.editor.structured_text.dependencies import (
+    Concerned,
+    FileFacts,
+    OwnedName,
+    changed_names,
+    facts_of,
+)
+from nctakt.editor.structured_text.unit_memory import UnitMemory
+from nctakt.messages import Collector
+from nctakt.st.check.project import ProjectChecker, checked, checker_of
+from nctakt.st.files.libraries import OwnLibrary, own_libraries
+from nctakt.st.files.objects import read_objects
+from nctakt.st.files.project import PlcSources
+from nctakt.st.inspection import OUR_DEFINITION, collector_waiting
+from nctakt.st.parse.lexer import Definitions
+from nctakt.st.program import Program
+from nctakt.st.reporting import Reporter
+from nctakt.st.sources import Piece, Sources
+from nctakt.st.tree import Declaration, TaskNode
+from nctakt.st.vocabulary.libraries import default_libraries
+
+#: All is read anew once there are so many pieces of text for each one that counts.
+_MAX_PIECES = 20
+_FEW_PIECES = 2000
+
+
+@dataclass(slots=True, eq=False)
+class PlcFile:
+    """A file that was read: its objects, what was wrong with its text, what others see of it.
+
+    ``state`` changes with the file, ``digest`` with its content.
+    """
+
+    name: str
+    state: object
+    digest: bytes
+    nodes: list[Declaration]
+    findings: list[Diagnostic]
+    pieces: list[Piece]
+    facts: FileFacts
+
+
+class Texts(Protocol):
+    """The texts of a project's files, as they are in the editor."""
+
+    def read_bytes(self, path: Path) -> bytes:
+        """Return a file's bytes; raises ``Failure`` where it cannot be read."""
+
+    def state_of(self, path: Path) -> object:
+        """Return what changes with the text of a file."""
+
+
+class PlcProject:
+    """A project: its files, the last check of them. Whoever asks holds ``lock`` meanwhile."""
+
+    def __init__(self, listed: PlcSources, folders: Sequence[Path], texts: Texts) -> None:
+        self.lock = threading.RLock()
+        #: Names and types of earlier checks are left, which refer to each other.
+        self.has_garbage = False
+        self.listed = listed
+        self._folders = tuple(folders)
+        self._texts = texts
+        self._begin()
+
+    def _begin(self) -> None:
+        """Begin without anything that was read."""
+        self.sources = Sources()
+        self.files: dict[Path, PlcFile] = {}
+        self.checker: ProjectChecker | None = None
+        self.program: Program | None = None
+        self._findings: dict[str, list[Diagnostic]] = {}
+        self._memory = UnitMemory()
+        self._is_settled = False
+        self._own: dict[str, OwnLibrary] | None = None
+        stems = frozenset(path.stem.lower() for path in self.listed.files)
+        values = {OUR_DEFINITION: "", **self.listed.definitions}
+        self._definitions = Definitions(values, stems, stems)
+
+    # --- what is asked ----------------------------------------------------------------------------
+
+    def findings(self, name: str, poll: Callable[[], None] | None = None) -> list[Diagnostic]:
+        """Return the findings of a file by place; ``poll`` may end the check by an exception."""
+        with self.lock:
+            self.update(poll)
+            return list(self._findings.get(name, ()))
+
+    def update(self, poll: Callable[[], None] | None = None) -> ProjectChecker:
+        """Check what has changed since the last time; return the checker with its names."""
+        with self.lock, collector_waiting():
+            if len(self.sources.pieces) > _FEW_PIECES + _MAX_PIECES * len(self.files):
+                self._begin()
+            is_changed, is_first = self._read(), self.checker is None
+            if is_changed or not self._is_settled:
+                self._is_settled, self.has_garbage = False, True
+                self._memory.poll = poll or (lambda: None)
+                self._check()
+                self._is_settled = True
+                if is_first:
+                    # The trees stay: the garbage collector need not look through them again.
+                    gc.collect()
+                    gc.freeze()
+            assert self.checker is not None
+            return self.checker
+
+    @property
+    def declarations(self) -> list[Declaration]:
+        """All objects of the project, in the order of its files."""
+        return [node for file in self.files.values() for node in file.nodes]
+
+    # --- reading ----------------------------------------------------------------------------------
+
+    def _read(self) -> bool:
+        """Read the files that have changed, and forget what depends on them."""
+        changed: set[OwnedName] = set()
+        is_changed = False
+        for path in self.listed.files:
+            known = self.files.get(path)
+            state = self._state(path)
+            if known is not None and known.state == state:
+                continue
+            data = self._bytes(path)
+            digest = hashlib.blake2b(data).digest()
+            if known is not None and known.digest == digest:
+                known.state = state
+                continue
+            is_changed = True
+            file = self._parsed(path, data, state, digest)
+            if known is not None:
+                changed |= changed_names(known.facts, file.facts)
+                self._memory.forget(known.nodes)
+            self.files[path] = file
+        if self.checker is not None and changed:
+            self._forget(changed)
+        return is_changed
+
+    def _state(self, path: Path) -> object:
+        return self._texts.state_of(path)
+
+    def _bytes(self, path: Path) -> bytes:
+        try:
+            return self._texts.read_bytes(path)
+        except Failure:
+            return b""
+
+    def _parsed(self, path: Path, data: bytes, state: object, digest: bytes) -> PlcFile:
+        name, before = path.as_posix(), len(self.sources.pieces)
+        collector = Collector()
+        nodes = read_objects(name, data, self._definitions, Reporter(self.sources, collector))
+        pieces = self.sources.pieces[before:]
+        facts = facts_of(nodes, pieces, self.sources)
+        return PlcFile(name, state, digest, nodes, collector.diagnostics, pieces, facts)
+
+    def _forget(self, changed: set[OwnedName]) -> None:
+        """Forget what was found in bodies that use names which are declared otherwise now."""
+        concerned = Concerned(changed, [one.facts for one in self.files.values()])
+        for file in self.files.values():
+            if file.facts in concerned:
+                self._memory.forget(file.nodes)
+        self._memory.forget_neighbours()
+
+    # --- checking ---------------------------------------------------------------------------------
+
+    def _check(self) -> None:
+        if self._own is None:
+            reporter = Reporter(self.sources, Collector())
+            self._own = own_libraries(self._folders, self._read_library, reporter)
+        collector = Collector()
+        named = self.listed.libraries
+        libraries = default_libraries() if named is None else named
+        reporter = Reporter(self.sources, collector)
+        checker = checker_of(libraries, reporter, self._own, self._memory)
+        declarations = self.declarations
+        for node in declarations:
+            if isinstance(node, TaskNode) and node.name.lower() in self.listed.tasks:
+                task = self.listed.tasks[node.name.lower()]
+                node.cycle_us, node.priority = task.cycle_us, task.priority
+        self._memory.begin()
+        self.program = checked(self.listed.name, declarations, checker)
+        self.checker = checker
+        self._findings = self._by_file(collector.diagnostics)
+
+    def _by_file(self, found: Iterable[Diagnostic]) -> dict[str, list[Diagnostic]]:
+        """Return findings by file, each once, in the order of its text."""
+        parsed = [one for file in self.files.values() for one in file.findings]
+        by_file: dict[str, dict[object, Diagnostic]] = {}
+        for one in (*parsed, *found):
+            if one.span is not None:
+                key = (one.id, one.span, one.text())
+                by_file.setdefault(one.span.file, {})[key] = one
+        return {file: sorted(items.values(), key=_place) for file, items in by_file.items()}
+
+    def _read_library(self, path: Path) -> bytes | None:
+        return self._bytes(path) or None
+
+    def file_named(self, name: str) -> PlcFile | None:
+        """Return a file of the project by its name in findings."""
+        return self.files.get(Path(name))
+
+
+def _place(item: Diagnostic) -> tuple[int, int, int]:
+    span = item.span
+    return (0, 0, item.id) if span is None else (span.line, span.column, item.id)
+
+
+def same_files(first: PlcSources, second: PlcSources) -> bool:
+    """Return whether two states of a project name the same files, libraries and definitions."""
+    return _facts(first) == _facts(second)
+
+
+def _facts(listed: PlcSources) -> tuple[object, ...]:
+    definitions: Mapping[str, str] = listed.definitions
+    return (listed.name, listed.files, listed.libraries, sorted(definitions.items()))

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""Documents in Structured Text -> the projects that they belong to.
+
+In: open documents. Out: the project of each: that of the ``.plcproj`` that lists its file, else its
+folder's files. Of these a file is left out that declares an object of the document, or of one that
+comes before, again: it belongs to another PLC.
+"""
+
+from __future__ import annotations
+
+import gc
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text
+from nctakt.editor.document import Document
+from nctakt.editor.open_buffers import OpenBuffers
+from nctakt.editor.structured_text.plc_project import PlcProject, Texts, same_files
+from nctakt.editor.workspace import Workspace
+from nctakt.messages import Collector
+from nctakt.project.project_file import find_project
+from nctakt.st.files.project import PlcSources, project_around, read_project
+from nctakt.st.files.suffixes import OBJECT_SUFFIXES, SOURCE_SUFFIXES
+from nctakt.st.reporting import Reporter
+from nctakt.st.sources import Sources
+
+#: Files of a folder that count as one project at most.
+MAX_FILES = 2000
+
+_OBJECT = re.compile(
+    r"^[ \t]*(?:FUNCTION_BLOCK|FUNCTION|PROGRAM|INTERFACE|TYPE)[ \t]+"
+    r"(?:(?:ABSTRACT|FINAL|PUBLIC|PRIVATE|INTERNAL|PROTECTED)[ \t]+)*(\w+)",
+    re.MULTILINE | re.IGNORECASE,
+)
+_XML_NAME = re.compile(r"<(?:POU|DUT|GVL|Itf)\b[^>]*?\bName=\"(\w+)\"")
+
+
+class PlcProjects:
+    """The projects of the open documents; those whose files are the same are one."""
+
+    def __init__(self, work: Workspace) -> None:
+        self._work = work
+        self._of_document: dict[str, PlcProject] = {}
+        self._projects: dict[object, PlcProject] = {}
+        self._access = OpenBuffers(work.lines_of)
+
+    def findings(
+        self, document: Document, poll: Callable[[], None] | None = None
+    ) -> list[Diagnostic]:
+        """Return the findings of a document."""
+        return self.of(document).findings(document.name, poll)
+
+    def of(self, document: Document) -> PlcProject:
+        """Return the project of a document, as it was found when the document was opened."""
+        known = self._of_document.get(document.uri)
+        if known is None:
+            known = self._of_document[document.uri] = self._find(document)
+        return known
+
+    def documents_beside(self, document: Document) -> list[Document]:
+        """Return the other open documents of the same project."""
+        project = self.of(document)
+        return [
+            other
+            for other in self._work.documents.values()
+            if other is not document and other.is_structured and self.of(other) is project
+        ]
+
+    def tidy(self) -> None:
+        """Collect what earlier checks have left, while nobody waits for an answer."""
+        projects = [one for one in self._projects.values() if one.has_garbage]
+        for project in projects:
+            project.has_garbage = False
+        if projects:
+            gc.collect()
+
+    def forget(self) -> None:
+        """Find the projects anew: files have been saved, added or removed."""
+        self._of_document.clear()
+
+    # --- finding ----------------------------------------------------------------------------------
+
+    def _find(self, document: Document) -> PlcProject:
+        path = document.location
+        if path is None:
+            listed = PlcSources(document.name, [Path(document.name)])
+            return PlcProject(listed, (), _WithoutFile(document, self._access))
+        listed = self._listed(document, path)
+        folders = self._library_folders(path)
+        key = (tuple(listed.files), folders)
+        known = self._projects.get(key)
+        if known is None or not same_files(known.listed, listed):
+            texts: Texts = self._access
+            if document.path is None:
+                texts = _WithoutFile(document, self._access)
+            known = self._projects[key] = PlcProject(listed, folders, texts)
+        return known
+
+    def _listed(self, document: Document, path: Path) -> PlcSources:
+        """Return the files of a document's project."""
+        if path.suffix.lower() in OBJECT_SUFFIXES:
+            around = project_around(path)
+            if around is not None:
+                reporter = Reporter(Sources(), Collector())
+                for found in read_project(around, self._bytes, reporter):
+                    if any(_is_same(one, path) for one in found.files):
+                        found.files = [path if _is_same(one, path) else one for one in found.files]
+                        return found
+        return PlcSources(path.parent.name, list(self._beside(document, path)))
+
+    def _beside(self, document: Document, path: Path) -> Iterator[Path]:
+        """Yield the file and those of its folder that belong to no project, by their names."""
+        known = _names(document.text())
+        chosen = {path}
+        for one in _sources_in(path.parent)[:MAX_FILES]:
+            if one.name == path.name or not self._is_loose(one):
+                continue
+            names = _names(decode_text(self._bytes(one) or b"").text)
+            if known.isdisjoint(names):
+                known |= names
+                chosen.add(one)
+        yield from sorted(chosen)
+
+    def _is_loose(self, path: Path) -> bool:
+        return path.suffix.lower() not in OBJECT_SUFFIXES or project_around(path) is None
+
+    def _library_folders(self, path: Path) -> tuple[Path, ...]:
+        try:
+            project = find_project(path, self._access)
+        except Failure:
+            return ()
+        return () if project is None else project.libraries
+
+    def _bytes(self, path: Path) -> bytes | None:
+        try:
+            return self._access.read_bytes(path)
+        except Failure:
+            return None
+
+
+class _WithoutFile:
+    """The text of a document that has no file, and all others as they are in the editor."""
+
+    def __init__(self, document: Document, others: OpenBuffers) -> None:
+        self._document = document
+        self._others = others
+
+    def read_bytes(self, path: Path) -> bytes:
+        """Return a file's bytes; raises ``Failure`` where it cannot be read."""
+        if path.as_posix() != self._document.name:
+            return self._others.read_bytes(path)
+        return self._document.text().encode("utf-8", "surrogatepass")
+
+    def state_of(self, path: Path) -> object:
+        """Return what changes with the text of a file."""
+        if path.as_posix() != self._document.name:
+            return self._others.state_of(path)
+        return self._document.version
+
+
+def _sources_in(folder: Path) -> list[Path]:
+    try:
+        return sorted(one for one in folder.iterdir() if one.suffix.lower() in SOURCE_SUFFIXES)
+    except OSError:
+        return []
+
+
+def _names(text: str) -> set[str]:
+    """Return the names of the objects that a text declares, in lower case."""
+    return {name.lower() for name in (*_OBJECT.findall(text), *_XML_NAME.findall(text))}
+
+
+def _is_same(first: Path, second: Path) -> bool:
+    return first.name.lower() == second.name.lower() and first.resolve() == second.resolve()

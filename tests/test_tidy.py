@@ -417,7 +417,13 @@ HANDING_OUT = (
 
 #: The PLC of a user in a process of its own, of which the CNC sees nothing but its answers; and
 #: what an editor sends, by its own streams.
-OUTSIDE = ("fmu/call_watch.py", "editor/entrance.py", "editor/incoming.py", "hli/connection.py")
+OUTSIDE = (
+    "fmu/call_watch.py",
+    "editor/entrance.py",
+    "editor/incoming.py",
+    "editor/structured_text/plc_project.py",  # asked while it is checked in another thread
+    "hli/connection.py",
+)
 
 #: What notebooks show while something lasts.
 SHOWING = ("base/notebook_progress.py",)

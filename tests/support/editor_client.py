@@ -37,7 +37,8 @@ class Editor:
         if is_saved:
             path.write_text(text, "utf-8")
         uri = path.as_uri()
-        language = "nctakt-list" if name.endswith(".lis") else "nctakt"
+        ends = {".lis": "nctakt-list", ".st": "nctakt-st", ".TcPOU": "nctakt-st"}
+        language = ends.get(path.suffix, "nctakt")
         self.client.text_document_did_open(
             types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, language, 0, text))
         )

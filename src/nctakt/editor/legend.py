@@ -18,6 +18,11 @@ TYPES = (
     "label",
     "class",
     "operator",
+    "type",
+    "enum",
+    "enumMember",
+    "method",
+    "namespace",
 )
-MODIFIERS = ("realtime", "decoder", "frozen", "defaultLibrary")
+MODIFIERS = ("realtime", "decoder", "frozen", "defaultLibrary", "readonly")
 LEGEND = SemanticTokensLegend(list(TYPES), list(MODIFIERS))

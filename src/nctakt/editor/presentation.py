@@ -60,7 +60,7 @@ def _register_hints(server: Server) -> None:
         from nctakt.editor.hints import inlay_hints  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        if document is None or document.is_list:
+        if document is None or not document.is_program:
             return []
         found = await server.diagnosis.settled(document)
         names = server.work.machine_of(document).machine.names
@@ -72,18 +72,20 @@ def _register_hints(server: Server) -> None:
         from nctakt.editor.hints import document_links  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        if document is None:
+        if document is None or document.is_structured:
             return []
         return list(document_links(document, server.work.machine_of(document)))
 
     @feature(
         types.TEXT_DOCUMENT_SIGNATURE_HELP,
-        types.SignatureHelpOptions(trigger_characters=["[", ",", " "]),
+        types.SignatureHelpOptions(trigger_characters=["[", "(", ",", " "]),
     )
     def on_signature(params: types.SignatureHelpParams) -> types.SignatureHelp | None:
         from nctakt.editor.hints import signature_help  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
+        if document is not None and document.is_structured:
+            return server.structured.signature(document, params.position)
         if document is None or document.is_list:
             return None
         line = document.line(params.position.line)
@@ -100,7 +102,7 @@ def _register_counts(server: Server) -> None:
         from nctakt.editor.hints import code_lenses  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        if document is None or document.is_list or document.path is None:
+        if document is None or not document.is_program or document.path is None:
             return []  # what has no file cannot be run
         return code_lenses(document, counts.get(document.uri), server.language)
 
@@ -124,9 +126,11 @@ def _tokens(server: Server, uri: str, area: types.Range | None) -> types.Semanti
     document = server.document(uri)
     if document is None or document.is_list:
         return None
-    names = server.work.machine_of(document).machine.names
     first = 0 if area is None else area.start.line
     last = len(document.lines) if area is None else min(len(document.lines), area.end.line + 1)
+    if document.is_structured:
+        return types.SemanticTokens(server.structured.tokens(document, first, last))
+    names = server.work.machine_of(document).machine.names
     return types.SemanticTokens(semantic_tokens(document, names, first, last))
 
 

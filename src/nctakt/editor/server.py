@@ -9,8 +9,9 @@ need not wait for them at the start.
 
 from __future__ import annotations
 
+import contextlib
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, cast
 
@@ -30,6 +31,7 @@ from nctakt.editor.workspace import Workspace
 
 if TYPE_CHECKING:
     from nctakt.editor.calls import CallHierarchy
+    from nctakt.editor.structured_text.answers import StructuredAnswers
 
 #: Seconds between two switches of threads: a check must not hold up an answer.
 _SWITCH_S = 0.001
@@ -76,6 +78,7 @@ class Server(LanguageServer):
         self.diagnosis = Diagnosis(self.work, self._publish)
         self.reference = ""
         self._incoming: Incoming | None = None
+        self._structured: StructuredAnswers | None = None
         sys.setswitchinterval(_SWITCH_S)
         register(self)
 
@@ -123,6 +126,8 @@ class Server(LanguageServer):
             self.work.encoding,
         )
         self.work.open(document)
+        if document.is_structured:
+            self.work.plc.forget()  # it may belong to the projects of others
         self.diagnosis.changed(document, pause=False)
 
     def changed(self, params: types.DidChangeTextDocumentParams) -> None:
@@ -175,6 +180,15 @@ class Server(LanguageServer):
         """The folders of the editor that are there."""
         paths = (path_of(folder.uri) for folder in self.workspace.folders.values())
         return [path for path in paths if path is not None and path.is_dir()]
+
+    @property
+    def structured(self) -> StructuredAnswers:
+        """The answers about Structured Text."""
+        if self._structured is None:
+            from nctakt.editor.structured_text.answers import StructuredAnswers  # noqa: PLC0415 - when it is asked for
+
+            self._structured = StructuredAnswers(self.work.plc)
+        return self._structured
 
     def document(self, uri: str) -> Document | None:
         """Return an open document."""
@@ -260,6 +274,8 @@ def _register_help(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
+        if document.is_structured:
+            return server.structured.hover(document, params.position, server.language)
         machine = server.work.machine_of(document).machine
         found = server.diagnosis.findings.get(document.uri, [])
         return hover(document, params.position, machine, found, server.language)
@@ -274,6 +290,9 @@ def _register_help(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
+        if document.is_structured:
+            found = server.structured.complete(document, params.position)
+            return types.CompletionList(is_incomplete=False, items=found)
         machine = server.work.machine_of(document).machine
         items = complete(
             document,
@@ -296,6 +315,8 @@ def _register_navigation(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return []
+        if document.is_structured:
+            return server.structured.definition(document, params.position)
         return definition(document, params.position, server.work.machine_of(document))
 
     @feature(types.TEXT_DOCUMENT_REFERENCES)
@@ -305,6 +326,11 @@ def _register_navigation(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return []
+        if document.is_structured:
+            has_definition = params.context.include_declaration
+            return server.structured.references(
+                document, params.position, with_definition=has_definition
+            )
         return references(
             document,
             params.position,
@@ -320,7 +346,10 @@ def _register_navigation(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return []
-        found = highlights(document, params.position, server.work.machine_of(document))
+        if document.is_structured:
+            found = server.structured.highlights(document, params.position)
+        else:
+            found = highlights(document, params.position, server.work.machine_of(document))
         return [types.DocumentHighlight(area) for area in found]
 
 
@@ -348,7 +377,7 @@ def _register_calls(server: Server) -> None:
     def on_prepare(params: types.CallHierarchyPrepareParams) -> list[types.CallHierarchyItem]:
         document = server.document(params.text_document.uri)
         calls = hierarchy(params.text_document.uri)
-        if document is None or calls is None or document.is_list:
+        if document is None or calls is None or not document.is_program:
             return []
         return calls.prepare(document, params.position)
 
@@ -378,6 +407,9 @@ def _register_renaming(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
+        if document.is_structured:
+            with refusing(server):
+                return server.structured.renamed_range(document, params.position)
         item = found_at(document, params.position, server.work.machine_of(document))
         if item is None or not can_rename(item.symbol):
             return None
@@ -390,17 +422,19 @@ def _register_renaming(server: Server) -> None:
         document = server.document(params.text_document.uri)
         if document is None:
             return None
-        try:
+        position, new = params.position, params.new_name
+        with refusing(server):
+            if document.is_structured:
+                return server.structured.rename(
+                    document, position, new, lambda: server.work.programs(server.folders)
+                )
             return rename(
                 document,
-                params.position,
-                params.new_name,
+                position,
+                new,
                 server.work.machine_of(document),
                 lambda: server.work.programs_beside(document, server.folders),
             )
-        except Failure as failure:
-            reasons = (item.text(server.language) for item in failure.diagnostics)
-            raise Refused(" ".join(reasons)) from failure
 
 
 def _register_structure(server: Server) -> None:
@@ -412,6 +446,8 @@ def _register_structure(server: Server) -> None:
         from nctakt.editor.outline import document_symbols  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
+        if document is not None and document.is_structured:
+            return server.structured.symbols(document)
         return [] if document is None else document_symbols(document)
 
     @feature(types.WORKSPACE_SYMBOL)
@@ -434,6 +470,8 @@ def _register_structure(server: Server) -> None:
         from nctakt.editor.outline import folding_ranges  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
+        if document is not None and document.is_structured:
+            return server.structured.folds(document)
         return [] if document is None else folding_ranges(document)
 
     @feature(types.TEXT_DOCUMENT_SELECTION_RANGE)
@@ -453,7 +491,7 @@ def _register_edits(server: Server) -> None:
     @feature(types.TEXT_DOCUMENT_FORMATTING)
     def on_formatting(params: types.DocumentFormattingParams) -> list[types.TextEdit] | None:
         document = server.document(params.text_document.uri)
-        return None if document is None else _edits(document, 0, len(document.lines))
+        return None if document is None else _edits(server, document, 0, len(document.lines))
 
     @feature(types.TEXT_DOCUMENT_RANGE_FORMATTING)
     def on_range(params: types.DocumentRangeFormattingParams) -> list[types.TextEdit] | None:
@@ -461,7 +499,8 @@ def _register_edits(server: Server) -> None:
         if document is None:
             return None
         last = min(params.range.end.line + (params.range.end.character > 0), len(document.lines))
-        return _edits(document, params.range.start.line, max(last, params.range.start.line + 1))
+        first = params.range.start.line
+        return _edits(server, document, first, max(last, first + 1))
 
     @feature(
         types.TEXT_DOCUMENT_CODE_ACTION,
@@ -471,7 +510,7 @@ def _register_edits(server: Server) -> None:
         from nctakt.editor.remedies import actions  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        if document is None:
+        if document is None or document.is_structured:
             return []
         found = await server.diagnosis.settled(document)
         chosen = []
@@ -484,9 +523,21 @@ def _register_edits(server: Server) -> None:
         return actions(document, chosen, server.work.machine_of(document), server.language)
 
 
-def _edits(document: Document, first: int, last: int) -> list[types.TextEdit]:
+@contextlib.contextmanager
+def refusing(server: Server) -> Iterator[None]:
+    """Answer a ``Failure`` as a request that is refused, with its reasons."""
+    try:
+        yield
+    except Failure as failure:
+        reasons = (item.text(server.language) for item in failure.diagnostics)
+        raise Refused(" ".join(reasons)) from failure
+
+
+def _edits(server: Server, document: Document, first: int, last: int) -> list[types.TextEdit]:
     from nctakt.editor.formatting import format_lines  # noqa: PLC0415 - when it is asked for
 
+    if document.is_structured:
+        return server.structured.format(document, first, last)
     if document.is_list:
         from nctakt.editor.list_lines import format_list  # noqa: PLC0415 - when it is asked for
 

@@ -73,7 +73,7 @@ class Workspace:
         if self._plc is None:
             from nctakt.editor.structured_text.plc_projects import PlcProjects  # noqa: PLC0415 - as above
 
-            self._plc = PlcProjects(self)
+            self._plc = PlcProjects(self.documents, self.lines_of)
         return self._plc
 
     def open(self, document: Document) -> None:

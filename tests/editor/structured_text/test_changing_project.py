@@ -14,11 +14,7 @@ from support.random_seeds import seeds_in_parts
 
 pytest.importorskip("pygls", reason="the language server needs pygls (extra editor)")
 
-from nctakt.editor.document import Document, split_text
-from nctakt.editor.structured_text.plc_projects import PlcProjects
-from nctakt.editor.workspace import Workspace
-from nctakt.messages import Collector
-from nctakt.st.inspection import inspect_paths
+from support.structured_documents import Typed
 
 FILES = {
     "types.st": """TYPE E_Step : (Idle, Run := 5, Stop) USINT := Run; END_TYPE
@@ -71,51 +67,6 @@ PIECES = (
     "VAR y : INT; END_VAR ", "E_Step.Idle", "st.", "a : REAL; ", "EXTENDS FB_A ", "CONSTANT ",
     "METHOD Go : INT END_METHOD ", "{attribute 'qualified_only'} ", "Go", "FB_B", "(* ", "' ",
 )  # fmt: skip
-
-
-class Typed:
-    """Files of a folder, all open, and the project of a language server."""
-
-    def __init__(self, folder: Path, files: dict[str, str]) -> None:
-        self.work = Workspace()
-        self.documents: dict[str, Document] = {}
-        self.folder = folder
-        for name, text in files.items():
-            path = folder / name
-            path.write_text(text, "utf-8")
-            document = Document(
-                path.as_uri(), path, path.as_posix(), "nctakt-st", 0, split_text(text)
-            )
-            self.work.open(document)
-            self.documents[name] = document
-        self.projects = PlcProjects(self.work)
-
-    def put(self, name: str, text: str) -> None:
-        """Give a document another text."""
-        document = self.documents[name]
-        document.lines = split_text(text)
-        document._changes += 1
-        document.version += 1
-
-    def findings(self, name: str) -> list[str]:
-        """The findings of the language server."""
-        found = self.projects.findings(self.documents[name])
-        return [item.headline() for item in found]
-
-    def checked(self) -> dict[str, list[str]]:
-        """The findings of a check of all files that begins anew, by file."""
-        collector = Collector()
-        texts = {
-            self.folder / name: "\n".join(one.program_lines())
-            for name, one in self.documents.items()
-        }
-        inspect_paths(list(texts), lambda path: texts[path].encode(), collector)
-        found = [one for one in collector.diagnostics if one.span is not None]
-        found.sort(key=lambda one: (one.span.line, one.span.column, one.id))
-        by_file: dict[str, dict[str, None]] = {path.name: {} for path in texts}
-        for one in found:
-            by_file[Path(one.span.file).name][one.headline()] = None
-        return {name: list(items) for name, items in by_file.items()}
 
 
 def test_the_whole_folder_is_one_project(tmp_path: Path) -> None:

@@ -10,16 +10,15 @@ from __future__ import annotations
 
 import gc
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.editor.document import Document
-from nctakt.editor.open_buffers import OpenBuffers
+from nctakt.editor.open_buffers import Buffers, OpenBuffers
 from nctakt.editor.structured_text.plc_project import PlcProject, Texts, same_files
-from nctakt.editor.workspace import Workspace
 from nctakt.messages import Collector
 from nctakt.project.project_file import find_project
 from nctakt.st.files.project import PlcSources, project_around, read_project
@@ -41,11 +40,11 @@ _XML_NAME = re.compile(r"<(?:POU|DUT|GVL|Itf)\b[^>]*?\bName=\"(\w+)\"")
 class PlcProjects:
     """The projects of the open documents; those whose files are the same are one."""
 
-    def __init__(self, work: Workspace) -> None:
-        self._work = work
+    def __init__(self, documents: Mapping[str, Document], lines_of: Buffers) -> None:
+        self._documents = documents
         self._of_document: dict[str, PlcProject] = {}
         self._projects: dict[object, PlcProject] = {}
-        self._access = OpenBuffers(work.lines_of)
+        self._access = OpenBuffers(lines_of)
 
     def findings(
         self, document: Document, poll: Callable[[], None] | None = None
@@ -65,7 +64,7 @@ class PlcProjects:
         project = self.of(document)
         return [
             other
-            for other in self._work.documents.values()
+            for other in self._documents.values()
             if other is not document and other.is_structured and self.of(other) is project
         ]
 

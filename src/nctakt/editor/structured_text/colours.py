@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: MIT
+"""Semantic tokens of Structured Text: comments, literals, keywords, and what each name is."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from nctakt.editor.document import Document
+from nctakt.editor.legend import MODIFIERS, TYPES
+from nctakt.editor.structured_text.occurrences import Occurrence, is_parameter
+from nctakt.editor.structured_text.plc_project import PlcFile
+from nctakt.editor.structured_text.project_names import ProjectNames
+from nctakt.st.parse.lexer import KEYWORDS
+from nctakt.st.sources import Piece
+from nctakt.st.tree import GlobalList, Library
+from nctakt.st.types import (
+    Callable,
+    EnumType,
+    EnumValue,
+    Kind,
+    Pou,
+    Property,
+    Section,
+    Type,
+    Variable,
+)
+from nctakt.st.vocabulary.elementary import ELEMENTARY
+from nctakt.st.vocabulary.functions import BUILT_INS, conversion
+
+_TOKEN = re.compile(
+    r"(?P<comment>//[^\n]*|\(\*.*?\*\)|/\*.*?\*/)|(?P<macro>\{[^}]*\})"
+    r"|(?P<string>'(?:[^'$\n]|\$.)*'|\"(?:[^\"$\n]|\$.)*\")"
+    r"|(?P<number>\b(?:[^\W\d]\w*)?\d*\#[\w.:#-]+|\b\d[\d_]*(?:\.\d[\d_]*)?(?:[eE][-+]?\d+)?\b)"
+    r"|(?P<word>[^\W\d]\w*)",
+    re.DOTALL,
+)
+#: Words that are keywords where they stand, and names elsewhere.
+_SOFT = frozenset(
+    """METHOD PROPERTY ACTION GET SET EXTENDS IMPLEMENTS ABSTRACT FINAL PUBLIC PRIVATE PROTECTED
+    INTERNAL CONSTANT RETAIN PERSISTENT AT ARRAY POINTER REFERENCE STRING WSTRING""".split()
+)
+
+
+def semantic_tokens(
+    names: ProjectNames, document: Document, file: PlcFile, first: int, last: int
+) -> list[int]:
+    """Return the tokens of the lines from ``first`` to ``last`` (exclusive), as distances."""
+    data: list[int] = []
+    line_before = start_before = 0
+    found = sorted(_tokens(names, file), key=lambda one: one[:2])
+    for line, column, length, kind, modifiers in found:
+        if not first <= line < last:
+            continue
+        text = document.line(line)
+        start = document.character_of(text, column)
+        width = document.character_of(text, column + length) - start
+        ahead = start - (start_before if line == line_before else 0)
+        data += (line - line_before, ahead, width, TYPES.index(kind), modifiers)
+        line_before, start_before = line, start
+    return data
+
+
+def _tokens(names: ProjectNames, file: PlcFile) -> Iterator[tuple[int, int, int, str, int]]:
+    known = {one.start: one for one in names.of(file)}
+    for piece in file.pieces:
+        for match in _TOKEN.finditer(piece.text):
+            kind, modifiers = _kind_of(match, known.get(piece.base + match.start()))
+            if kind:
+                yield from _placed(piece, match, kind, modifiers)
+
+
+def _placed(
+    piece: Piece, match: re.Match[str], kind: str, modifiers: int
+) -> Iterator[tuple[int, int, int, str, int]]:
+    """Yield a token, in parts where it has several lines."""
+    offset = match.start()
+    for part in match[0].split("\n"):
+        if part.strip():
+            line, column = piece.locate(piece.base + offset)
+            yield line - 1, column - 1, len(part), kind, modifiers
+        offset += len(part) + 1
+
+
+def _kind_of(match: re.Match[str], found: Occurrence | None) -> tuple[str, int]:
+    """Return type and modifiers of a token; an empty type for one without a colour."""
+    if match.lastgroup != "word":
+        return match.lastgroup or "", 0
+    if found is not None:
+        return _kind_of_target(found.target)
+    upper = match[0].upper()
+    if upper in KEYWORDS or upper in _SOFT:
+        return "keyword", 0
+    if upper in ELEMENTARY:
+        return "type", _bits("defaultLibrary")
+    if upper in BUILT_INS or conversion(upper) is not None:
+        return "function", _bits("defaultLibrary")
+    return "", 0
+
+
+def _kind_of_target(target: object) -> tuple[str, int]:
+    match target:
+        case Variable():
+            modifiers = _bits("readonly") if target.is_constant else 0
+            if is_parameter(target):
+                return "parameter", modifiers
+            is_member = target.section is Section.MEMBER
+            return ("property" if is_member else "variable"), modifiers
+        case Property():
+            return "property", 0
+        case EnumValue():
+            return "enumMember", _bits("readonly")
+        case Pou():
+            is_function = target.kind is Kind.FUNCTION
+            bits = _bits("defaultLibrary") if target.library else 0
+            return ("function" if is_function else "class"), bits
+        case Callable():
+            return "method", 0
+        case EnumType():
+            return "enum", 0
+        case Type():
+            return "type", 0
+        case GlobalList() | Library():
+            return "namespace", 0
+    return "", 0
+
+
+def _bits(*modifiers: str) -> int:
+    return sum(1 << MODIFIERS.index(name) for name in modifiers)

@@ -208,7 +208,7 @@ class PlcProject:
             if one.span is not None:
                 key = (one.id, one.span, one.text())
                 by_file.setdefault(one.span.file, {})[key] = one
-        return {file: sorted(items.values(), key=_place) for file, items in by_file.items()}
+        return {file: sorted(items.values(), key=_order) for file, items in by_file.items()}
 
     def _read_library(self, path: Path) -> bytes | None:
         return self._bytes(path) or None
@@ -218,7 +218,7 @@ class PlcProject:
         return self.files.get(Path(name))
 
 
-def _place(item: Diagnostic) -> tuple[int, int, int]:
+def _order(item: Diagnostic) -> tuple[int, int, int]:
     span = item.span
     return (0, 0, item.id) if span is None else (span.line, span.column, item.id)
 

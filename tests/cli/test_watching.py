@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import builtins
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -98,6 +99,40 @@ def test_a_run_is_repeated_with_a_new_plc(tmp_path: Path) -> None:
         (tmp_path / "step.py").write_text("VALUE = 57  # longer\n", "utf-8")
         assert "  57\n" in watched.until_it_waits()
         assert watched.end() == 0
+    finally:
+        watched.close()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="Ctrl-C is sent as a signal")
+def test_a_run_begins_anew_with_a_saved_text_and_what_was_retained(tmp_path: Path) -> None:
+    """ST-406: the next run goes on from the retained number, and writing it is no change.
+
+    A run of 0.1 s has 11 cycles of 10 ms, at 0 … 0.1 s; then each counts by ten.
+    """
+    pytest.importorskip("watchfiles")
+    (tmp_path / "a.nc").write_text("G04 0.1\nM30\n", "utf-8")
+    text = (
+        "PROGRAM MAIN\nVAR RETAIN\n    nCount : DINT;\nEND_VAR\n"
+        "nCount := nCount + 1;\nEND_PROGRAM\n"
+    )
+    plc, kept = tmp_path / "cell.st", tmp_path / "kept.json"
+    plc.write_text(text, "utf-8")
+    words = ("run", "a.nc", "--plc", "cell.st", "--retain", "kept.json", "--until", "0.1s")
+    watched = Watched(tmp_path, *words)
+
+    def count() -> int:
+        return int(re.findall(r"nCount\D+(\d+)", kept.read_text("utf-8"))[0])
+
+    try:
+        watched.until_it_waits()
+        first = count()
+        plc.write_text(text.replace("+ 1", "+ 10"), "utf-8")
+        watched.until_it_waits()
+        assert count() == first + 10 * first
+        plc.write_text(text.replace("nCount + 1", "nCuont + 1"), "utf-8")
+        assert "nCuont is not declared" in watched.until_it_waits()
+        assert count() == 11 * first
+        assert watched.end() == 2
     finally:
         watched.close()
 

@@ -20,13 +20,16 @@ MANIFEST = json.loads((FOLDER / "package.json").read_text("utf-8"))
 
 
 def test_the_extension_has_what_the_server_names() -> None:
-    """Commands of lenses, modifiers of colours, the languages; no file type of others."""
+    """Commands of lenses, modifiers of colours, the languages; no type of NC programs of others."""
     contributed = MANIFEST["contributes"]
     commands = {item["command"] for item in contributed["commands"]}
     assert {"nctakt.run", "nctakt.debug", "nctakt.live", "nctakt.why"} <= commands
     modifiers = {item["id"] for item in contributed["semanticTokenModifiers"]}
     assert modifiers <= set(legend.MODIFIERS)
     languages = {item["id"]: item.get("extensions", []) for item in contributed["languages"]}
+    assert languages[document.STRUCTURED_LANGUAGE][0] == ".st"
+    own = {ending.lower() for ending in languages.pop(document.STRUCTURED_LANGUAGE)}
+    assert own == set(document.SOURCE_SUFFIXES) - {".tctto"}
     assert languages == {"nctakt": [".nctakt"], document.LIST_LANGUAGE: []}
     source = (FOLDER / "src" / "extension.ts").read_text("utf-8")
     assert all(f'"{command}"' in source for command in commands)

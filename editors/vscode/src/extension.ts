@@ -6,7 +6,7 @@ import * as path from "node:path";
 import * as vscode from "vscode";
 import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
 
-const LANGUAGES = ["nctakt", "nctakt-list"];
+const LANGUAGES = ["nctakt", "nctakt-list", "nctakt-st"];
 let client: LanguageClient | undefined;
 let page: ChildProcess | undefined;
 

@@ -17,25 +17,32 @@ const registry = new textmate.Registry({
     createOnigScanner: (patterns) => new oniguruma.OnigScanner(patterns),
     createOnigString: (text) => new oniguruma.OnigString(text),
   }),
-  loadGrammar: async () => {
-    const file = path.join(here, "..", "syntaxes", "nctakt.tmLanguage.json");
+  loadGrammar: async (scope) => {
+    const name = `${scope.replace("source.", "")}.tmLanguage.json`;
+    const file = path.join(here, "..", "syntaxes", name);
     return textmate.parseRawGrammar(readFileSync(file, "utf8"), file);
   },
 });
-const grammar = await registry.loadGrammar("source.nctakt");
+const grammars = {
+  program: await registry.loadGrammar("source.nctakt"),
+  structured: await registry.loadGrammar("source.nctakt-st"),
+};
 const files = process.argv
   .slice(2)
   .flatMap((folder) => readdirSync(folder, { recursive: true }).map((name) => path.join(folder, name)))
-  .filter((name) => /\.(nc|sub|cyc)$/i.test(name));
+  .filter((name) => /\.(nc|sub|cyc|st)$/i.test(name));
 let wrong = 0;
 for (const name of files) {
+  const grammar = /\.st$/i.test(name) ? grammars.structured : grammars.program;
+  const own = grammar === grammars.structured ? "source.nctakt-st" : "source.nctakt";
   let state = textmate.INITIAL;
   const lines = readFileSync(name, "utf8").split(/\r?\n/);
   lines.forEach((line, index) => {
     const result = grammar.tokenizeLine(line, state);
     state = result.ruleStack;
     const scopes = result.tokens.flatMap((token) => token.scopes);
-    const isPlain = line.trim() !== "" && scopes.every((scope) => scope === "source.nctakt");
+    const isSigns = grammar === grammars.structured && !/\w/.test(line);
+    const isPlain = !isSigns && line.trim() !== "" && scopes.every((scope) => scope === own);
     if (isPlain || scopes.some((scope) => scope.startsWith("invalid"))) {
       console.error(`${name}:${index + 1}: ${line}`);
       wrong += 1;

@@ -28,12 +28,13 @@ from nctakt.messages.command_line import (
     WATCH_OF_STDIN,
     WATCHING_FILES,
 )
+from nctakt.st.files.suffixes import PLC_SUFFIXES
 
 if TYPE_CHECKING:
     from types import ModuleType
 
 #: Ends of the names of files that may concern a command though it has not read them yet.
-_SUFFIXES = (*PROGRAM_SUFFIXES, *LIST_SUFFIXES, ".py", ".toml")
+_SUFFIXES = (*PROGRAM_SUFFIXES, *LIST_SUFFIXES, *PLC_SUFFIXES, ".py", ".toml")
 
 #: Files with their time of change and size.
 _State = dict[Path, tuple[int, int]]

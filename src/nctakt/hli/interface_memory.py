@@ -491,16 +491,27 @@ class Area:
 
     # --- writing --------------------------------------------------------------------------------
 
-    def check(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> None:
-        """Raise ``NotWritable`` for bytes that ``write`` would not take now."""
+    def check(
+        self, offset: int, data: bytes, values: Mapping[str, Scalar], *, stays: bool = False
+    ) -> None:
+        """Raise ``NotWritable`` for bytes that ``write`` would not take now.
+
+        ``stays``: they stay in the memory, for the check of what is written with them.
+        """
         touched, data = self.shape.checked(offset, data)
-        if any(slot.path.startswith(MODE) for slot in touched):
-            self._show(self._present, values)
-            kept = bytes(self.memory)
-            try:
-                self.memory[offset : offset + len(data)] = data
+        is_mode = any(slot.path.startswith(MODE) for slot in touched)
+        if not is_mode and not stays:
+            return
+        self._show(self._present, values)
+        kept = bytes(self.memory)
+        is_taken = False
+        try:
+            self.memory[offset : offset + len(data)] = data
+            if is_mode:
                 self.take_transition(Written(), values)
-            finally:
+            is_taken = stays
+        finally:
+            if not is_taken:
                 self.memory[:] = kept
 
     def write(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> Written:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import weakref
 from collections import deque
 from collections.abc import Callable, Iterable, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nctakt.base.diagnostics import Diagnostic
@@ -199,6 +200,22 @@ class Inputs:
     def add(self, inputs: Iterable[Input]) -> None:
         """Plan further inputs, each after those of its tick and source."""
         self._planned = deque(sorted([*self._planned, *inputs], key=in_order))
+
+    def check_all(self, inputs: Sequence[Input]) -> None:
+        """Raise ``Failure`` unless these can be applied one after another.
+
+        They come after what is planned for their tick: a semaphore is checked with the data that
+        were written before it.
+        """
+        names = [str(one.values[0]) for one in inputs if one.kind == WRITE]
+        with self._access.draft(names):
+            tick = inputs[0].tick if inputs else 0
+            for planned in self._planned if names else ():
+                if planned.kind == WRITE and planned.tick <= tick:
+                    with suppress(Failure):  # it is reported when it is applied
+                        self.check(planned)
+            for one in inputs:
+                self.check(one)
 
     def check(self, planned: Input) -> None:
         """Raise ``Failure`` for a name or a value that this machine does not take (901077)."""

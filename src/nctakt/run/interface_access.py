@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from typing import Any, NamedTuple, Protocol, TypeVar, cast
 
 from nctakt.base.diagnostics import Diagnostic
@@ -161,6 +162,7 @@ class InterfaceAccess:
         self._kept: dict[str, str] = {}
         self._zero_offsets = ZeroOffsetAccess(dict(enumerate(machine.assembled, 1)))
         self._reported: set[str] = set()
+        self._is_draft = False
 
     def _announce(self) -> None:
         """Let a PLC in Python be there on all channels and axes."""
@@ -198,7 +200,21 @@ class InterfaceAccess:
             self._asked(name, value)
         else:
             area, offset, data = self._bytes(name, value)
-            self._refusing(name, lambda: area.check(offset, data, self._values))
+            stays = self._is_draft
+            self._refusing(name, lambda: area.check(offset, data, self._values, stays=stays))
+
+    @contextmanager
+    def draft(self) -> Iterator[None]:
+        """Let each write that is checked be known to the checks after it, up to the end."""
+        all_ = [area for found in self._areas.values() for area in found]
+        kept = [bytes(area.memory) for area in all_]
+        self._is_draft = True
+        try:
+            yield
+        finally:
+            self._is_draft = False
+            for area, memory in zip(all_, kept, strict=True):
+                area.memory[:] = memory
 
     def write(self, name: str, value: Scalar, source: str) -> None:
         """Write an element or a range of bytes, or ask a control unit; raises ``Failure``.

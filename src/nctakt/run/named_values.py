@@ -5,6 +5,7 @@ interface by the controller's paths.
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
 from typing import NamedTuple, Protocol
 
 
@@ -47,6 +48,9 @@ class InterfaceValues(Protocol):
 
     def check(self, name: str, value: float | bool | str) -> None:
         """Raise ``Failure`` for a name or value that ``write`` would not take now."""
+
+    def draft(self) -> AbstractContextManager[None]:
+        """Let each write that is checked be known to the checks after it, up to the end."""
 
     def write(self, name: str, value: float | bool | str, source: str) -> None:
         """Write, with effect from the next tick on."""

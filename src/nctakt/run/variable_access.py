@@ -7,7 +7,8 @@ latches (RC-002). Values are checked at once (RC-307); an invalid one is a ``Fai
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
@@ -146,6 +147,12 @@ class VariableAccess:
         location, cell = self._find(name)
         cells = -(-location.size_bytes // CELL_BYTES)
         return strings.decode(self._kernel.present_bytes(cell, cells)[: location.size_bytes])
+
+    def draft(self, names: Iterable[str]) -> AbstractContextManager[None]:
+        """Let the checks of what is written together know of each other."""
+        if self.interface is None or not any(map(is_path, names)):
+            return nullcontext()
+        return self.interface().draft()
 
     def check(self, name: str, value: float | bool | str) -> None:
         """Raise ``Failure`` for an unknown name and for a value that it cannot hold."""

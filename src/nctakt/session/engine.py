@@ -303,8 +303,8 @@ class Engine:
 
     def post(self, inputs: Sequence[Input]) -> None:
         """Add inputs; raises ``Failure`` for an unknown name or a wrong value, and adds none."""
+        self._machine.inputs.check_all(inputs)
         for posted in inputs:
-            self._machine.inputs.check(posted)
             if posted.kind == SELECT:
                 channel, name = posted.values
                 with self._machine.files.untouched():  # it is read when its tick has come

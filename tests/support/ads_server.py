@@ -35,10 +35,10 @@ def until(holds: Callable[[], bool]) -> None:
 class Server:
     """``nctakt serve`` in a process of its own."""
 
-    def __init__(self, folder: Path, *words: str) -> None:
+    def __init__(self, folder: Path, *words: str, text: str = PROGRAM) -> None:
         self.folder = folder
         self.program = folder / "part.nc"
-        self.program.write_text(PROGRAM, "utf-8")
+        self.program.write_text(text, "utf-8")
         ready = folder / "ready.json"
         command = [sys.executable, "-m", "nctakt", "serve", str(self.program)]
         self.process = subprocess.Popen(

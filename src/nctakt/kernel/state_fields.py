@@ -23,6 +23,7 @@ REFERENCES = {
     "ArcLimits": ("max_a", "max_v"),
     "CommandQueue": ("rows",),
     "CycleManager": ("loaded", "root"),
+    "CyclicTask": ("body",),
     "Kernel": ("input_cells", "input_values", "input_words"),
     "KinematicMaps": ("values",),
     "LoopBody": ("rows",),
@@ -50,8 +51,12 @@ CHANGING_IN_TREES = (
     "IfEdge", "IfOnce", "Notes", "PlcContext", "PlcSide", "PlcTasks", "Reaction",
     "RealtimeCycle", "SectionSource", "SpindleSource", "UnitBanks",
 )  # fmt: skip
-#: What no snapshot is taken of: a shared image, and what stops the ticks.
-LEFT_OUT = ("InterfaceImage", "SectionUnits", "SpindleUnits", "Watched")
+#: What no snapshot is taken of: a shared image, what stops the ticks, and what a debugger wants of
+#: a PLC's statements.
+LEFT_OUT = (
+    "InterfaceImage", "Probe", "SectionUnits", "Sought", "SoughtStatement", "SpindleUnits",
+    "StatementCounter", "Watched",
+)  # fmt: skip
 LEFT_OUT_MODULE = "nctakt.kernel.tick.stops"
 
 #: C types of fields that hold a number.

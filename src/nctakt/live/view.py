@@ -20,7 +20,7 @@ from nctakt.live.texts import Texts
 from nctakt.results.compared import Compared
 from nctakt.results.run import ProgramMessage, RunState
 from nctakt.session.engine import BranchState, CycleState
-from nctakt.session.stops import names_file
+from nctakt.session.statements import names_file
 from nctakt.trace.events import Event
 
 _AXIS = re.compile(r"((?:CH\d+\.)?)(\w+)\.ACS\.ACT_POS")

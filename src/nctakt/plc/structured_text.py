@@ -20,7 +20,7 @@ from nctakt.files.access import FileAccess
 from nctakt.hli.table import SINGLE_ROOTS
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.outside import Connection
-from nctakt.kernel.st.steps import steps_in_order
+from nctakt.kernel.st.steps import Step, steps_in_order
 from nctakt.kernel.st.tasks import CyclicTask, PlcSide, PlcTask, PlcTasks
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.plc import INVALID_AXIS_COMMAND
@@ -42,6 +42,7 @@ from nctakt.messages.plc_code import (
     STEP_ZERO,
     TOO_MANY_INSTRUCTIONS,
 )
+from nctakt.messages.plc_debugging import POINTER_FROM_OUTSIDE
 from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
@@ -54,10 +55,21 @@ from nctakt.run.plc_view import AnyPlc
 from nctakt.run.realtime_plc import PlcGroup, RealtimePlc, is_structured, parts_of
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
-from nctakt.st.types import Callable, EnumType, Kind, Pou, StringType, Type
+from nctakt.st.types import (
+    Callable,
+    EnumType,
+    InterfaceType,
+    Kind,
+    PointerType,
+    Pou,
+    ReferenceType,
+    StringType,
+    Type,
+)
 from nctakt.translation.branches import BranchNumbers
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.noting import NoteRows
+from nctakt.translation.probing import Probes
 from nctakt.translation.project import Translation, translate
 from nctakt.translation.variables import (
     PlacedVariable,
@@ -213,6 +225,7 @@ class StructuredPlc(RealtimePlc):
         self._rows: NoteRows | None = None
         self._reasons: StReasons | None = None
         self._tasks: PlcTasks | None = None
+        self._cyclic: list[tuple[Task, CyclicTask]] = []
         self._machine: AssembledMachine | None = None
         self._first_tick = 0
         self._has_ended = False
@@ -245,12 +258,13 @@ class StructuredPlc(RealtimePlc):
             context.keep_counts(self._numbers.size)
         self._bind_axes(machine)
         tasks = PlcTask()
+        self._cyclic = []
         for task in sorted(self.program.tasks, key=_priority, reverse=True):
-            bodies = [self.translated.bodies[pou.name.lower()] for pou in task.programs]
+            body = _body_of(task, self.translated)
             limit = task.cycle_us * _STEPS_PER_US
-            body = steps_in_order(bodies)
             number, places = self._task_info(task)
             tasks = CyclicTask(body, 1000 * task.cycle_us, limit, tasks, number, *places)
+            self._cyclic.append((task, tasks))
         tick_ns = 1000 * machine.configuration.cycle_time_us
         self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory, cnc)
         self._machine = machine
@@ -278,6 +292,17 @@ class StructuredPlc(RealtimePlc):
         self._numbers = self._numbers or BranchNumbers(self.program)
         self._rows = self._rows or NoteRows(self.program)
         self.translated = translate(self.program, self._numbers.by_identity, self._rows)
+
+    def probe(self, probes: Probes) -> Translation:
+        """Run the same programs with probes from the next cycle on; return their translation.
+
+        The memory stays: a translation gives everything the same address each time.
+        """
+        counted = None if self._numbers is None else self._numbers.by_identity
+        probed = translate(self.program, counted, self._rows, probes)
+        for task, cyclic in self._cyclic:
+            cyclic.exchange(_body_of(task, probed))
+        return probed
 
     def changes(self) -> tuple[PlcHistory, ...]:
         """Return what it has changed since it was attached, and why, if that is noted."""
@@ -362,6 +387,8 @@ class StructuredPlc(RealtimePlc):
         self._tasks.has_news = False
         if self._reasons is not None:
             self._reasons.take()
+        if self.context.fault == kinds.HALTED:
+            return ()
         if self.context.fault:
             return [self._fault()]
         overruns = self._overrun()
@@ -411,6 +438,10 @@ class StructuredPlc(RealtimePlc):
                 block = path.rpartition(".")[0]
                 yield diagnostic(IGNORED_EXECUTE, block=block, count=str(count))
 
+    def fault(self) -> Diagnostic | None:
+        """Return the fault that has stopped it, ``None`` while it goes on or is halted."""
+        return self._fault() if self.context.fault not in (0, kinds.HALTED) else None
+
     def _fault(self) -> Diagnostic:
         context = self.context
         message = _MESSAGES[context.fault]
@@ -430,7 +461,7 @@ class StructuredPlc(RealtimePlc):
     def _calls(self) -> str:
         context = self.context
         shown = []
-        for source in context.trail[: context.trail_length : 2]:
+        for source in context.trail[: context.trail_length : kinds.TRAIL_WIDTH]:
             span = _span(self.program, source)
             if span is not None:
                 shown.append(f"{span.file}:{span.line}")
@@ -529,6 +560,8 @@ class StructuredPlc(RealtimePlc):
             value = _enumeration_value(sought, value, refused)
         if kind is None or isinstance(value, str) or variable.bit >= 0:
             raise Failure(refused)
+        if isinstance(sought, PointerType | ReferenceType | InterfaceType) and value != 0:
+            raise Failure(diagnostic(POINTER_FROM_OUTSIDE, name=name, type=sought.name))
         if is_real(sought):
             try:
                 return struct.pack("<f" if sought.size == 4 else "<d", float(value))
@@ -563,6 +596,11 @@ class StructuredPlc(RealtimePlc):
         value = self._number(variable, kind)
         self._machine.cells[cell] = value
         return SignalCell(cell, "", not is_real(variable.type), _labels(variable.type))
+
+
+def _body_of(task: Task, translated: Translation) -> Step:
+    """Return what a task runs in each cycle: its programs in their order."""
+    return steps_in_order([translated.bodies[pou.name.lower()] for pou in task.programs])
 
 
 def _labels(sought: Type) -> tuple[tuple[int, str], ...]:

@@ -11,9 +11,10 @@ from __future__ import annotations
 import math
 import re
 from collections import deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic, Span, Text
@@ -49,6 +50,7 @@ from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
+from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
 from nctakt.session.trail import Mark, Trail, now_us
 from nctakt.trace.events import Event
@@ -215,6 +217,8 @@ class Engine:
         self._selected: Sequence[int] | None = None
         self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
         self._run.load()
+        self.statements = self._stop_builder.statements
+        self.statements.follow(plc)
         self.description = Description(
             configuration.cycle_time_us,
             len(machine.channels),
@@ -223,6 +227,8 @@ class Engine:
             tuple(self._diagnostics),
             self._planned(stimuli, setup.inputs),
             self._run.state is not None,
+            self.statements.texts(),
+            self.statements.lines(),
         )
 
     def _options(
@@ -429,6 +435,61 @@ class Engine:
         found: list[Mark] = []
         self._repeat(end, marks, found)
         return self._stop_builder.last_hit() + 1, self.tick, tuple(found)
+
+    # --- within a tick --------------------------------------------------------------------------
+
+    def watch_statements(self) -> None:
+        """Put probes into the code of the PLC; raises ``Failure`` (902810) without one."""
+        self.statements.plc.install()
+
+    def statements_passed(self) -> tuple[list[int], list[int]] | None:
+        """Run a tick; return sources and depths of its statements, ``None`` for too many."""
+        self._watch(())
+        self.statements.within(0, 0)
+        self._run.advance(self.tick + 1)
+        return self.statements.passed()
+
+    def statement_sources(self, stops: Sequence[StopAt]) -> list[list[int]]:
+        """Return for each stop at statements those that it means; none: any."""
+        return self.statements.sources(stops)
+
+    def statements_met(
+        self, stops: Sequence[StopAt], after: int, before: int
+    ) -> list[tuple[int, int]]:
+        """Run a tick; return for each stop at which statements of it it held.
+
+        Those are numbers from 1 on: the first one after a statement, the last one before another
+        one, 0 for none.
+        """
+        self._watch(stops)
+        self.statements.within(after, before)
+        self._run.advance(self.tick + 1)
+        return self.statements.met(stops)
+
+    def halt(self, number: int) -> PlcPlace | None:
+        """Run a tick up to just before a statement; return where that is.
+
+        The controller is only good to be looked at then: ``look_inside``.
+        """
+        tick = self.tick
+        self._watch(())
+        self.statements.halt_at(number)
+        self._run.advance(tick + 1)
+        return self.statements.stopped_at(tick, number)
+
+    def plc_fault(self) -> PlcPlace | None:
+        """Return where a fault has stopped the PLC, ``None`` while it goes on."""
+        return self.statements.stopped_at(self.tick - 1, 0)
+
+    def look_inside(self, request: str, *words: Any) -> Any:
+        """Answer a question about calls and variables of the PLC; raises ``Failure``."""
+        questions: dict[str, Callable[..., Any]] = {
+            "scopes": self.statements.scopes,
+            "of_scope": self.statements.of_scope,
+            "below": self.statements.below,
+            "value": self.statements.value,
+        }
+        return questions[request](*words)
 
     def evidence(self, stops: Sequence[StopAt]) -> list[Evidence]:
         """Return for each stop what the record of a session tells of it."""

@@ -38,10 +38,10 @@ _WAITING = (
 _OF_PLC = ("acknowledgement", "free place", "spindle acknowledged")
 
 #: Kinds of stops that hold by the time alone.
-_OF_VALUES: tuple[Kind, ...] = ("condition", "changes")
+_OF_VALUES: tuple[Kind, ...] = ("condition", "changes", "statement")
 
 #: Blocks, and what is watched beside them.
-_OF_PROGRAMS: tuple[Kind, ...] = ("block", "error", "notice", "message")
+_OF_PROGRAMS: tuple[Kind, ...] = ("block", "error", "notice", "message", "fault")
 
 _PROGRAM = Text("a program to be selected", "die Anwahl eines Programms")
 

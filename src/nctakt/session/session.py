@@ -17,6 +17,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.notebook import html_columns, html_table
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import Time, TimeLike
+from nctakt.plc.stepping.shown import PlcValue
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
 from nctakt.results.why import WhyReport
@@ -28,10 +29,12 @@ from nctakt.session.ahead import UNKNOWN, Future, run_ahead
 from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
 from nctakt.session.comparing import BranchDifference
+from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.listening import Listener
 from nctakt.session.setup import Description, Inventory, Setup
+from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
 from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
 from nctakt.session.tapes import read_setup, save_tape
@@ -226,8 +229,15 @@ class Session:
         return self._run_to(tick, stops, rests=rests or end is None)
 
     def _run_to(self, end: int | None, stops: Sequence[StopAt], *, rests: bool = False) -> Slice:
-        """Run in slices, so that ``pause`` and ``close`` can end it."""
+        """Run in slices, so that ``pause`` and ``close`` can end it.
+
+        Within a cycle of the PLC the rest of that comes first.
+        """
         self._thread.clock = None
+        if end is None or end > self._story.tick or self._story.cursor.statement is not None:
+            moved = self._story.moved_within(stops)
+            if moved is not None:
+                return moved
         clock = FastClock(self._story.tick)
         whole: Slice | None = None
         while True:
@@ -242,6 +252,7 @@ class Session:
             is_there = is_there or (end is not None and done.tick >= end)
             self._publish(done, at_once=is_there)
             if is_there:
+                self._story.enter(stops, done.hits)
                 return whole
             if self._thread.is_interrupted:
                 return joined(whole, self._story.step(0))
@@ -253,6 +264,61 @@ class Session:
     def next_block(self) -> Slice:
         """Run until a block becomes current, or none can any more by itself, as ``run`` tells."""
         return self._ask(lambda: self._run_to(None, [NEXT_BLOCK], rests=True))
+
+    def step_statement(self, step: Step = "into") -> PlcPlace | None:
+        """Go to the next statement of a PLC in Structured Text; return where it is then.
+
+        ``step``: ``into`` calls, ``over`` them, or ``out`` of this one. ``None``: the run is over
+        before. Raises ``Failure`` without such a PLC (902810), and where it has stopped (902818).
+        """
+        return self._ask(self._step_statement, step)
+
+    def _step_statement(self, step: Step) -> PlcPlace | None:
+        self._story.cursor.check_goes_on()
+        self._run_to(None, [self._story.cursor.sought(step), FAULT, *self._story.stops])
+        return self._story.cursor.statement
+
+    def step_statement_back(self, step: Step = "into") -> PlcPlace | None:
+        """Go back to the last statement before this one; otherwise as ``step_statement``.
+
+        ``None``, and stay, where there is none.
+        """
+        return self._ask(self._step_statement_back, step)
+
+    def _step_statement_back(self, step: Step) -> PlcPlace | None:
+        done = self._back_to([self._story.cursor.sought(step), *self._story.stops])
+        return None if done is None else self._story.cursor.statement
+
+    @property
+    def statement(self) -> PlcPlace | None:
+        """Where it is within the cycle of a PLC: before a statement; ``None`` after a tick."""
+        return self._story.cursor.statement
+
+    def scopes(self, level: int | None = 0) -> list[str]:
+        """Return the scopes of a call of the PLC, counted from the innermost; ``None``: global."""
+        return self._ask(self._story.cursor.look, "scopes", level)
+
+    def of_scope(
+        self, scope: str, level: int | None = 0, first: int = 0, count: int = 0
+    ) -> list[PlcValue]:
+        """Return variables of a scope of a call of the PLC, at most 1,000."""
+        return self._ask(self._story.cursor.look, "of_scope", level, scope, first, count)
+
+    def below(
+        self, path: str, level: int | None = 0, first: int = 0, count: int = 0
+    ) -> list[PlcValue]:
+        """Return members, elements, or what is pointed to, of a variable of the PLC.
+
+        Raises ``Failure`` for what it does not know, and for what refers to nothing.
+        """
+        return self._ask(self._story.cursor.look, "below", level, path, first, count)
+
+    def value(self, text: str, level: int | None = 0) -> PlcValue:
+        """Return a variable by path, or an expression in Structured Text, in a call of the PLC.
+
+        Nothing is called or changed by that. Raises ``Failure`` for mistakes (902812 … 902814).
+        """
+        return self._ask(self._story.cursor.value, text, level)
 
     def next_reaction(self) -> Slice:
         """Run until a branch of a realtime cycle fires, or nothing can happen any more."""
@@ -290,8 +356,14 @@ class Session:
     def _back_to(self, stops: Sequence[str | StopAt]) -> Slice | None:
         self._thread.clock = None
         named = self._story.read_stops(stops) if stops else self._story.stops
+        moved = self._story.moved_within(named, is_back=True)
+        if moved is not None:
+            return moved
         done = self._story.back_to(named)
-        return None if done is None else self._travelled(done)
+        if done is None:
+            return None
+        done = self._travelled(done)
+        return self._story.moved_within(named, is_back=True) or done
 
     def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:
         self._thread.clock = None

@@ -66,3 +66,6 @@ class Description:
     diagnostics: Sequence[Diagnostic]
     inputs: Sequence[Input]
     is_over: bool
+    #: The files of a PLC in Structured Text with their lines, and where statements begin in them.
+    plc_texts: Mapping[str, Sequence[str]] = field(default_factory=dict)
+    plc_lines: Mapping[str, Sequence[int]] = field(default_factory=dict)

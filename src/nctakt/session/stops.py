@@ -41,13 +41,14 @@ from nctakt.messages import diagnostic
 from nctakt.messages.session import NOT_A_STOP, TOO_MANY_STOPS
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.conditions import read_expression
+from nctakt.session.statements import Statements, names_file
 
 #: Stops that a session watches at most.
 MAX_STOPS = 1000
 
 Kind = Literal[
     "block", "fires", "runs", "turns", "false", "cycle", "condition", "changes", "written",
-    "function", "message", "error", "notice", "handed", "paused",
+    "function", "message", "error", "notice", "handed", "paused", "statement", "fault",
 ]  # fmt: skip
 
 _EVENTS: dict[Kind, tuple[int, ...]] = {
@@ -68,9 +69,12 @@ _OF_CYCLES: tuple[Kind, ...] = ("runs", "turns", "false", "cycle")
 _LINE = re.compile(r"(?:(?P<file>\S.*?):)?(?P<line>\d{1,9})")
 _WORDS: dict[str, Kind] = {
     "line": "block", "fires": "fires", "runs": "runs", "turns": "turns", "cycle": "cycle",
+    "statement": "statement",
 }  # fmt: skip
 _NAMED: dict[str, Kind] = {"changes": "changes", "written": "written"}
-_ALONE: dict[str, Kind] = {"message": "message", "error": "error", "notice": "notice"}
+_ALONE: dict[str, Kind] = {
+    "message": "message", "error": "error", "notice": "notice", "fault": "fault",
+}  # fmt: skip
 
 #: A serial number that no cycle reaches.
 _ANY_SERIAL = 1 << 53
@@ -90,13 +94,15 @@ class StopAt:
     realtime ``cycle`` that begins in a line runs; a ``condition`` becomes true; the value of an
     expression ``changes``; a cycle has ``written`` another value into a variable; a ``function``
     goes out; a ``message``; an ``error``; a ``notice`` about a cycle; anything is ``handed`` to the
-    PLC, a function or a spindle's job; a channel has ``paused`` at single block or M00. ``text``:
-    the expression, variable or function. ``file``: empty for any file. ``only_if``: an expression
-    that must be true as well. ``count``: how often it must hold. ``channel``: the one whose
+    PLC, a function or a spindle's job; a channel has ``paused`` at single block or M00; a PLC in
+    Structured Text passes a ``statement`` of a line, 0: any, or stops by a ``fault``. ``text``: the
+    expression, variable or function, of a fault its number, empty: any. ``file``: empty for any
+    file. ``only_if``: an expression that must be true as well, before a statement of the PLC in its
+    own language. ``count``: how often it must hold, in different ticks. ``channel``: the one whose
     variables the expressions name, from 1; with ``is_of_channel`` a block or event holds in no
-    other. ``max_depth``: at most this many programs are open in the last block of the tick, 0: any
-    number. ``statement``: the line of a statement in the branch or cycle, before which ``only_if``
-    is judged; 0: after the tick.
+    other. ``max_depth``: at most this many programs are open in the last block of the tick, or
+    calls at a statement of the PLC, 0: any number. ``statement``: the line of a statement in the
+    branch or cycle, before which ``only_if`` is judged; 0: after the tick.
     """
 
     kind: Kind
@@ -115,9 +121,9 @@ def read_stop(text: str) -> StopAt:
     """Return the stop of a text.
 
     ``line 12`` or ``line part.nc:12``, ``fires 6``, ``runs 6``, ``turns 6``, ``cycle 5``,
-    ``changes V.E.X``, ``written V.E.X``, ``M100``, ``message``, ``error``, ``notice``; anything
-    else is a condition. ``… if CONDITION`` and ``… 3 times`` may follow. Raises ``Failure``
-    (901150).
+    ``statement cell.st:12``, ``changes V.E.X``, ``written V.E.X``, ``M100``, ``message``,
+    ``error``, ``notice``, ``fault``; anything else is a condition. ``… if CONDITION`` and
+    ``… 3 times`` may follow. Raises ``Failure`` (901150).
     """
     text, count = _divided(text.strip(), re.compile(r"(.*\S)\s+(\d{1,9})\s+times", re.IGNORECASE))
     text, only_if = _divided(text, re.compile(r"(.*\S)\s+if\s+(\S.*)", re.IGNORECASE))
@@ -216,6 +222,7 @@ class StopBuilder:
 
     def __init__(self, machine: AssembledMachine) -> None:
         self._machine = machine
+        self.statements = Statements()
         self._definitions: list[CycleDefinition] = []
         self._conditions: dict[tuple[int, str], Expression] = {}
         self._watched: list[tuple[Stop, int]] = []
@@ -230,6 +237,7 @@ class StopBuilder:
         for definition in self._definitions:
             for _, watched in definition.watched:
                 watched.put(Watch())
+        self.statements.begin()
         self._watched = self._built(stops, is_watched=True)
         self._stops = stops
         self._machine.kernel.stops.watch([stop for stop, _ in self._watched])
@@ -273,8 +281,10 @@ class StopBuilder:
         ]
 
     def _nodes(self, stop: StopAt, *, is_watched: bool) -> Iterable[Stop]:
-        guard = self._guard(stop)
+        guard = Constant(1.0) if stop.kind == "statement" else self._guard(stop)
         match stop.kind:
+            case "statement" | "fault":
+                return self.statements.nodes(stop, guard, is_watched=is_watched)
             case "condition":
                 return (BecomesTrue(self._condition(stop, stop.text), 1, guard, stop.count),)
             case "changes":
@@ -385,9 +395,3 @@ class StopBuilder:
     def read(self, text: str, channel: int = 1) -> Expression:
         """Return the expression of a text in the controller's language; raises ``Failure``."""
         return read_expression(self._machine, text, channel)
-
-
-def names_file(asked: str, name: str) -> bool:
-    """Return whether a file is meant by its name, by the end of its path, or by no name at all."""
-    name, asked = name.replace("\\", "/"), asked.replace("\\", "/")
-    return not asked or name == asked or name.endswith(f"/{asked}")

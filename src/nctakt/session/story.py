@@ -21,6 +21,7 @@ from nctakt.run.input_words import WRITE
 from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
 from nctakt.session.branch import Branch
 from nctakt.session.comparing import BranchDifference
+from nctakt.session.cursor import Cursor
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
 from nctakt.session.past import Past
@@ -57,6 +58,7 @@ class Story:
     def __init__(self, setup: Setup, poll: Poll = lambda: None) -> None:
         self.timeline = Timeline(setup, poll)
         self.description: Description = self.timeline.description
+        self.cursor = Cursor(self.timeline)
         self.stops: tuple[StopAt, ...] = ()
         self.delay: int | None = None
         self._latest = self.timeline.run(0)
@@ -120,6 +122,8 @@ class Story:
         """
         watched = self.stops if stops is None else tuple(stops)
         last = _NEVER if end is None else end
+        if last > self.tick:
+            self.cursor.leave()
         if self.delay is None:
             self._latest = self.timeline.run(last, watched, events=events, rests=rests)
         else:
@@ -160,6 +164,26 @@ class Story:
             if (answer.kind, answer.values) not in planned:
                 self.timeline.post([answer])
 
+    def moved_within(self, stops: Sequence[StopAt], *, is_back: bool = False) -> Slice | None:
+        """Go to the next statement of this cycle of the PLC at which a stop holds, or back to one.
+
+        Returns the latest slice with these stops as its hits; ``None`` where there is none.
+        """
+        own = [index for index, stop in enumerate(stops) if stop.kind == "statement"]
+        chosen = [stops[index] for index in own]
+        cursor = self.cursor
+        met = cursor.last_in_tick(chosen) if is_back else cursor.next_in_tick(chosen)
+        if not met:
+            return None
+        return replace(self._latest, hits=tuple(own[index] for index in met))
+
+    def enter(self, stops: Sequence[StopAt], hits: Sequence[int]) -> None:
+        """Be where in the last tick the first of some stops has held, if the PLC has."""
+        held = [stops[hit] for hit in hits if hit < len(stops)]
+        if any(stop.kind == "fault" for stop in held) and self.cursor.enter_fault():
+            return
+        self.cursor.first_in_tick([stop for stop in held if stop.kind == "statement"])
+
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""
         return self.run(self.tick + ticks, stops=())
@@ -171,6 +195,7 @@ class Story:
 
         Where it is interrupted it stays where it was.
         """
+        self.cursor.leave()
         self._latest = self.timeline.go_to(tick, branch)
         return self._latest
 
@@ -346,6 +371,7 @@ class Story:
 
     def close(self) -> None:
         """End the session."""
+        self.cursor.leave()
         self.timeline.close()
 
 

@@ -497,6 +497,19 @@ class Timeline:
             self.progress = None
         return engine
 
+    def inside(self) -> RemoteEngine:
+        """Return a controller before the last tick that this one has run, kept for the next time.
+
+        Close it after use. Raises ``Failure`` as ``trial``.
+        """
+        engine = self.trial(self.tick - 1)
+        if self._can_copy:
+            self._parked.add(
+                Parked(self.branch, engine.tick, self.branch.work_at(engine.tick), engine.copy())
+            )
+            self._parked.thin_out(self.branch.work_at(self.tick))
+        return engine
+
     def ahead(self) -> RemoteEngine | None:
         """Return a controller at the end of this branch to run ahead, in whichever thread.
 

@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.st.sources import Sources
 from nctakt.st.tree import GlobalList
-from nctakt.st.types import InterfaceType, Pou, Type, Variable
+from nctakt.st.types import Callable, Expression, InterfaceType, Pou, Type, Variable
 
 
 @dataclass(slots=True, eq=False)
@@ -19,6 +20,13 @@ class Task:
     cycle_us: int
     priority: int
     programs: list[Pou]
+
+
+class SingleReader(Protocol):
+    """Checks an expression that belongs to no body: a condition, a question of a debugger."""
+
+    def read(self, text: str, unit: Callable | None) -> Expression:
+        """Return it in the scope of a unit, or of global names; raises ``Failure``."""
 
 
 @dataclass(slots=True, eq=False)
@@ -44,3 +52,5 @@ class Program:
     blocks: list[Pou] = field(default_factory=list)
     has_errors: bool = False
     files: list[str] = field(default_factory=list)
+    #: Reads further expressions in the scopes of the project, once it has been checked.
+    single: SingleReader | None = None

@@ -7,6 +7,8 @@ line; each once for a position.
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Message, Severity, Span
@@ -22,6 +24,16 @@ class Reporter:
         self.collector = collector
         self._known: set[tuple[int, int, str]] = set()
         self.error_count = 0
+
+    @contextlib.contextmanager
+    def apart(self) -> Iterator[Collector]:
+        """Gather what is reported meanwhile by itself, as if nothing had been reported before."""
+        outer = self.collector, self._known, self.error_count
+        self.collector, self._known, self.error_count = Collector(), set(), 0
+        try:
+            yield self.collector
+        finally:
+            self.collector, self._known, self.error_count = outer
 
     def report(self, message: Message, start: int, end: int, **values: object) -> None:
         """Report a message at a stretch of text, unless it was reported there."""

@@ -32,6 +32,7 @@ from nctakt.translation.frames import Frame
 from nctakt.translation.layout import Layout
 from nctakt.translation.locations import Location
 from nctakt.translation.noting import NoteRows
+from nctakt.translation.probing import Probes
 
 
 class CannotRunError(Exception):
@@ -53,6 +54,8 @@ class Routines(Protocol):
     counted: Mapping[int, int]
     #: What is noted of its own code, if somebody wants to know why it acted.
     notes: NoteRows | None
+    #: The probes of its own code, while somebody debugs.
+    probes: Probes | None
 
     def routine(self, called: Callable) -> Routine:
         """Return the routine of a function, method or body."""
@@ -95,6 +98,9 @@ class Body(ABC):
         #: What is noted of this code.
         known = project.notes
         self.notes = known if known is not None and id(called) in known.units else None
+        #: The probes of this code, while somebody debugs it.
+        probes = project.probes
+        self.probes = probes if probes is not None and id(called) in probes.units else None
         #: The dereference that the assignment at work writes through.
         self.written: Expression | None = None
         #: Nodes of the statement at work: its cost.

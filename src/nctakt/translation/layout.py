@@ -131,6 +131,10 @@ class Layout:
             self._literals += content
         return found
 
+    def known_literal(self, content: bytes) -> int | None:
+        """Return the address of bytes that do not change, ``None`` where there are none such."""
+        return self._known.get(content)
+
     @property
     def interface(self) -> int:
         """The address where the interface to the CNC begins, once all literals are known."""

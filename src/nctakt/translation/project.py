@@ -34,6 +34,7 @@ from nctakt.translation.initialisation import Initialisation
 from nctakt.translation.layout import Layout, lay_out_frame
 from nctakt.translation.locations import Location, Origin
 from nctakt.translation.noting import NoteRows
+from nctakt.translation.probing import Probes
 from nctakt.translation.reflection import InstancePaths
 from nctakt.translation.units import methods_of
 
@@ -58,13 +59,14 @@ def translate(
     program: Program,
     counted: Mapping[int, int] | None = None,
     notes: NoteRows | None = None,
+    probes: Probes | None = None,
 ) -> Translation:
     """Translate what the tasks of a checked program reach.
 
     ``counted``: the numbers of the conditions and bodies that are counted, by identity.
-    ``notes``: what is noted of its own code.
+    ``notes``: what is noted of its own code, ``probes``: those of its own statements.
     """
-    project = _Project(program, counted or {}, notes)
+    project = _Project(program, counted or {}, notes, probes)
     start, end = project.start(), project.end()
     bodies = {
         pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
@@ -77,16 +79,21 @@ class _Project:
     """The routines and the memory of a program while they are made."""
 
     def __init__(
-        self, program: Program, counted: Mapping[int, int], notes: NoteRows | None
+        self,
+        program: Program,
+        counted: Mapping[int, int],
+        notes: NoteRows | None,
+        probes: Probes | None,
     ) -> None:
         self.program = program
         self.counted = counted
         self.notes = notes
+        self.probes = probes
         self.layout = Layout(program.data_size)
         self.refused: list[CannotRunError] = []
         self.roots: set[str] = set()
         self._blocks = [one for one in program.pous.values() if one.type is not None]
-        self._numbers = _numbered(self._blocks)
+        self._numbers = numbered(self._blocks)
         self._images = Images(self.number_of)
         self._routines: dict[int, Routine] = {}
         self._shared: dict[int, int] = {}
@@ -316,7 +323,7 @@ def _owners(blocks: list[Pou]) -> dict[int, Pou]:
     return found
 
 
-def _numbered(blocks: list[Pou]) -> dict[int, int]:
+def numbered(blocks: list[Pou]) -> dict[int, int]:
     """Number blocks from 1 so that those derived from one follow it directly."""
     numbers: dict[int, int] = {}
     derived: dict[int, list[Pou]] = {}

@@ -66,8 +66,11 @@ class Statements(Calls):
 
     def statement(self, written: Statement) -> Step:
         """Return a statement; what it keeps for a while is free after it."""
-        step = self._statement(written)
+        step = self._scoped(self._statement(written), written)
         self.frame.release()
+        return step if self.probes is None else self.probes.probed(step, written)
+
+    def _scoped(self, step: Step, written: Statement) -> Step:
         if self.notes is None or leaves_early(written):
             return step
         if isinstance(written, tree.Assignment) and self._is_result(written.target):

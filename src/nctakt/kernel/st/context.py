@@ -66,7 +66,7 @@ class PlcContext:
         self.fault_b = 0
         self.fault_frame = 0
         self.fault_instance = 0
-        self.trail = memoryview(bytearray(16 * (kinds.MAX_DEPTH + 2))).cast("q")
+        self.trail = memoryview(bytearray(8 * kinds.TRAIL_WIDTH * (kinds.MAX_DEPTH + 2))).cast("q")
         self.trail_length = 0
         self.count_end = 0
         self.counts = memoryview(bytearray(8)).cast("q")
@@ -132,11 +132,13 @@ class PlcContext:
         return self.stop_at(source)
 
     def note_call(self, source: int) -> None:
-        """Note a call on the way to the fault, from the innermost one on, with its instance."""
-        if self.trail_length <= 2 * kinds.MAX_DEPTH:
+        """Note a call on the way to the fault, from the innermost one on, with its caller."""
+        if self.trail_length <= kinds.TRAIL_WIDTH * kinds.MAX_DEPTH:
             self.trail[self.trail_length] = source
             self.trail_length += 1
             self.trail[self.trail_length] = self.instance
+            self.trail_length += 1
+            self.trail[self.trail_length] = self.frame
             self.trail_length += 1
 
     def checked(self, address: int, size: int) -> int:

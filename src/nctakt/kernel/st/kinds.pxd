@@ -90,6 +90,8 @@ cdef enum:
     INVALID = 902260
     STEP = 902271
     RAISED = 902360
+    HALTED = 1
+    TRAIL_WIDTH = 3
     SLACK = 65536
     NULL_BYTES = 4096
     MAX_DEPTH = 200

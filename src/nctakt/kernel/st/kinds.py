@@ -53,6 +53,10 @@ CONVERSION = 902270
 INVALID = 902260
 STEP = 902271
 RAISED = 902360
+#: No fault: a debugger has halted the tick before a statement (``probes.py``).
+HALTED = 1
+#: Words of a call on the way to a fault: its source, and instance and frame of its caller.
+TRAIL_WIDTH = 3
 
 #: Bytes reserved after the memory: offsets of accesses without a check are smaller.
 SLACK = 65536

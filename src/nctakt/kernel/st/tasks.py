@@ -65,6 +65,10 @@ class CyclicTask(PlcTask):
         self.count = 0
         self.overruns = 0
 
+    def exchange(self, body: Step) -> None:
+        """Run this from now on: the same programs, with probes."""
+        self.body = body
+
     def is_due(self, end: int) -> int:
         return 1 if self.due < end else self.others.is_due(end)
 
@@ -237,7 +241,8 @@ class PlcTasks(PlcSide):
             self.context.notes.refresh(self.context.memory, begin)
         if self.tasks.run(self.context, begin, begin + self.tick_ns) == kinds.STOPS:
             self.has_news = True
-            self.cnc.leave()
+            if self.context.fault != kinds.HALTED:
+                self.cnc.leave()
         elif self.cnc.take() or self.context.overrun_task:
             self.has_news = True
         if self.context.notes.log_end > kinds.NOTE_LOG >> 1:

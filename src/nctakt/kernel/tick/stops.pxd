@@ -9,6 +9,8 @@ from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.cycles.cycles cimport RealtimeCycle
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.instructions cimport Watch
+from nctakt.kernel.st.context cimport PlcContext
+from nctakt.kernel.st.probes cimport Sought
 
 cdef class Stop:
     cdef Expression guard
@@ -73,6 +75,21 @@ cdef class RunsThrough(Stop):
 cdef class Turns(Stop):
     cdef Condition condition
     cdef int truth
+    cdef int previous
+    cdef void begin(self, Context context) noexcept nogil
+    @cython.locals(before=int)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class PassesStatement(Stop):
+    cdef Sought sought
+    cdef long long previous
+    cdef void begin(self, Context context) noexcept nogil
+    @cython.locals(before=cython.longlong)
+    cdef int holds(self, Context context, Record record) noexcept nogil
+
+cdef class Faults(Stop):
+    cdef PlcContext plc
+    cdef int number
     cdef int previous
     cdef void begin(self, Context context) noexcept nogil
     @cython.locals(before=int)

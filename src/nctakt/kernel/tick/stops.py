@@ -18,6 +18,8 @@ from nctakt.kernel.cycles.context import Context, context_of
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.kernel.cycles.instructions import Watch
+from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.probes import Sought
 
 
 class Stop:
@@ -229,6 +231,43 @@ class Turns(Stop):
         if before == codes.UNKNOWN and self.truth == codes.FALSE:
             return 0
         return 1 if self.previous == self.truth and before != self.truth else 0
+
+
+class PassesStatement(Stop):
+    """A PLC passes a statement that is looked for."""
+
+    def __init__(self, sought: Sought, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.sought = sought
+        self.previous = 0
+
+    def begin(self, context: Context) -> None:
+        self.previous = self.sought.held
+
+    def holds(self, context: Context, record: Record) -> int:
+        before = self.previous
+        self.previous = self.sought.held
+        return 1 if self.previous != before else 0
+
+
+class Faults(Stop):
+    """A fault stops a PLC: one message by its number, or any, 0."""
+
+    def __init__(self, plc: PlcContext, number: int, guard: Expression, hits_needed: int) -> None:
+        super().__init__(guard, hits_needed)
+        self.plc = plc
+        self.number = number
+        self.previous = 0
+
+    def begin(self, context: Context) -> None:
+        self.previous = self.plc.fault
+
+    def holds(self, context: Context, record: Record) -> int:
+        before = self.previous
+        self.previous = self.plc.fault
+        if self.number and self.previous != self.number:
+            return 0
+        return 1 if self.previous and before == 0 else 0
 
 
 class Link:

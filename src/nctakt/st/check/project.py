@@ -24,6 +24,7 @@ from nctakt.st.check.addresses import report_overlaps
 from nctakt.st.check.conversions import bases_of
 from nctakt.st.check.names import Names, Namespace, Scope
 from nctakt.st.check.resolver import Resolver
+from nctakt.st.check.single import SingleExpressions
 from nctakt.st.check.statements import StatementChecker
 from nctakt.st.files.libraries import OwnLibrary
 from nctakt.st.files.objects import parse_text
@@ -453,6 +454,7 @@ def checked(name: str, declarations: list[Declaration], checker: ProjectChecker)
     checker.check(declarations)
     tasks = checker.tasks([node for node in declarations if isinstance(node, TaskNode)])
     program = _program(name, resolver, names, tasks)
+    program.single = SingleExpressions(checker)
     report_overlaps(program, resolver.reporter)
     return program
 

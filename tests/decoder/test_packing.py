@@ -427,6 +427,7 @@ _NOT_QUEUED = {
     commands.DecoderWait,
     commands.DecoderSignal,
     commands.NextTick,
+    commands.Pause,
 }
 
 

@@ -74,6 +74,12 @@ class SourceFiles:
         self._by_name[file] = len(self._files) - 1
         return len(self._files) - 1
 
+    def copy(self) -> SourceFiles:
+        """Return the texts that are there now, whatever is added later."""
+        other = SourceFiles()
+        other._files, other._by_name = list(self._files), dict(self._by_name)
+        return other
+
     @contextlib.contextmanager
     def untouched(self) -> Iterator[None]:
         """Forget the texts that are added inside at the end."""

@@ -97,6 +97,11 @@ class Compensation:
         """The path of the tool's centre, made for the first contour."""
         return ToolPath()
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether no motion is held."""
+        return not self._motions
+
     def compensate(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
         """Yield the commands of a program with its contours compensated; raises ``DecodeError``."""
         answer: Answer = None

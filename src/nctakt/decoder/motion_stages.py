@@ -35,6 +35,12 @@ class MotionStages:
         """Whether the next motion shapes what is held."""
         return self._shaping.needs_next or self._contouring.needs_next
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether no stage holds a motion, so that commands pass at once."""
+        stages = (self._shaping, self.compensation, self._contouring)
+        return all(stage.is_idle for stage in stages)
+
     def run(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
         """Yield the commands of a program with its motions changed; raises ``DecodeError``."""
         shaped = self._shaping.shape(commands)

@@ -7,7 +7,10 @@ Mistakes that depend on values raise ``DecodeError``.
 
 from __future__ import annotations
 
+import itertools
+import operator
 from collections.abc import Callable, Generator, Iterable
+from functools import partial
 from math import nan
 
 from nctakt.base.diagnostics import Span
@@ -32,6 +35,7 @@ from nctakt.decoder.motion_stages import MotionStages
 from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
 from nctakt.decoder.state.commands import (
     CONTROL_ACTIONS,
+    PAUSE,
     Answer,
     BlockMark,
     Command,
@@ -144,6 +148,9 @@ class ProgramDecoder:
         self._passes: dict[Span, int] = {}
         self._nested = 0
         self._current: tree.Statement | None = None
+        #: Called with statements of the main program; where it returns true, the commands pause
+        #: before the statement.
+        self.pauses_before: Callable[[tree.Statement], bool] | None = None
 
     def decode(self, program: ProgramText, members: list[int]) -> Generator[Command, Answer]:
         """Return the commands of a run of the main program; the last one is its end.
@@ -158,6 +165,16 @@ class ProgramDecoder:
             commands = self._search.filter(commands, program.main.span)
         return commands
 
+    def resume(self, program: ProgramText, statement: tree.Statement) -> Generator[Command, Answer]:
+        """Return the commands from a statement on before which they have paused."""
+        self._nested = 0
+        commands = self._exchange.resume(self._rest(program, statement), lambda: self._current)
+        return self._stages.run(commands)
+
+    def _rest(self, program: ProgramText, statement: tree.Statement) -> Generator[Command, Answer]:
+        yield from self._run_frame(self._call_stack.top, statement)
+        yield from self._end(program)
+
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
         yield from self._hash_commands.begin_program(program.main.span)
         implicit = self._environment.parameters.implicit_programs
@@ -170,6 +187,10 @@ class ProgramDecoder:
             signal = yield from self._call(start, program.main.span)
         if not signal:
             yield from self._run_frame(frame)
+        yield from self._end(program)
+
+    def _end(self, program: ProgramText) -> Generator[Command, Answer]:
+        implicit = self._environment.parameters.implicit_programs
         if implicit.program_end:
             end = self._calls.implicit_frame(implicit.program_end, program.main.span)
             yield from self._call(end, program.main.span)
@@ -199,11 +220,14 @@ class ProgramDecoder:
         self._call_stack.enter(frame)
         self._state.shapes.waits_for_next |= frame.text.joins_motions
 
-    def _run_frame(self, frame: CallFrame) -> Decoding:
-        """Run a program from start to end; a jump restarts it at its label."""
+    def _run_frame(self, frame: CallFrame, first: tree.Statement | None = None) -> Decoding:
+        """Run a program from start to end, or from a statement on; a jump restarts it."""
         label: str | None = None
         while True:
             statements = frame.text.statements(frame.section, label)
+            if first is not None:
+                begin, first = first, None
+                statements = itertools.dropwhile(partial(operator.is_not, begin), statements)
             signal = yield from self._statements(statements, label)
             if not isinstance(signal, Jump):
                 return signal
@@ -253,6 +277,9 @@ class ProgramDecoder:
                     self._nested -= 1
                     return signal
             if label is None:
+                if self.pauses_before is not None and reader is None and self._may_pause:
+                    if self.pauses_before(statement):
+                        yield PAUSE
                 signal = yield from self._statement(statement)
             elif not leads_to(statement, label):
                 continue
@@ -274,6 +301,17 @@ class ProgramDecoder:
         if self._call_stack.modal_count and not is_part:
             return (yield from self._repeated())
         return ""
+
+    @property
+    def _may_pause(self) -> bool:
+        """Whether nothing but the place in the main program says how decoding goes on."""
+        return (
+            self._nested == 1
+            and len(self._call_stack.frames) == 1
+            and not self._call_stack.modal_count
+            and not self._search.is_active
+            and self._stages.is_idle
+        )
 
     def _repeated(self, line: int | None = None) -> Decoding:
         """Run the modal call that is due before the block in this line, or at the end."""

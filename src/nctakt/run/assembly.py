@@ -19,7 +19,7 @@ from nctakt.decoder.axis_limits import apply_axis_limits
 from nctakt.decoder.kinematics.selection import ChannelKinematics
 from nctakt.decoder.state.axis_places import AxisPlace, ChannelPlaces, ExchangeAxes, indices_of
 from nctakt.decoder.state.controller_data import controller_data
-from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.environment import DecoderEnvironment, WatchedEnvironment
 from nctakt.decoder.state.offsets import ActiveOffsets
 from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.state.transformation import ActiveTransformation
@@ -192,6 +192,8 @@ class AssembledMachine:
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
         self.poll: Callable[[], None] = do_nothing
+        #: Whether decoders note that they use the memory (``WatchedEnvironment``).
+        self.watches_decoder = False
 
     def report_stale(self, name: str) -> None:
         """Report, once for each name, an acknowledgement of an entry that has gone (900671)."""
@@ -245,7 +247,7 @@ class AssembledMachine:
         ``names``: those of a program that fetches axes.
         """
         own = self.assembled[channel]
-        return DecoderEnvironment(
+        environment = DecoderEnvironment(
             names or own.names,
             own.parameters,
             indices_of(own.places.present),
@@ -275,6 +277,7 @@ class AssembledMachine:
             own.places,
             self.realtime.kept_cycles if names is None else None,
         )
+        return WatchedEnvironment(environment) if self.watches_decoder else environment
 
     # --- axes that change their channel ---------------------------------------------------------
 

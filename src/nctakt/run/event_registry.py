@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections import Counter
 from collections.abc import Callable, Sequence
 
@@ -58,6 +59,12 @@ class EventRegistry:
         self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
         #: Where a statement of the PLC in the tick is, by its number.
         self.plc_span: Callable[[int], Span | None] | None = None
+
+    def with_own_files(self) -> EventRegistry:
+        """Return the same names in another object, for when this one gets others."""
+        other = copy.copy(self)
+        other._files = self._files.copy()
+        return other
 
     # --- names of events ------------------------------------------------------------------------
 

@@ -556,6 +556,13 @@ def completed(given: RunKeywords) -> RunKeywords:
     return options
 
 
+def with_further(options: RunKeywords, given: RunKeywords) -> RunKeywords:
+    """Return complete options with others, which are checked; raises as ``completed``."""
+    for name, value in given.items():
+        BY_NAME[name].kind.check(name, value)
+    return cast("RunKeywords", {**options, **given})
+
+
 def merged(options: ProgramOptions, further: RunKeywords) -> RunKeywords:
     """Return the options of both; ``further`` counts where both have one."""
     return cast("RunKeywords", {**options, **further})

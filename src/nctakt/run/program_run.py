@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.notebook_progress import NotebookProgress, notebook_progress
+from nctakt.base.source_ids import SourceFiles
 from nctakt.decoder.state.start_block import StartBlock
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
 from nctakt.messages.session import PROGRAM_NOT_SELECTED
+from nctakt.nc import tree
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import CycleResult, ExplainedRun, RecordedRun, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
@@ -37,6 +39,7 @@ from nctakt.run.stimuli import as_inputs, not_reached, read_stimulus
 from nctakt.run.tick_loop import TickLoop, TickShares
 from nctakt.run.wait_reasons import wait_reasons
 from nctakt.trace.recorded import MemorySink
+from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
     pass
@@ -130,6 +133,11 @@ class ProgramRun:
             plc.begin_run(PlcView(machine))
 
     @property
+    def options(self) -> RunKeywords:
+        """All options of the run."""
+        return self._options
+
+    @property
     def machine(self) -> AssembledMachine:
         """The machine that it runs on."""
         return self._machine
@@ -173,6 +181,46 @@ class ProgramRun:
             done = self._loop.tick - self._first_tick
             notebook.show(done, None if self._default_limit() else self._limit())
 
+    # --- beginning again ------------------------------------------------------------------------
+
+    def pause(self, pauses_before: Callable[[tree.Statement], bool]) -> bool:
+        """Let the first channel decode up to a pause before a statement, before the first tick.
+
+        Returns whether it has paused (``QueueFeeder.pause``).
+        """
+        if self._parts is None:
+            self.load()
+        assert self._parts is not None
+        if next(self._parts, None) is None:
+            return False
+        feeder = self._loop.channels[0].feeder
+        return feeder is not None and feeder.pause(pauses_before)
+
+    def leave_names(self) -> None:
+        """Let the results so far keep their names: what they are taken from will be put back."""
+        self._loop.recording.leave_names()
+
+    def begin_again(self, options: RunKeywords) -> None:
+        """Begin as another run from the pause before a statement, in which all objects are again.
+
+        ``options`` are those of the run that begins: with other values, times and sinks. Raises
+        ``Failure`` for those that the machine does not take.
+        """
+        machine, loop = self._machine, self._loop
+        self._options = options
+        self._stimuli = [read_stimulus(stimulus) for stimulus in options["at"]]
+        for name, value in (options["set"] or {}).items():
+            machine.write(name, value)
+        machine.access.apply_writes()
+        for stimulus in self._stimuli:
+            machine.access.check(stimulus.name, stimulus.value)
+        known = machine.signals()
+        self.before = {name: machine.cells[known[name].cell] for name in self._signals}
+        machine.inputs.plan(as_inputs(self._stimuli, self._first_tick, self._cycle_time_us))
+        self._memory = MemorySink() if options["memory_trace"] else None
+        loop.recording.listen_anew(self._sinks(), self._signals)
+        self._parts = self._run_channels([loop.channels[0]])
+
     # --- going on -------------------------------------------------------------------------------
 
     def load(self) -> None:
@@ -202,14 +250,19 @@ class ProgramRun:
         options, signals = self._options, self._signals
         if options["condition_signals"]:
             signals = with_condition_signals(signals, programs, self._machine)
-        memory = (self._memory,) if self._memory else ()
         self._loop.recording.open(
-            [*options["sinks"], *memory, *([self._statistics] if self._with_statistics else [])],
+            self._sinks(),
             signals,
             options["record_writes"] and (bool(options["sinks"]) or options["memory_trace"]),
             options["why"],
             options["blocks"],
         )
+
+    def _sinks(self) -> list[Sink]:
+        """Return who listens to the trace."""
+        memory = (self._memory,) if self._memory else ()
+        statistics = (self._statistics,) if self._with_statistics else ()
+        return [*self._options["sinks"], *memory, *statistics]
 
     @property
     def texts(self) -> list[ProgramText]:
@@ -244,7 +297,7 @@ class ProgramRun:
 
     def _run_programs(self, programs: Mapping[int, Sequence[LoadedProgram]]) -> Iterator[int]:
         """Yield up to which tick the loop may go next; set the state at the end."""
-        loop, end = self._loop, self._end
+        loop = self._loop
         waits, stays = self._options["wait_for_start"], self._options["stays"]
         channels = [loop.channels[number - 1] for number, own in programs.items() if own or stays]
         if not waits:
@@ -252,6 +305,11 @@ class ProgramRun:
         for number, own in programs.items():
             loop.channels[number - 1].queue(own, waits_for_start=waits)
         loop.ends_deadlock = not waits and not stays
+        yield from self._run_channels(channels)
+
+    def _run_channels(self, channels: Sequence[ChannelRun]) -> Iterator[int]:
+        """Yield up to which tick the loop may go next, from the begin of the programs on."""
+        loop, end, stays = self._loop, self._end, self._options["stays"]
         while self._proceed(channels) or stays:
             if loop.is_deadlocked:
                 self._diagnostics += deadlock(self._machine, self._loaded)
@@ -328,11 +386,19 @@ class ProgramRun:
 
     def _cycles(self) -> tuple[CycleResult, ...]:
         """Return the realtime cycles with what they and their branches have run in this run."""
+        if not self._with_statistics:
+            return ()
         registry = self._machine.registry
         runs, bodies = registry.runs(), registry.bodies()
         runs.subtract(self._runs_before)
         bodies.subtract(self._bodies_before)
         return self._statistics.cycles(runs, bodies)
+
+    def _drawer(self) -> Callable[[], RunDrawer]:
+        """Return what makes the drawer of this run; the machine may run again before."""
+        machine = self._machine
+        limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
+        return functools.partial(_drawer, machine, machine.files.copy(), limits_jerk)
 
     def result(self) -> Run:
         """Return the result of a run that is over and closed."""
@@ -379,17 +445,16 @@ class ProgramRun:
             overflows=statistics.schedule.overflows(),
             why=report,
             coverage=coverage,
-            drawer=None if self._memory is None else functools.partial(_drawer, machine),
+            drawer=None if self._memory is None else self._drawer(),
             before=self.before,
         )
 
 
-def _drawer(machine: AssembledMachine) -> RunDrawer:
-    """Return what draws runs of a machine."""
+def _drawer(machine: AssembledMachine, files: SourceFiles, limits_jerk: bool) -> RunDrawer:
+    """Return what draws runs of a machine; ``files``: the texts of its programs."""
     from nctakt.plots.drawer import Drawer  # noqa: PLC0415 - few runs are drawn
 
-    limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
-    return Drawer(machine.channel_axes, machine.files.line_at, limits_jerk=limits_jerk)
+    return Drawer(machine.channel_axes, files.line_at, limits_jerk=limits_jerk)
 
 
 def _notebook_of(options: RunKeywords) -> NotebookProgress | None:

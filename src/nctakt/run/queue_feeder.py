@@ -17,7 +17,7 @@ from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.program import ProgramDecoder
 from nctakt.decoder.state import commands
 from nctakt.decoder.state.axis_places import ExchangeAxes
-from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.commands import PAUSE, Answer, Command
 from nctakt.decoder.state.environment import DecodeError
 from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.modal_state import state_at_program_start
@@ -30,6 +30,7 @@ from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.messages import diagnostic
 from nctakt.messages.files import TEXT_CHANGED
 from nctakt.messages.realtime import TOO_MANY_CYCLES
+from nctakt.nc import tree
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
@@ -59,6 +60,7 @@ class QueueFeeder:
         start: StartBlock | None = None,
     ) -> None:
         self._machine = machine
+        self._program = program
         self._index = program.channel
         self._channel = machine.channels[program.channel]
         self._report = report
@@ -98,6 +100,7 @@ class QueueFeeder:
         self._since = 0
         self._answer: tuple[Answer, ...] = ()
         self._budget = budget
+        self._is_paused = False
         if budget is not None:
             budget.forgive()
         blocks = self._channel.queue.look_ahead.blocks
@@ -120,6 +123,28 @@ class QueueFeeder:
                 self._give_up(diagnostic(TEXT_CHANGED, file=str(error.path)))
             if self._unloaded is not None or self._unpaid is not None:
                 return
+
+    def pause(self, pauses_before: Callable[[tree.Statement], bool]) -> bool:
+        """Decode as ``refill``, up to a pause before a statement; return whether there was one.
+
+        ``pauses_before``: called with the statements of the main program before which decoding can
+        pause.
+        """
+        self._decoder.pauses_before = pauses_before
+        while self.can_decode and not self._is_paused and self._unloaded is None:
+            self._next()
+        self._decoder.pauses_before = None
+        is_paused, self._is_paused = self._is_paused, False
+        return is_paused
+
+    def drop(self) -> None:
+        """Leave decoding where it is."""
+        self._decoded.close()
+
+    def resume(self, statement: tree.Statement) -> None:
+        """Fill the queue on from a pause before a statement, in which this feeder is again."""
+        self._decoded = self._decoder.resume(self._program.text, statement)
+        self.refill()
 
     @property
     def can_decode(self) -> bool:
@@ -208,6 +233,9 @@ class QueueFeeder:
         self._channel.decoder_open = False
 
     def _take(self, command: Command) -> None:
+        if command is PAUSE:
+            self._is_paused = True
+            return
         if isinstance(command, PlainRun):
             tick = self._machine.kernel.tick
             command.blocks.fill(self._channel.queue, self.high_water, tick)

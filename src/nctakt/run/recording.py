@@ -109,6 +109,23 @@ class Recording:
         self._noticed = set()
         self._motions = ended_motions.EndedMotions(self._machine)
 
+    def leave_names(self) -> None:
+        """Let the events so far keep their names; the registry is going to have others."""
+        self._events.names = self._machine.registry.with_own_files()
+
+    def listen_anew(self, sinks: Sequence[Sink], signals: Sequence[str]) -> None:
+        """Let these sinks have what the run records from its begin on; no one has had any of it.
+
+        The signals are those of ``open``. What listened before keeps its names.
+        """
+        self._events = EventDecoder(
+            self._machine.configuration.cycle_time_us, self._machine.registry
+        )
+        self._listen(sinks)
+        header = self._select(signals if self._row_sinks else ())
+        for sink in sinks:
+            sink.open(header)
+
     def close(self) -> None:
         """End the recording of a run."""
         for sink in self._sinks:

@@ -15,6 +15,7 @@ from typing import Protocol, Self, Unpack
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.lists.machine.machine import Machine
 from nctakt.results.run import Run
+from nctakt.run.beginning import Beginning, Beginnings, in_common, may_share, varied
 from nctakt.run.options import RunKeywords, check_keywords
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText, ProgramErrors
 from nctakt.run.program_run import ProgramRun
@@ -22,6 +23,17 @@ from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.realtime_parts import RealtimeParts
 
 _Program = str | Path | NcText
+
+
+def _result(run: ProgramRun) -> Run:
+    """Go on to the end of a run and return its result; Ctrl-C ends it where it is."""
+    try:
+        run.advance()
+    except KeyboardInterrupt:
+        run.interrupt()
+    finally:
+        run.close()
+    return run.result()
 
 
 class OneController(Protocol):
@@ -53,6 +65,7 @@ class ReusableController:
         self._machine = machine
         self._new = new
         self._parts = RealtimeParts()
+        self._beginnings: Beginnings[OneController] = Beginnings()
         self._loaded: dict[tuple[int, _Program], LoadedProgram] = {}
 
     def __enter__(self) -> Self:
@@ -65,6 +78,7 @@ class ReusableController:
         trace: TracebackType | None,
     ) -> None:
         self._parts = RealtimeParts()
+        self._beginnings = Beginnings()
         self._loaded.clear()
 
     def run(
@@ -75,22 +89,42 @@ class ReusableController:
     ) -> Run:
         """Run programs on a machine as at start-up; options and failures as ``Controller.run``."""
         check_keywords("ReusableController.run", "python", options)
+        begun = self._begun_again(programs, options) if not channels else None
+        if begun is not None:
+            beginning, run = begun
+            try:
+                return _result(run)
+            finally:
+                beginning.give_back()
         lent = self._parts.lend(self._machine)
         controller = self._new(lent.part)
         loaded = {
             channel: tuple(self._program(controller, program, channel) for program in of_channel)
             for channel, of_channel in {1: programs, **(channels or {})}.items()
         }
-        run = controller.begin(loaded, **options)
-        try:
-            run.advance()
-        except KeyboardInterrupt:
-            run.interrupt()
-        finally:
-            run.close()
-        result = run.result()
+        result = _result(controller.begin(loaded, **options))
         lent.give_back()
         return result
+
+    def _begun_again(
+        self, programs: Sequence[_Program], options: RunKeywords
+    ) -> tuple[Beginning[OneController], ProgramRun] | None:
+        """Begin a run where others of this program have begun, if that is possible."""
+        loaded = self._loaded.get((1, programs[0])) if len(programs) == 1 else None
+        if not isinstance(loaded, LoadedProgram) or not may_share(options):
+            return None
+        try:
+            common = programs[0], in_common(options)
+        except TypeError:
+            return None
+        beginning = self._beginnings.of(
+            common,
+            lambda: Beginning(
+                self._new, self._parts.lend(self._machine), loaded, options, keeps_results=True
+            ),
+        )
+        run = None if beginning is None else beginning.begin(varied(options))
+        return None if beginning is None or run is None else (beginning, run)
 
     def _program(self, controller: OneController, program: _Program, channel: int) -> AnyProgram:
         """Return a program as it was checked; one with errors as it is: its run reports them."""

@@ -10,12 +10,13 @@ import copy
 import hashlib
 from array import array
 from collections.abc import Sequence
+from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
 from nctakt.run.program_run import ProgramRun
-from nctakt.run.realtime_parts import LentPart
+from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.scheduled_run import ScheduledRun
 from nctakt.studies.inputs import RunInputs
 from nctakt.studies.outcome import Outcome
@@ -82,6 +83,15 @@ class FinishedRun:
     digest: str
 
 
+class Lent(Protocol):
+    """What a run works on, given back at its end."""
+
+    part: RealtimePart
+
+    def give_back(self) -> None:
+        """Let another run have it."""
+
+
 class BegunRun:
     """A run that goes on; ``before``: the values of its signals at its begin.
 
@@ -94,7 +104,7 @@ class BegunRun:
         run: ProgramRun,
         inputs: RunInputs,
         digest: Digest,
-        lent: LentPart | None,
+        lent: Lent | None,
     ) -> None:
         self.controller = controller
         self.run = run

@@ -25,6 +25,7 @@ from nctakt.nc.parse.lexer import without_comments
 from nctakt.plc.loading import plc_file
 from nctakt.results.coverage import Coverage
 from nctakt.results.coverage_files import as_json
+from nctakt.run.beginning import Beginning, Beginnings, may_share
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords, merged
 from nctakt.run.plc_view import AnyPlc
@@ -86,6 +87,7 @@ class Bench:
         #: The program as it was checked for a machine.
         self._loaded: dict[Parameters, LoadedProgram] = {}
         self._parts = RealtimeParts()
+        self._beginnings: Beginnings[Controller] = Beginnings()
         self._asks_all = any(isinstance(one.node, PythonMeasure) for one in plan.measures)
         reactions = (expected.reaction for expected in plan.expectations)
         self._reactions = tuple(one for one in reactions if one is not None)
@@ -255,6 +257,10 @@ class Bench:
         ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions;
         ``tape``: records it.
         """
+        if not (blocks or why or tape):
+            again = self._begun_again(inputs)
+            if again is not None:
+                return again
         machine = self._machine_with(inputs.parameters)
         schedule = self._schedule_of(inputs.schedule)
         lent = None if schedule is not None else self._parts.lend(machine)
@@ -276,6 +282,43 @@ class Bench:
         options = merged(self.plan.options, further)
         run = controller.begin({1: (program,)}, statistics=statistics, **options)
         return BegunRun(controller, run, inputs, digest, lent)
+
+    def _begun_again(self, inputs: RunInputs) -> BegunRun | None:
+        """Begin a run where others with these lists and this text have begun, if that is possible.
+
+        What it depends on besides are values, times and sinks.
+        """
+        if self.plan.plc is not None or inputs.faults or self._schedule_files is not None:
+            return None
+        if (
+            inputs.program_variables
+            or self._asks_all
+            or not may_share(merged(self.plan.options, {}))
+        ):
+            return None
+        lists = tuple(inputs.parameters.items())
+        beginning = self._beginnings.of(lists, lambda: self._beginning(inputs))
+        if beginning is None:
+            return None
+        digest = Digest()
+        run = beginning.begin({"set": inputs.assignments, "at": inputs.stimuli, "sinks": (digest,)})
+        if run is None:
+            return None
+        return BegunRun(beginning.controller, run, inputs, digest, beginning)
+
+    def _beginning(self, inputs: RunInputs) -> Beginning[Controller]:
+        """Return the beginning of the runs with the same lists."""
+        machine = self._machine_with(inputs.parameters)
+        lent = self._parts.lend(machine)
+        program = self.program_of(inputs, Controller(machine, None, self.access, lent.part))
+        assert isinstance(program, LoadedProgram)
+        return Beginning(
+            lambda part: Controller(machine, None, self.access, part),
+            lent,
+            program,
+            merged(self.plan.options, {"signals": self.signals}),
+            keeps_results=False,
+        )
 
     def _controller(self, inputs: RunInputs) -> Controller:
         """Return a controller with machine, schedule and the PLC's variables of a run."""

@@ -141,7 +141,9 @@ class Event:
         """Return the times of its occurrences."""
         if self.kind == "ended":
             return [outcome.run.virtual_time_us] if outcome.run.state == "ended" else []
-        return [one.at_us for one in self._occurrences(outcome.queries)]
+        if self not in outcome.times_us:
+            outcome.times_us[self] = [one.at_us for one in self._occurrences(outcome.queries)]
+        return outcome.times_us[self]
 
     def _occurrences(self, queries: NcRun) -> Occurrences:
         if self.kind == "fired":

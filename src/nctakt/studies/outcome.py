@@ -35,6 +35,8 @@ class Outcome:
         self.queries = NcRun(run)
         self.injected_us = injected_us
         self._columns: dict[str, Sequence[float]] = {}
+        #: The times of events that were looked for, by event.
+        self.times_us: dict[object, list[int]] = {}
 
     @cached_property
     def analysis(self) -> Analysis:

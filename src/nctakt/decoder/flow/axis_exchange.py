@@ -60,10 +60,14 @@ class AxisExchange:
         current: Callable[[], tree.Statement | None],
     ) -> Decoded:
         """Run a program with the axes of its list; ``current`` returns the statement at work."""
+        limited = frozenset(self._environment.controller_data.limited_axes)
+        yield from listed_limits_again(self._environment, limited, 0, 0)
+        yield from self._restore(members)
+        yield from self.resume(commands, current)
+
+    def resume(self, commands: Decoded, current: Callable[[], tree.Statement | None]) -> Decoded:
+        """Run a program with the axes that it has."""
         try:
-            limited = frozenset(self._environment.controller_data.limited_axes)
-            yield from listed_limits_again(self._environment, limited, 0, 0)
-            yield from self._restore(members)
             yield from commands
         except AxisNotInChannelError as error:
             statement = current()

@@ -159,6 +159,11 @@ class Contouring:
         """Whether the next motion shapes what is held."""
         return self._held is not None and (self._held.has_actions or self._held.form.is_own)
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether no motion is held."""
+        return self._held is None
+
     def contour(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
         """Yield the commands of a program with its corners rounded; raises ``DecodeError``."""
         answer: Answer = None

@@ -98,6 +98,11 @@ class Shaping:
         held = self._held
         return self._spline is not None or (held is not None and held.corner is not None)
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether no motion is held."""
+        return self._held is None and self._spline is None
+
     def shape(self, commands: Generator[Command, Answer]) -> Generator[Command, Answer]:
         """Yield the commands of a program with its motions shaped; raises ``DecodeError``."""
         answer: Answer = None

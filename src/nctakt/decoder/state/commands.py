@@ -383,6 +383,15 @@ class EmptyBlock(Command):
 
 
 @dataclass(frozen=True, slots=True)
+class Pause(Command):
+    """The decoder is between two statements of the main program; nothing is queued for it."""
+
+
+#: The pause, of no place.
+PAUSE = Pause(0, 0)
+
+
+@dataclass(frozen=True, slots=True)
 class SendSignal(Command):
     """``#SIGNAL SYN`` with this number to the channels of a mask, 0: to all.
 

@@ -7,6 +7,7 @@ Immutable except for the values in memory.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
@@ -82,6 +83,31 @@ class DecoderEnvironment:
     poll: Callable[[], None]
     places: ChannelPlaces
     kept_cycles: KeptTrees | None = None
+
+
+class WatchedEnvironment(DecoderEnvironment):
+    """An environment that notes whether the decoder has used the machine's memory."""
+
+    __slots__ = ("has_used_memory", "watched")
+
+    def __init__(self, watched: DecoderEnvironment) -> None:
+        self.watched = watched
+        for member in fields(watched):
+            if member.name not in ("cells", "memory"):
+                setattr(self, member.name, getattr(watched, member.name))
+        self.has_used_memory = False
+
+    @property
+    def cells(self) -> memoryview[float]:  # type: ignore[override]
+        """The machine's memory."""
+        self.has_used_memory = True
+        return self.watched.cells
+
+    @property
+    def memory(self) -> memoryview:  # type: ignore[override]
+        """The machine's memory as bytes."""
+        self.has_used_memory = True
+        return self.watched.memory
 
 
 class DecodeError(Exception):

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: MIT
+"""Runs that go on after a common beginning are those of a new controller, whatever they do."""
+
+from __future__ import annotations
+
+from collections import deque
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from nctakt import Controller, NcText
+from nctakt.base.failure import Failure
+from nctakt.results.run import Run
+from nctakt.run.beginning import Beginning
+from nctakt.run.kept_objects import KeptObjects, NotKeptError
+from nctakt.run.realtime_parts import RealtimeParts
+
+RUNS = Path(__file__).parent.parent / "runs"
+PROGRAMS = sorted(RUNS.glob("*/program*.nc"))[::3]
+EXAMPLES = RUNS.parent.parent / "examples"
+#: The values of runs that follow each other, and whether they have one at a time.
+VALUES: tuple[tuple[dict[str, float], bool], ...] = (
+    ({"V.E.COUNT": 1.0, "V.E.ASYNC": 4.0}, False),
+    ({"V.E.COUNT": 3.0, "V.E.ASYNC": 2.0, "HLI.OVERRIDE": 50.0}, True),
+    ({}, False),
+)
+READS = """G01 X10 F6000
+N20 #MSG ["%d", V.E.COUNT]
+M30"""
+
+
+def beginning(program: str | Path | NcText, **options: Any) -> Beginning[Controller]:
+    """The beginning of the runs of a program on the demo machine."""
+    first = Controller()
+    loaded = first.load(program)
+    return Beginning(
+        lambda part: Controller(first.machine, None, None, part),
+        RealtimeParts().lend(first.machine),
+        loaded,
+        options,
+        keeps_results=True,
+    )
+
+
+def run_of(begun: Beginning[Controller], **options: Any) -> Run:
+    """The result of a run that goes on after a beginning."""
+    run = begun.begin(options)
+    assert run is not None
+    run.advance()
+    run.close()
+    begun.give_back()
+    return run.result()
+
+
+@pytest.mark.parametrize("program", PROGRAMS, ids=lambda path: path.parent.name)
+def test_runs_are_those_of_new_controllers(program: Path) -> None:
+    """State, trace with events, messages and counts are the same, also after the next run."""
+    try:
+        begun = beginning(program, ticks=1500, memory_trace=True)
+    except Failure:
+        pytest.skip("not for the demo machine")
+    if not begun.is_possible:
+        pytest.skip("begins as any other run")
+    pairs = []
+    for values, has_time in VALUES:
+        at = [("20 ms", "V.E.TRIGGER", 1)] if has_time else []
+        other = Controller().run(program, ticks=1500, set=values, at=at)
+        pairs.append((run_of(begun, set=values, at=at, memory_trace=True), other))
+    for found, expected in pairs:
+        assert found == expected
+        assert found.trace == expected.trace
+        assert found.diagnostics == expected.diagnostics
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        # The message waits for the value; the block before it does not depend on any.
+        (READS, 2),
+        # A program that waits for nothing is decoded up to its last statement.
+        ("G01 X10 F6000\nG01 X20\nM30", 3),
+        # An asynchronous value is frozen when the cycle is defined (RC-302): the runs part there.
+        (
+            "G01 X10 F6000\n#RT CYCLE [ID = 1 SCOPE = PROG]\n"
+            "$IF V.RTA.ACS.ACT_POS.X > V.E.ASYNC\nV.E.COUNT = 1\n$ENDIF\n#RT CYCLE END\nM30",
+            2,
+        ),
+    ],
+)
+def test_beginning_ends_where_runs_part(text: str, line: int) -> None:
+    """The beginning reaches up to the statement that waits or uses a value of the run."""
+    begun = beginning(NcText("part.nc", text))
+    assert begun.is_possible
+    assert begun.statement is not None
+    assert begun.statement.span.line == line
+
+
+def test_reusable_runs_share_their_beginning_and_keep_their_results() -> None:
+    """From the second run on; names in earlier results stay what they were."""
+    program = NcText("part.nc", READS)
+    with Controller().reusable() as controller:
+        runs = [controller.run(program, set={"V.E.COUNT": i}) for i in range(5)]
+    for i, run in enumerate(runs):
+        assert run == Controller().run(program, set={"V.E.COUNT": i})
+        assert [message.text for message in run.messages] == [str(i)]
+        assert [one.text for one in run.trace.events if one.kind == "message"] == [str(i)]  # type: ignore[attr-defined]
+
+
+def test_wrong_value_harms_no_later_run() -> None:
+    """A run that is refused is told so, and the next one is as ever."""
+    program = NcText("part.nc", READS)
+    with Controller().reusable() as controller:
+        for _ in range(2):
+            controller.run(program, set={"V.E.COUNT": 1})
+            with pytest.raises(Failure, match="NOWHERE"):
+                controller.run(program, set={"V.E.NOWHERE": 1})
+            with pytest.raises(Failure, match="NOWHERE"):
+                controller.run(program, at=[("1 ms", "V.E.NOWHERE", 1)])
+        found = controller.run(program, set={"V.E.COUNT": 2})
+    assert found == Controller().run(program, set={"V.E.COUNT": 2})
+
+
+# --- objects that are put back --------------------------------------------------------------------
+
+
+class Held:
+    """An object of the project, as far as its module says."""
+
+    __module__ = "nctakt.run.held"
+
+    def __init__(self) -> None:
+        self.number = 1
+        self.items: list[object] = [1, [2]]
+        self.waiting: deque[int] = deque([3])
+        self.names = {"a": {1, 2}}
+        self.data = memoryview(bytearray(b"abcd"))
+        self.own = 5
+
+
+class Slotted:
+    """An object with slots, one of which is empty."""
+
+    __module__ = "nctakt.run.held"
+    __slots__ = ("empty", "held")
+
+    def __init__(self, held: Held) -> None:
+        self.held = held
+
+
+def test_everything_comes_back_in_place() -> None:
+    """Attributes, also those that come later, and what is in containers and memory."""
+    held = Held()
+    outer = Slotted(held)
+    kept = KeptObjects([outer], ["own"])
+    inner, names, own = held.items[1], held.names["a"], object()
+    held.number, held.own = 2, own  # type: ignore[assignment]
+    held.late = 1  # type: ignore[attr-defined]
+    inner.append(9)  # type: ignore[attr-defined]
+    held.items[:] = []
+    held.waiting.clear()
+    names.add(7)
+    held.names = {}
+    held.data[0] = 0
+    outer.empty = 1  # type: ignore[attr-defined]
+    outer.held = Held()
+    kept.put_back()
+    assert outer.held is held
+    assert not hasattr(outer, "empty")
+    assert not hasattr(held, "late")
+    assert (held.number, held.own) == (1, own)
+    assert held.items == [1, [2]]
+    assert held.items[1] is inner
+    assert list(held.waiting) == [3]
+    assert held.names == {"a": {1, 2}}
+    assert held.names["a"] is names
+    assert bytes(held.data) == b"abcd"
+
+
+def test_copy_of_a_renewed_object_keeps_its_content() -> None:
+    """Its containers are new ones afterwards."""
+    held = Held()
+    kept = KeptObjects(held, renewed=(Held,))
+    held.items.append(4)
+    before = held.items
+    kept.put_back()
+    assert held.items == [1, [2]]
+    assert before == [1, [2], 4]
+
+
+def test_unknown_objects_are_not_kept() -> None:
+    """What nobody knows how to put back, such as an iterator, is refused."""
+    held = Held()
+    held.items.append(iter([1]))
+    with pytest.raises(NotKeptError):
+        KeptObjects(held)

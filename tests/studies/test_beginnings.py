@@ -9,12 +9,14 @@ from typing import Any
 
 import pytest
 
-from nctakt import Controller, NcText
+from nctakt import Controller, Function, HliView, NcText, Plc, after, at, on, when
 from nctakt.base.failure import Failure
 from nctakt.results.run import Run
 from nctakt.run.beginning import Beginning
 from nctakt.run.kept_objects import KeptObjects, NotKeptError
 from nctakt.run.realtime_parts import RealtimeParts
+from nctakt.studies.bench import Bench
+from nctakt.studies.study import Study
 
 RUNS = Path(__file__).parent.parent / "runs"
 PROGRAMS = sorted(RUNS.glob("*/program*.nc"))[::3]
@@ -105,6 +107,75 @@ def test_reusable_runs_share_their_beginning_and_keep_their_results() -> None:
         assert run == Controller().run(program, set={"V.E.COUNT": i})
         assert [message.text for message in run.messages] == [str(i)]
         assert [one.text for one in run.trace.events if one.kind == "message"] == [str(i)]  # type: ignore[attr-defined]
+
+
+class Watching(Plc):
+    """Waits for times, functions and a condition, and acknowledges late."""
+
+    acknowledge = after("3 ticks")
+
+    @at("4 ms")
+    def slow_down(self, hli: HliView) -> None:
+        """Halve the speed."""
+        hli.override_pct = 50
+
+    @when("V.RTA.ACS.ACT_POS.X > 4")
+    def go_on(self, hli: HliView) -> None:
+        """Take the full speed again."""
+        hli.override_pct = 100
+
+    @on("M100")
+    def count(self, hli: HliView, _function: Function) -> None:
+        """Count the functions."""
+        hli.write("V.E.COUNT", hli.read("V.E.COUNT") + 1)  # type: ignore[operator]
+
+
+class Cyclic:
+    """Works after each tick, with a state of its own."""
+
+    def __init__(self) -> None:
+        self.calls = 0
+
+    def cycle(self, hli: HliView) -> None:
+        """Write how often it was called."""
+        self.calls += 1
+        hli.write("V.E.VALUE1", self.calls % 5)
+        hli.acknowledge_all()
+
+
+@pytest.mark.parametrize("plc", [Watching, Cyclic, None])
+def test_runs_with_a_plc_are_those_of_new_controllers(plc: type[Watching | Cyclic] | None) -> None:
+    """Also where the run before had another PLC: nothing of it is left."""
+    program = NcText("part.nc", f"G01 X10 F6000\nM100\n{READS}")
+    with Controller().reusable() as controller:
+        for i, one in enumerate((None, plc, Cyclic, plc, None, plc)):
+            found = controller.run(program, set={"V.E.COUNT": i}, plc=one)
+            expected = Controller().run(program, set={"V.E.COUNT": i}, plc=one)
+            assert found == expected
+            assert found.diagnostics == expected.diagnostics
+
+
+def test_study_with_faults_of_its_plc_makes_the_rows_of_single_runs(tmp_path: Path) -> None:
+    """Delays of acknowledgements and the death of the PLC need no other beginning."""
+    plc = tmp_path / "cell.py"
+    plc.write_text("class Cell:\n    def cycle(self, hli):\n        hli.acknowledge_all()\n")
+    part = tmp_path / "part.nc"
+    part.write_text("G01 X10 F6000\nM8\nG01 X20\nM30\n")
+    study = Study(
+        program=str(part),
+        plc=str(plc),
+        vary=[
+            {"acknowledge": "M8", "values": ["never", "twice", "1 ms", "7 ms"]},
+            {"plc_dies": "dead", "values": ["1 ms", "150 ms"]},
+            {"variable": "HLI.OVERRIDE", "values": [50, 100]},
+        ],
+        measure={"late": "time of M8", "way": "max X"},
+        until="400 ms",
+    )
+    rows = study.run(processes=1).rows
+    assert len({row["digest"] for row in rows}) > 4
+    for number in range(len(rows)):
+        assert Bench(study.plan).row(number) == rows[number]
 
 
 def test_wrong_value_harms_no_later_run() -> None:

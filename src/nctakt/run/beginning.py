@@ -24,12 +24,13 @@ from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.program_run import ProgramRun
 from nctakt.run.realtime_part import RealtimePart
 from nctakt.run.realtime_parts import MACHINES, LentPart
+from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
 from nctakt.run.snapshot import Snapshot
 from nctakt.run.variable_access import is_path
 
 #: Options that may be any in runs with a common beginning: those that vary from run to run, and
 #: those that are the same in all of them.
-_VARIED = frozenset(("set", "at", "sinks"))
+_VARIED = frozenset(("set", "at", "plc", "sinks"))
 _SAME = frozenset(("after", "memory_trace", "record_writes", "signals", "skip", "ticks", "until"))
 #: Attributes that get new values when a run goes on, and objects that results keep copies of.
 _REPLACED = ("_parts", "_decoded", "before")
@@ -169,11 +170,12 @@ class Beginning(Generic[Own]):
     def begin(self, options: RunKeywords) -> ProgramRun | None:
         """Return a run with these options that goes on after the beginning.
 
-        ``None`` if its values are not only read after the beginning. Raises ``Failure`` as
+        ``None`` if its values are not only read after the beginning, and for a PLC that runs in the
+        tick. Raises ``Failure`` as
         ``Controller.run``.
         """
         assert self.statement is not None
-        if any(map(is_path, options.get("set") or ())):
+        if any(map(is_path, options.get("set") or ())) or _is_in_tick(options.get("plc")):
             return None
         given = with_further(self._complete, options)
         run, cells = self.run, self.part.cells
@@ -192,6 +194,11 @@ class Beginning(Generic[Own]):
     def give_back(self) -> None:
         """Let another run have it."""
         self.is_lent = False
+
+
+def _is_in_tick(plc: object) -> bool:
+    """Return whether a PLC, or one of several, may run in the realtime part."""
+    return isinstance(plc, RealtimePlc | PlcGroup | Sequence)
 
 
 class Beginnings(Generic[Own]):

@@ -86,6 +86,7 @@ class ProgramRun:
         self._plc = plc = plc_object(options["plc"])
         self._attach_plc()
         self._first_diagnostic = len(diagnostics) if first_tick else 0
+        self._notes_at = len(diagnostics)
         if isinstance(plc, WatchedPlc):
             diagnostics += plc.notes()
         self._memory = MemorySink() if options["memory_trace"] else None
@@ -209,13 +210,13 @@ class ProgramRun:
         machine, loop = self._machine, self._loop
         self._options = options
         self._stimuli = [read_stimulus(stimulus) for stimulus in options["at"]]
-        for name, value in (options["set"] or {}).items():
-            machine.write(name, value)
-        machine.access.apply_writes()
-        for stimulus in self._stimuli:
-            machine.access.check(stimulus.name, stimulus.value)
+        self._plc = plc = plc_object(options["plc"])
+        self._attach_plc()
+        if isinstance(plc, WatchedPlc):
+            self._diagnostics[self._notes_at : self._notes_at] = plc.notes()
         known = machine.signals()
         self.before = {name: machine.cells[known[name].cell] for name in self._signals}
+        loop.connect(plc, has_plc=False)
         machine.inputs.plan(as_inputs(self._stimuli, self._first_tick, self._cycle_time_us))
         self._memory = MemorySink() if options["memory_trace"] else None
         loop.recording.listen_anew(self._sinks(), self._signals)

@@ -288,7 +288,7 @@ class Bench:
 
         What it depends on besides are values, times and sinks.
         """
-        if self.plan.plc is not None or inputs.faults or self._schedule_files is not None:
+        if is_structured(self.plan.plc) or self._schedule_files is not None:
             return None
         if (
             inputs.program_variables
@@ -301,7 +301,14 @@ class Bench:
         if beginning is None:
             return None
         digest = Digest()
-        run = beginning.begin({"set": inputs.assignments, "at": inputs.stimuli, "sinks": (digest,)})
+        run = beginning.begin(
+            {
+                "set": inputs.assignments,
+                "at": inputs.stimuli,
+                "plc": self._plc(inputs),
+                "sinks": (digest,),
+            }
+        )
         if run is None:
             return None
         return BegunRun(beginning.controller, run, inputs, digest, beginning)

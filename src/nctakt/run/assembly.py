@@ -132,6 +132,9 @@ class AssembledMachine:
     nothing will run without the path's history (``has_history``), the memory that lists ask for.
     """
 
+    #: Whether decoders note that they use the memory (``WatchedEnvironment``).
+    watches_decoder = False
+
     def __init__(
         self,
         configuration: Machine,
@@ -192,8 +195,6 @@ class AssembledMachine:
         self._stale_names: dict[str, None] = {}
         self.report: Callable[[Diagnostic], None] = _ignore
         self.poll: Callable[[], None] = do_nothing
-        #: Whether decoders note that they use the memory (``WatchedEnvironment``).
-        self.watches_decoder = False
 
     def report_stale(self, name: str) -> None:
         """Report, once for each name, an acknowledgement of an entry that has gone (900671)."""

@@ -7,7 +7,7 @@ programs, errors of the realtime part as diagnostics. Between runs only errors a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, cast
 
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -15,7 +15,7 @@ from nctakt.base.failure import Failure
 from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage
-from nctakt.results.user_errors import user_errors
+from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.run import ended_motions
 from nctakt.run.assembly import AssembledMachine
 from nctakt.run.error_events import realtime_diagnostic
@@ -40,6 +40,10 @@ _WATCHED = frozenset(
         rows.EVENT_USER_TEXT,
     )
 )
+
+
+#: Those, and the events of motions that end.
+_ANY_WATCHED = _WATCHED | ended_motions.EVENTS
 
 
 class Recording:
@@ -68,7 +72,7 @@ class Recording:
         self._motions = ended_motions.EndedMotions(machine)
         self.messages: list[ProgramMessage] = []
         self.on_message: Callable[[ProgramMessage], None] | None = None
-        machine.record.awaited_kinds = sum(1 << kind for kind in _WATCHED | ended_motions.EVENTS)
+        machine.record.awaited_kinds = sum(1 << kind for kind in _ANY_WATCHED)
 
     def checked(self, names: Sequence[str] | None) -> Sequence[str]:
         """Return the signals of these names, by default those of the machine.
@@ -177,7 +181,9 @@ class Recording:
         events = EventChunk(self._events, event_rows)
         signals = memoryview(record.take_rows()).cast("d")
         if len(events):
-            self._watch(events.of_kinds(_WATCHED | ended_motions.EVENTS))
+            watched = events.of_kinds(_ANY_WATCHED)
+            if len(watched):
+                self._watch(watched)
             for sink in (*self._sinks, *self._steps):
                 sink.events(events)
         if rows_count:
@@ -220,7 +226,7 @@ class Recording:
     def _watch(self, events: EventChunk) -> None:
         """Keep messages, and turn errors of the realtime part into diagnostics."""
         machine = self._machine
-        reports = iter(user_errors(events))
+        reports: Iterator[UserErrorReport] | None = None
         subjects = map(int, events.column(rows.EVENT_SUBJECT))
         for event, subject in zip(events, subjects, strict=True):
             if event.kind == "message":
@@ -232,6 +238,7 @@ class Recording:
                 if self.on_message is not None:
                     self.on_message(message)
             elif event.kind == "user_error":
+                reports = reports or iter(user_errors(events))
                 report = next(reports)
                 line = "" if report.span is None else machine.files.line_at(report.span)
                 self._report(report.diagnostic(machine.configuration.user_texts, line))

@@ -615,3 +615,48 @@ def test_a_jog_without_a_speed_of_its_own_is_an_error(tmp_path: Path) -> None:
     a, plc = jogged(tmp_path, "STANDARD_SLOW", "n >= 5")
     assert a[479] == 0.0
     assert values_in_main(plc, "fbJog.Error", "fbJog.ErrorID") == [True, 900657]
+
+
+HOME_AXIS = """PROGRAM MAIN
+VAR
+    axLoader : AXIS_REF;
+    fbPower : MC_Power;
+    fbHome : MC_Home;
+    fbSet : MC_SetPosition;
+    fbRead : MC_ReadParameter;
+    n : UDINT;
+END_VAR"""
+HOME_BODY = """fbPower(Axis := axLoader, Enable := TRUE);
+fbHome(Axis := axLoader, Execute := n >= 5, {pins});
+fbSet(Axis := axLoader, Execute := n >= 50, Position := 7.5, Mode := TRUE);
+fbRead(Axis := axLoader, Enable := TRUE, ParameterNumber := MC_AxisParameter.{parameter},
+    ReadMode := E_ReadMode.READMODE_ONCE);
+n := n + 1;"""
+
+
+@pytest.mark.parametrize(
+    ("pins", "homed", "number"),
+    [
+        ("HomingMode := MC_HomingMode.MC_Direct, Position := 30.0", 30.0, 0),
+        ("HomingMode := MC_HomingMode.MC_ForceCalibration, Position := 30.0", 0.0, 0),
+        ("HomingMode := MC_HomingMode.MC_Direct", 0.0, 902863),
+        ("HomingMode := MC_HomingMode.MC_AbsSwitch", 0.0, 902863),
+        ("Position := 20.0", 20.001, 0),
+        ("bCalibrationCam := TRUE", 0.001, 0),
+    ],
+)
+def test_the_other_library_homes_in_three_ways(
+    tmp_path: Path, pins: str, homed: float, number: int
+) -> None:
+    """ST-744: the simulated axis stands 0.001 mm beyond its zero pulse, as that is 0.001 off.
+
+    Then its position becomes greater by 7.5, and the parameter was read once.
+    """
+    body = HOME_BODY.format(pins=pins, parameter="AxisParaCommandedPosition")
+    plc = load_structured(nc_axis(tmp_path, HOME_AXIS, body), {"MAIN.axLoader": "A"})
+    a = run_nc(plc, "N10 G04 1\nM30", 60, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"]
+    assert [round(float(a[tick]), 6) for tick in (49, 59)] == [homed, round(homed + 7.5, 6)]
+    assert values_in_main(plc, "fbHome.Done", "fbHome.Error", "fbHome.ErrorID") == [
+        number == 0, number != 0, number,
+    ]  # fmt: skip
+    assert values_in_main(plc, "fbSet.Done", "fbRead.Valid", "fbRead.Value") == [True, True, 0.0]

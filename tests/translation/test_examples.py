@@ -399,7 +399,7 @@ def test_a_value_that_a_variable_cannot_hold_is_refused(
 @pytest.mark.parametrize(
     "text",
     [
-        "PROGRAM MAIN VAR a : AXIS_REF; h : MC_Home; END_VAR h(Axis := a); END_PROGRAM",
+        "PROGRAM MAIN VAR a : AXIS_REF; h : MC_CamOut; END_VAR h(Slave := a); END_PROGRAM",
     ],
 )
 def test_what_does_not_run_is_refused_by_name(tmp_path: Path, text: str) -> None:

@@ -14,6 +14,7 @@ from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.path_limits import AxisWeights, LimitState
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.segment_limits import SegmentLimits
@@ -139,6 +140,15 @@ def history_blocks(memory_bytes: int, axis_count: int) -> int:
     return memory_bytes // (BLOCK_BYTES + AXIS_BYTES * axis_count)
 
 
+def homing_overrun(axis: AxisConfiguration) -> float:
+    """Return the signed distance that an axis needs to stop after its zero pulse."""
+    homing = axis.homing
+    acceleration = axis.max_acceleration
+    speed = min(homing.speed, arithmetic.square_root(2.0 * acceleration * abs(homing.distance)))
+    distance = 0.5 * speed * speed / acceleration
+    return distance if homing.distance > 0.0 else -distance
+
+
 def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxes:
     """Return the independent motions of the axes, with the limits of their lists."""
     motions = SingleAxes(axes, record, configuration.cycle_time_us)
@@ -172,6 +182,15 @@ def single_axes(configuration: Machine, axes: Axes, record: Record) -> SingleAxe
             jerk=slope.jerk if has_jerk else 0.0,
             is_enabled=axis.enable_single_axis,
         )
+        if axis.homing.is_allowed:
+            overrun = homing_overrun(axis)
+            motions.configure_homing(
+                index,
+                distance=axis.homing.distance + overrun,
+                speed=axis.homing.speed,
+                overrun=overrun,
+                position=axis.homing.position,
+            )
     return motions
 
 

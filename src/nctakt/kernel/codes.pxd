@@ -90,6 +90,11 @@ cdef enum:
     VELOCITY = 3
     HALT = 4
     CLEAR_FAULT = 5
+    HOMING = 6
+    POSITION = 7
+    CALIBRATION = 8
+    HOMED_BY_PROGRAM = 1
+    HOMED_BY_PLC = 2
     DIRECTION_UNKNOWN = 6
     FEED_UNKNOWN = 7
     FEED_ZERO = 8

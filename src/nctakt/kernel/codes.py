@@ -126,7 +126,9 @@ PLC_OWNER = 1_000_000
 PROGRAM_OWNER = PLC_OWNER - 1
 
 #: Requests of the PLC for an axis.
-ABSOLUTE, RELATIVE, VELOCITY, HALT, CLEAR_FAULT = range(1, 6)
+ABSOLUTE, RELATIVE, VELOCITY, HALT, CLEAR_FAULT, HOMING, POSITION, CALIBRATION = range(1, 9)
+#: Who homes an axis; 0: it is not being homed.
+HOMED_BY_PROGRAM, HOMED_BY_PLC = 1, 2
 
 #: Why a cycle's command for an axis is refused in the tick: numbers of ``REFUSALS`` in
 #: ``nc/vocabulary/axis_commands.py``.

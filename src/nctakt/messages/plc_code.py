@@ -49,6 +49,34 @@ AXIS_NOT_RELEASED = error(
     remedy_en="Call MC_Power with Enable TRUE before, and let Execute of MC_Stop fall.",
     remedy_de="Vorher MC_Power mit Enable TRUE aufrufen und Execute von MC_Stop fallen lassen.",
 )
+AXIS_MOVES = error(
+    902860,
+    en="the axis moves: it can be homed only at rest",
+    de="die Achse bewegt sich: referenzieren kann man sie nur im Stillstand",
+    remedy_en="Wait for Done of its last motion, or stop it by MC_Halt before.",
+    remedy_de="Done der letzten Bewegung abwarten oder die Achse vorher mit MC_Halt anhalten.",
+)
+UNKNOWN_FACTOR = error(
+    902861,
+    en="an override of acceleration or jerk is not there: AccFactor and JerkFactor are 0 or 1",
+    de="einen Override für Beschleunigung oder Ruck gibt es nicht: AccFactor, JerkFactor sind 0, 1",
+    remedy_en="Leave AccFactor and JerkFactor out.",
+    remedy_de="AccFactor und JerkFactor weglassen.",
+)
+UNKNOWN_AXIS_PARAMETER = error(
+    902862,
+    en="a parameter of this number is not there: 1, 2, 3, 8, 9 and 12 to 17 are",
+    de="einen Parameter mit dieser Nummer gibt es nicht, nur 1, 2, 3, 8, 9 und 12 bis 17",
+    remedy_en="Read positions by MC_ReadActualPosition, states by MC_ReadStatus.",
+    remedy_de="Positionen mit MC_ReadActualPosition lesen, Zustände mit MC_ReadStatus.",
+)
+UNKNOWN_HOMING_MODE = error(
+    902863,
+    en="a homing mode that is not there, or MC_Direct without Position",
+    de="diesen HomingMode gibt es nicht, oder MC_Direct ohne Position",
+    remedy_en="Use MC_DefaultHoming, MC_ForceCalibration, or MC_Direct with a Position.",
+    remedy_de="MC_DefaultHoming, MC_ForceCalibration oder MC_Direct mit Position verwenden.",
+)
 AXIS_REFERENCE_UNBOUND = error(
     902341,
     en="{path} names no axis of this machine; its axes: {known}",

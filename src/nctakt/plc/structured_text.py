@@ -369,7 +369,7 @@ class StructuredPlc(RealtimePlc):
         measures = [
             machine.layout.axis_value(index, source)
             for index in range(len(axes))
-            for source in ("ACS.ACT_POS", "ACS.CUR_POS", "ACS.CMD_POS", "STATE")
+            for source in ("ACS.ACT_POS", "ACS.CUR_POS", "ACS.CMD_POS")
         ]
         return Connection(
             machine.kernel.requests,

@@ -181,7 +181,7 @@ class AssembledMachine:
             self.files, self._names.name_of_cell, self._axis_names(), spindles
         )
         self.controller_data = controller_data(
-            configuration, self.channels, lambda: self.kernel.tick
+            configuration, self.channels, lambda: self.kernel.tick, self.single_axes
         )
         self.access = VariableAccess(
             layout.tables,

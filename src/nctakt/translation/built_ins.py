@@ -11,6 +11,7 @@ from nctakt.kernel.st.axis_calls import (
     LookAtAxis,
     MeasureAxis,
     OpenInterface,
+    OverrideAxis,
     SwitchAxis,
     TaskNumber,
 )
@@ -350,6 +351,10 @@ def _switch_axis(is_lock: bool) -> Function[[BuiltIns, Call, list[Expression]], 
     return build
 
 
+def _override_axis(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
+    return OverrideAxis(body.whole(operands[0]), body.real(operands[1]))
+
+
 def _look_at_axis(body: BuiltIns, call: Call, operands: list[Expression]) -> Node:
     return LookAtAxis(*(body.whole(one) for one in operands))
 
@@ -394,6 +399,7 @@ _BUILDERS: dict[str, Function[[BuiltIns, Call, list[Expression]], Node]] = {
     "__AXIS_LOCK": _switch_axis(is_lock=True),
     "__AXIS_LOOK": _look_at_axis,
     "__AXIS_MEASURE": _measure_axis,
+    "__AXIS_OVERRIDE": _override_axis,
     "__AXIS_POWER": _switch_axis(is_lock=False),
     "__CALLED_FROM": _called_from,
     "__CNC_OPEN": _open_interface,

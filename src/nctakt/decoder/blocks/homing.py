@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Generator, Sequence
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.axis_limits import homing_overrun
 from nctakt.decoder.blocks.block_content import AxisValues
 from nctakt.decoder.state.axis_commands import Home, Refer
 from nctakt.decoder.state.commands import Answer, Command, PositionRequest
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
-from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.messages.block_search import HOMING_DURING_SEARCH
 from nctakt.messages.couplings import HOMING_WHILE_COUPLED
@@ -70,26 +70,17 @@ class Homing:
         for name, member in zip(names, members, strict=True):
             axis_list = self._axis(name)
             homing = axis_list.homing
-            rest = _braking_distance(axis_list)
+            rest = homing_overrun(axis_list)
             yield Home(source, number, member, homing.distance + rest, homing.speed)
         answer = yield PositionRequest(source, number, tuple(members))
         assert isinstance(answer, tuple)
         positions = list(answer)
         for name, member in zip(names, members, strict=True):
             axis_list = self._axis(name)
-            position = axis_list.homing.position + _braking_distance(axis_list)
+            position = axis_list.homing.position + homing_overrun(axis_list)
             positions[self._environment.axis_numbers[name]] = position
             yield Refer(source, number, member, position)
             references = self._environment.controller_data.references
-            references[name] = axis_list.homing.position
+            references.keep_reference(member, axis_list.homing.position)
         self._values.state.positions = positions
         self._uncertain_axes.confirm(names)
-
-
-def _braking_distance(axis: AxisConfiguration) -> float:
-    """Return the signed distance that the axis needs to stop after its zero pulse."""
-    homing = axis.homing
-    acceleration = axis.max_acceleration
-    speed = min(homing.speed, arithmetic.square_root(2.0 * acceleration * abs(homing.distance)))
-    distance = 0.5 * speed * speed / acceleration
-    return distance if homing.distance > 0.0 else -distance

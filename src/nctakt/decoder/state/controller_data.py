@@ -12,6 +12,7 @@ from collections.abc import Callable, Sequence
 from nctakt.decoder.state.couplings import CoupledPair, KeptCouplings
 from nctakt.decoder.state.program_variables import Variables
 from nctakt.kernel import cells
+from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.tick.channel import Channel
 from nctakt.lists.declared.tools import Tool
@@ -66,21 +67,25 @@ class ProgramTimers:
 class ControllerData:
     """The data that programs of one channel share.
 
-    ``kept``: V.S, kept until the next start-up. ``references``: axis -> its reference position, of
-    those that were homed (G74). ``limited_axes``: numbers in the machine of those with software
-    limits of a program. ``tools``: tools of the list that programs have changed (V.G.WZ[5].R), by
-    number. ``tool_life_factors``: V.TLM. ``couplings``: groups of coupled axes.
-    ``feed_forward``: axis -> its share where programs have changed it, of all channels.
+    ``kept``: V.S, kept until the next start-up. ``references``: which axes are homed, and where.
+    ``limited_axes``: numbers in the machine of those with software limits of a program. ``tools``:
+    tools of the list that programs have changed (V.G.WZ[5].R), by number. ``tool_life_factors``:
+    V.TLM. ``couplings``: groups of coupled axes. ``feed_forward``: axis -> its share where programs
+    have changed it, of all channels.
     """
 
     def __init__(
-        self, timers: ProgramTimers, couplings: KeptCouplings, feed_forward: dict[int, float]
+        self,
+        timers: ProgramTimers,
+        couplings: KeptCouplings,
+        feed_forward: dict[int, float],
+        references: SingleAxes,
     ) -> None:
         self.timers = timers
         self.couplings = couplings
         self.feed_forward = feed_forward
         self.kept: Variables = {}
-        self.references: dict[str, float] = {}
+        self.references = references
         self.limited_axes: set[int] = set()
         self.tools: dict[int, Tool] = {}
         self.tool_life_factors = {"TIME_FACT": 1.0, "DIST_FACT": 1.0}
@@ -91,7 +96,10 @@ class ControllerData:
 
 
 def controller_data(
-    configuration: Machine, channels: Sequence[Channel], tick: Callable[[], int]
+    configuration: Machine,
+    channels: Sequence[Channel],
+    tick: Callable[[], int],
+    references: SingleAxes,
 ) -> list[ControllerData]:
     """Return the controller's data for each channel; all share the timers."""
     latched = bytearray(TIMER_BYTES)
@@ -101,7 +109,8 @@ def controller_data(
     shares: dict[int, float] = {}
     for channel, listed in zip(channels, configuration.channels, strict=True):
         channel.executor.program_timers = counting
-        data.append(ControllerData(timers, _couplings(configuration, listed.parameters), shares))
+        couplings = _couplings(configuration, listed.parameters)
+        data.append(ControllerData(timers, couplings, shares, references))
     return data
 
 

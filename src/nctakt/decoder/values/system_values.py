@@ -150,9 +150,9 @@ class SystemValues:
             case "-SWE":
                 return self._state.software_limits.of(axis, index)[0]
             case "REF":
-                return self._environment.controller_data.references.get(axis_name, 0.0)
+                return self._reference(axis_name) or 0.0
             case "RERF":
-                return float(axis_name in self._environment.controller_data.references)
+                return float(self._reference(axis_name) is not None)
             case "+SWE_MDS":
                 return axis.software_limit_high
             case "-SWE_MDS":
@@ -234,6 +234,12 @@ class SystemValues:
 
     def _measured_by_probe(self, axis: int) -> Measured:
         return self._state.measuring.measured.get(axis, Measured())
+
+    def _reference(self, name: str) -> float | None:
+        """Return the position of an axis at its reference point, ``None`` if it is not homed."""
+        axis = self._environment.names.axis(name)
+        assert axis is not None
+        return self._environment.controller_data.references.reference_of(axis.number)
 
     def _measured(self, axis: int) -> float:
         """Return the actual position of an axis in mm or degrees."""

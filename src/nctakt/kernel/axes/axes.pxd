@@ -31,6 +31,7 @@ cdef class Axes:
     cdef double[::1] override_pct
     cdef double[::1] max_override_pct
     cdef double[::1] independent_pct
+    cdef double[::1] plc_factor
     cdef long long[::1] locked
     cdef readonly long long locked_count
     cdef long long[::1] ignores_hold

@@ -18,7 +18,8 @@ it. The cells of an axis are written where its positions are others than those s
 (``shown_…``), and where the systems have changed (``is_shifted``).
 
 ``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
-(MO-13); ``independent_pct`` is the override of the latter (RC-305). These, ``command`` and
+(MO-13); ``independent_pct`` is the override of the latter (RC-305), ``plc_factor`` what a PLC
+multiplies it by (MC_SetOverride). ``on_path``, ``independent``, ``command`` and
 ``target`` have one element more, for places of a channel without an axis (``path_axes.py``).
 So has ``locked``: the axes that a PLC does not release, which brake and stay at rest.
 """
@@ -62,10 +63,12 @@ class Axes:
         self.override_pct = memoryview(bytearray(8 * count)).cast("d")
         self.max_override_pct = memoryview(bytearray(8 * count)).cast("d")
         self.independent_pct = memoryview(bytearray(8 * count)).cast("d")
+        self.plc_factor = memoryview(bytearray(8 * count)).cast("d")
         for i in range(count):
             self.override_pct[i] = 100.0
             self.max_override_pct[i] = 100.0
             self.independent_pct[i] = 100.0
+            self.plc_factor[i] = 1.0
         self.locked = memoryview(bytearray(8 * (count + 1))).cast("q")
         self.locked_count = 0
         self.has_stops = False
@@ -291,6 +294,7 @@ class Axes:
         if self.locked[i]:
             pct = 0.0
         self.independent_pct[i] = 0.0 if is_held and not self.ignores_hold[i] else pct
+        pct *= self.plc_factor[i]
         if pct != self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL]:
             self.cells[cell + cells.AXIS_OVERRIDE_VEL_TOTAL] = arithmetic.round_half_even(pct)
 

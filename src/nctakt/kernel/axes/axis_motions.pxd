@@ -4,6 +4,7 @@ cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.axes.homing cimport Homing
 from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.axes.trajectory cimport Trajectories
 
@@ -14,6 +15,7 @@ cdef class AxisMotions:
     cdef double cycle_time_us
     cdef double forgiven_t
     cdef Trajectories plans
+    cdef Homing homing
     cdef readonly Py_ssize_t active_count
     cdef readonly Py_ssize_t fault_count
     cdef Py_ssize_t reported_count
@@ -71,6 +73,9 @@ cdef class AxisMotions:
     cdef Py_ssize_t ring_size
 
     cdef int is_beyond(self, Py_ssize_t axis, double target) noexcept nogil
+    @cython.locals(message=int)
+    cdef int is_shift_beyond(self, Py_ssize_t axis, double shift) noexcept nogil
+    cdef void move_origin(self, Py_ssize_t axis, double shift) noexcept nogil
     cdef int is_at_speed(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(kind=int, position=double)
     cdef void begin(self, Py_ssize_t axis) noexcept nogil

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.homing import Homing
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
@@ -32,6 +33,7 @@ class AxisMotions:
         self.cycle_time_us = cycle_time_us
         self.forgiven_t = -1e-12 * cycle_time_us
         self.plans = Trajectories(count)
+        self.homing = Homing(axes)
         self.active_count = 0
         self.fault_count = 0
         self.reported_count = 0
@@ -142,6 +144,33 @@ class AxisMotions:
             return 0
         return 60159 if target < self.low[axis] else 60158
 
+    def is_shift_beyond(self, axis: int, shift: float) -> int:
+        """Return as ``is_beyond`` of the place of an axis and its targets, shifted; else 0."""
+        message = self.is_beyond(axis, self.axes.command[axis] + shift)
+        if message == 0 and self.kind[axis] == codes.TO_POSITION:
+            message = self.is_beyond(axis, self.goal[axis] + shift)
+            if message == 0 and self.swings[axis]:
+                message = self.is_beyond(axis, self.first_d[axis] + shift)
+            if message == 0 and self.swings[axis]:
+                message = self.is_beyond(axis, self.second_d[axis] + shift)
+        return message
+
+    def move_origin(self, axis: int, shift: float) -> None:
+        """Give the place of an axis another position; its motion goes the same way on."""
+        if self.kind[axis] == codes.IDLE:
+            self.axes.refer(axis, self.in_range(axis, self.axes.command[axis] + shift))
+            return
+        self.axes.refer(axis, self.axes.command[axis] + shift)
+        self.start_d[axis] += shift
+        self.first_d[axis] += shift
+        self.second_d[axis] += shift
+        if self.kind[axis] == codes.ENDLESS:
+            self.planned_v[axis] = -1.0  # the limit is another way off now
+        else:
+            self.goal[axis] += shift
+            self.end[axis] = self.in_range(axis, self.end[axis] + shift)
+            self.axes.target[axis] = self.goal[axis]
+
     def is_at_speed(self, axis: int) -> int:
         """Return whether an endless motion has reached its speed."""
         if self.kind[axis] != codes.ENDLESS or self.planned_v[axis] <= 0.0:
@@ -236,6 +265,7 @@ class AxisMotions:
 
     def drop(self, axis: int) -> None:
         """Give up the waiting and the present motion, and record both."""
+        self.is_homing[axis] = 0
         if self.next_kind[axis]:
             self.drop_next(axis, rows.NOT_WITH_CYCLE)
         if codes.IDLE < self.kind[axis] < codes.BRAKING:
@@ -343,6 +373,7 @@ class AxisMotions:
         top_v = 0.0
         if self.kind[axis] != codes.BRAKING and not self.held[axis]:
             top_v = self.commanded_v[axis] * self.axes.independent_pct[axis] / 100.0
+            top_v *= self.axes.plc_factor[axis]
             top_v = min(top_v, self.limit_v[axis])
         if top_v != self.planned_v[axis]:
             self.plan(axis, top_v)
@@ -421,6 +452,8 @@ class AxisMotions:
         else:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]
+            if self.is_homing[axis] == codes.HOMED_BY_PLC:
+                self.homing.finish(axis)
         self.come_to_standstill(axis)
         return 1
 
@@ -473,6 +506,23 @@ class AxisMotions:
         return 0
 
     # --- Python's side --------------------------------------------------------------------------
+
+    def configure_homing(
+        self, axis: int, *, distance: float, speed: float, overrun: float, position: float
+    ) -> None:
+        """Let an axis be homed in this manner (``Homing.configure``)."""
+        self.homing.configure(
+            axis, distance=distance, speed=speed, overrun=overrun, position=position
+        )
+
+    def keep_reference(self, axis: int, position: float) -> None:
+        """Note that a program homes an axis, with this position at its reference point."""
+        check_index(axis, self.count, "axis")
+        self.homing.keep(axis, position)
+
+    def reference_of(self, axis: int) -> float | None:
+        """Return the reference position of an axis, ``None`` if it is not homed."""
+        return self.homing.reference_of(axis)
 
     def limits_of(self, axis: int) -> tuple[float, float]:
         """Return the software limits of an axis in force, in mm or degrees."""

@@ -38,6 +38,18 @@ cdef class SingleAxes(AxisMotions):
     ) noexcept nogil
     @cython.locals(axis=Py_ssize_t, distance=double, speed_v=double)
     cdef int execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
+    @cython.locals(message=int, distance=double, speed_v=double)
+    cdef int home(
+        self, Py_ssize_t axis, double position, int is_listed, long long owner
+    ) noexcept nogil
+    @cython.locals(message=int, shift=double)
+    cdef int give_position(
+        self, Py_ssize_t axis, double value, int is_relative, long long owner
+    ) noexcept nogil
+    @cython.locals(message=int)
+    cdef int calibrate(
+        self, Py_ssize_t axis, double position, int keeps_position, long long owner
+    ) noexcept nogil
     @cython.locals(value=double, speed_v=double, direction=int)
     cdef int move_alone(self, Py_ssize_t axis, double[::1] queue, Py_ssize_t row) noexcept nogil
     @cython.locals(message=int, kind=int, owner=cython.longlong, speed_v=double, first_d=double)

@@ -138,13 +138,50 @@ class SingleAxes(AxisMotions):
             return 50603
         if kind == rows.REFER:
             self.axes.refer(axis, queue[row + rows.HOMING_DISTANCE])
+            self.homing.keep(axis, self.homing.position[axis])
             return 0
         self.order(int(queue[row + rows.SOURCE]), 0)
-        self.is_homing[axis] = 1
+        self.is_homing[axis] = codes.HOMED_BY_PROGRAM
         distance = queue[row + rows.HOMING_DISTANCE]
         speed_v = queue[row + rows.HOMING_SPEED]
-        self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.ABORTING, 0)
+        self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.BUFFERED, 0)
         return 0
+
+    def home(self, axis: int, position: float, is_listed: int, owner: int) -> int:
+        """Home an axis that stands; at its zero pulse it has ``position``, or that of its list."""
+        message = self.refusal(axis, codes.ABORTING, owner)
+        if message:
+            return message
+        if not self.homing.is_allowed[axis]:
+            return 50686
+        if self.kind[axis] != codes.IDLE:
+            return 902860
+        self.homing.ordered[axis] = self.homing.position[axis] if is_listed else position
+        self.is_homing[axis] = codes.HOMED_BY_PLC
+        distance, speed_v = self.homing.distance[axis], self.homing.speed[axis]
+        self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.BUFFERED, owner)
+        return 0
+
+    def give_position(self, axis: int, value: float, is_relative: int, owner: int) -> int:
+        """Give the actual place of an axis the position ``value``, or one that is so much more."""
+        shift = value if is_relative else value - self.axes.actual_position(axis)
+        message = self.refusal(axis, codes.ABORTING, owner)
+        if message == 0:
+            message = self.is_shift_beyond(axis, shift)
+        if message == 0:
+            self.move_origin(axis, shift)
+        return message
+
+    def calibrate(self, axis: int, position: float, keeps_position: int, owner: int) -> int:
+        """Count a standing axis as homed where it is, with ``position`` or the one that it has."""
+        message = self.refusal(axis, codes.ABORTING, owner)
+        if message == 0 and self.kind[axis] != codes.IDLE:
+            message = 902860
+        if message == 0 and not keeps_position:
+            message = self.give_position(axis, position, 0, owner)
+        if message == 0:
+            self.homing.keep(axis, self.axes.actual_position(axis))
+        return message
 
     def move_alone(self, axis: int, queue: memoryview[float], row: int) -> int:
         """Begin the motion of a program beside the path: it replaces what the axis does (SA-5)."""

@@ -37,7 +37,7 @@ class AxisRequests:
         self, kind: int, axis: int, value: float, speed_v: float, mode: int, direction: int
     ) -> int:
         """Post a request for the next tick; return its owner number, 0 if there is no room."""
-        check_range(kind, codes.ABSOLUTE, codes.CLEAR_FAULT, "kind of request")
+        check_range(kind, codes.ABSOLUTE, codes.CALIBRATION, "kind of request")
         self.single_axes.check_command(axis, value, speed_v, mode, direction, codes.PLC_OWNER)
         return self.put(kind, axis, value, speed_v, mode, direction)
 
@@ -121,5 +121,11 @@ class AxisRequests:
             )
         elif kind == codes.HALT:
             self.answer[slot] = self.single_axes.stop(axis, owner)
-        else:
+        elif kind == codes.CLEAR_FAULT:
             self.answer[slot] = self.single_axes.clear_fault(axis)
+        elif kind == codes.HOMING:
+            self.answer[slot] = self.single_axes.home(axis, self.value[slot], mode, owner)
+        elif kind == codes.POSITION:
+            self.answer[slot] = self.single_axes.give_position(axis, self.value[slot], mode, owner)
+        else:
+            self.answer[slot] = self.single_axes.calibrate(axis, self.value[slot], mode, owner)

@@ -31,6 +31,12 @@ cdef class SwitchAxis(Whole):
     @cython.locals(axis=cython.longlong, is_on=int)
     cdef long long value(self, PlcContext context) noexcept nogil
 
+cdef class OverrideAxis(Whole):
+    cdef Whole axis
+    cdef Real factor
+    @cython.locals(axis=cython.longlong, factor=double)
+    cdef long long value(self, PlcContext context) noexcept nogil
+
 cdef class LookAtAxis(Whole):
     cdef Whole what
     cdef Whole axis

@@ -66,6 +66,19 @@ class SwitchAxis(Whole):
         return context.outside.power(axis, is_on)
 
 
+class OverrideAxis(Whole):
+    """Multiplies the speeds of an axis' own motions by a factor; whether it is one of 0 to 1."""
+
+    def __init__(self, axis: Whole, factor: Real) -> None:
+        self.axis = axis
+        self.factor = factor
+
+    def value(self, context: PlcContext) -> int:
+        axis = self.axis.value(context)
+        factor = self.factor.number(context)
+        return 0 if context.fault else context.outside.override(axis, factor)
+
+
 class LookAtAxis(Whole):
     """What is known of an axis or a command, by its number."""
 

@@ -96,9 +96,19 @@ NOT_A_STATEMENT = -1
     AXIS_STATE,
     AXIS_POWERED,
     AXIS_INDEX,
-) = range(9)
-#: What code measures of an axis: command position, actual position, target, actual speed.
-AXIS_MEASURES = 4
+    AXIS_HOMES,
+    AXIS_IS_HOMED,
+) = range(11)
+#: What code measures of an axis: command position, actual position, target.
+AXIS_MEASURES = 3
+#: The limits of an axis, numbers after those.
+(
+    AXIS_HIGH,
+    AXIS_LOW,
+    AXIS_SPEED_LIMIT,
+    AXIS_ACCELERATION_LIMIT,
+    AXIS_JERK_LIMIT,
+) = range(3, 8)
 
 #: How an element of the interface shows a value: scaled, where it is a number or is not, by a table
 #: of numbers.

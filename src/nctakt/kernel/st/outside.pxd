@@ -14,6 +14,7 @@ cdef class Outside:
     ) noexcept nogil
     cdef int power(self, long long axis, int is_on) noexcept nogil
     cdef int lock(self, long long axis, int is_on) noexcept nogil
+    cdef int override(self, long long axis, double factor) noexcept nogil
     cdef long long look(self, long long what, long long axis, long long owner) noexcept nogil
     cdef double measure(self, long long what, long long axis) noexcept nogil
 
@@ -33,13 +34,15 @@ cdef class Connection(Outside):
     cdef long long not_released
     @cython.locals(i=Py_ssize_t)
     cdef void open(self, unsigned char[::1] memory) noexcept nogil
-    @cython.locals(is_motion=cython.bint, is_right=cython.bint)
+    @cython.locals(is_motion=cython.bint, needs_release=cython.bint, is_right=cython.bint)
     cdef long long command(
         self, long long kind, long long axis, double value, double speed_v, long long mode,
         long long direction
     ) noexcept nogil
     cdef int power(self, long long axis, int is_on) noexcept nogil
     cdef int lock(self, long long axis, int is_on) noexcept nogil
+    cdef int override(self, long long axis, double factor) noexcept nogil
     @cython.locals(i=Py_ssize_t, fault=cython.longlong)
     cdef long long look(self, long long what, long long axis, long long owner) noexcept nogil
     cdef double measure(self, long long what, long long axis) noexcept nogil
+    cdef double limit(self, long long what, long long axis) noexcept nogil

@@ -35,6 +35,10 @@ class Outside:
         """Refuse commands for an axis, or take them again; return whether it is locked."""
         return 0
 
+    def override(self, axis: int, factor: float) -> int:
+        """Multiply the speeds of an axis' own motions; return whether it is one of 0 to 1."""
+        return 0
+
     def look(self, what: int, axis: int, owner: int) -> int:
         """Return what is known of an axis or a command."""
         return 0
@@ -99,7 +103,8 @@ class Connection(Outside):
         if axis < 0 or axis >= self.count:
             return -self.wrong_value
         is_motion = kind >= codes.ABSOLUTE and kind <= codes.VELOCITY
-        if is_motion and (not self.is_powered[axis] or self.is_locked[axis]):
+        needs_release = is_motion or kind == codes.HOMING
+        if needs_release and (not self.is_powered[axis] or self.is_locked[axis]):
             return -self.not_released
         is_right = self.single_axes.is_command(
             axis, value, speed_v, mode, direction, codes.PLC_OWNER
@@ -121,6 +126,12 @@ class Connection(Outside):
             return 0
         self.is_locked[axis] = is_on
         return is_on
+
+    def override(self, axis: int, factor: float) -> int:
+        if axis < 0 or axis >= self.count or not (factor >= 0.0 and factor <= 1.0):
+            return 0
+        self.single_axes.axes.plc_factor[axis] = factor
+        return 1
 
     def look(self, what: int, axis: int, owner: int) -> int:
         if what == kinds.AXIS_ANSWER:
@@ -145,9 +156,27 @@ class Connection(Outside):
             return fault if fault >= 0 else 0 - fault
         if what == kinds.AXIS_STATE:
             return self.single_axes.state(axis)
+        if what == kinds.AXIS_HOMES:
+            return 1 if self.single_axes.is_homing[axis] else 0
+        if what == kinds.AXIS_IS_HOMED:
+            return self.single_axes.homing.is_homed[axis]
         return self.is_powered[axis]
 
     def measure(self, what: int, axis: int) -> float:
-        if axis < 0 or axis >= self.count or what < 0 or what >= kinds.AXIS_MEASURES:
+        if axis < 0 or axis >= self.count or what < 0 or what > kinds.AXIS_JERK_LIMIT:
             return 0.0
+        if what >= kinds.AXIS_MEASURES:
+            return self.limit(what, axis)
         return self.cells[self.measures[axis * kinds.AXIS_MEASURES + what]]
+
+    def limit(self, what: int, axis: int) -> float:
+        """Return a limit of the axis' own motions, in mm or degrees and those per s."""
+        if what == kinds.AXIS_HIGH:
+            return self.single_axes.high[axis]
+        if what == kinds.AXIS_LOW:
+            return self.single_axes.low[axis]
+        if what == kinds.AXIS_SPEED_LIMIT:
+            return self.single_axes.limit_v[axis]
+        if what == kinds.AXIS_ACCELERATION_LIMIT:
+            return self.single_axes.limit_a[axis]
+        return self.single_axes.limit_j[axis]

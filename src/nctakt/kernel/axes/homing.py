@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""Reference positions of the axes: how each one is homed, and whether it was.
+
+A program homes axes by G74 and computes the positions itself; a PLC leaves that to the tick
+(MC_Home): at the end of the way the axis has the position of its list, or the one asked for.
+Homing outlives programs and resets.
+"""
+
+from __future__ import annotations
+
+from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.bounds import check_index
+
+
+class Homing:
+    """``distance``: signed, to where an axis stands after it, ``overrun`` beyond the zero pulse.
+
+    ``position``: of the list, at the zero pulse; ``ordered``: of the homing that runs.
+    """
+
+    def __init__(self, axes: Axes) -> None:
+        count = axes.count
+        self.axes = axes
+        self.is_allowed = memoryview(bytearray(8 * count)).cast("q")
+        self.distance = memoryview(bytearray(8 * count)).cast("d")
+        self.speed = memoryview(bytearray(8 * count)).cast("d")
+        self.overrun = memoryview(bytearray(8 * count)).cast("d")
+        self.position = memoryview(bytearray(8 * count)).cast("d")
+        self.ordered = memoryview(bytearray(8 * count)).cast("d")
+        self.is_homed = memoryview(bytearray(8 * count)).cast("q")
+        self.reference = memoryview(bytearray(8 * count)).cast("d")
+
+    def configure(
+        self, axis: int, *, distance: float, speed: float, overrun: float, position: float
+    ) -> None:
+        """Let an axis be homed in this manner, in mm or degrees and those per s."""
+        check_index(axis, self.axes.count, "axis")
+        self.is_allowed[axis] = 1
+        self.distance[axis] = distance
+        self.speed[axis] = speed
+        self.overrun[axis] = overrun
+        self.position[axis] = position
+
+    def keep(self, axis: int, reference: float) -> None:
+        """Note that an axis is homed, with this position at its reference point."""
+        self.is_homed[axis] = 1
+        self.reference[axis] = reference
+
+    def finish(self, axis: int) -> None:
+        """Give a homed axis, which stands beyond its zero pulse, its position."""
+        self.axes.refer(axis, self.ordered[axis] + self.overrun[axis])
+        self.keep(axis, self.ordered[axis])
+
+    def reference_of(self, axis: int) -> float | None:
+        """Return the position of an axis at its reference point, ``None`` if it is not homed."""
+        check_index(axis, self.axes.count, "axis")
+        return self.reference[axis] if self.is_homed[axis] else None

@@ -13,9 +13,12 @@ from support.plc_rig import EACH_TICK
 from nctakt import Controller, HliView, NcText
 from nctakt.base.failure import Failure
 from nctakt.cli import main
+from nctakt.debugger.arguments import Arguments
+from nctakt.debugger.launch import read_configuration
 from nctakt.files.access import FileAccess
 from nctakt.plc import load_plc
 from nctakt.project.run_settings import run_settings
+from nctakt.session.session import Session
 from nctakt.session.tapes import read_setup
 from nctakt.testing.expectations import read_script
 from nctakt.testing.queries import run_program
@@ -147,7 +150,39 @@ def test_two_in_python_and_several_where_one_runs(capsys: pytest.CaptureFixture[
     assert "902761" in capsys.readouterr().err
     with pytest.raises(Failure, match="902761"):
         Controller().run(NcText("a.nc", "M30"), plc=[load_plc("cell.py"), load_plc("cell.py")])
-    assert main(["live", "part.nc", *WORDS[:4]]) == 2
+    assert main(["fmu", "part.nc", *WORDS[:4], "-o", "part.fmu"]) == 2
     shown = capsys.readouterr().err
     assert "902760" in shown
     assert "one/cell.st, two/cell.st" in shown
+
+
+def test_a_session_goes_back_with_all_of_them() -> None:
+    """ST-820: both count in each tick, Python acknowledges; a branch is a tape."""
+    names = ["MAIN.n", "cell_2.MAIN.n"]
+    with Session("part.nc", plc=PLCS) as session:
+        session.step(8)
+        assert list(session.read(*names)) == [8, 80]
+        session.go_to(3)
+        assert list(session.read(*names)) == [3, 30]
+        session.step(5)
+        assert list(session.read(*names)) == [8, 80]
+    with Session("part.nc", plc=PLCS[:2]) as session:
+        session.step(20)
+        session.save("both.tape")
+    with Session.of_tape("both.tape") as session:
+        session.step(5)
+        assert list(session.read(*names)) == [5, 50]
+
+
+def test_a_session_takes_one_in_python() -> None:
+    """902761: a second PLC in Python is refused by name."""
+    with pytest.raises(Failure, match="902761"):
+        Session("part.nc", plc=["cell.py", "cell.py"])
+
+
+def test_a_launch_names_several() -> None:
+    """The debugger's session has both, and a file that is missing is named."""
+    launch = {"program": "part.nc", "plc": list(PLCS[:2])}
+    with read_configuration(Arguments(launch, "launch"), ()).open() as session:
+        session.step(4)
+        assert list(session.read("MAIN.n", "cell_2.MAIN.n")) == [4, 40]

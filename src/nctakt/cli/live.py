@@ -157,7 +157,6 @@ def command(
     return carry_out(
         words,
         lambda options, access: show_page(options, access, own),
-        takes_several_plcs=False,
     )
 
 
@@ -221,7 +220,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
                 documents,
                 Texts(options.language),
                 (host, port),
-                has_plc=options.plc is not None,
+                has_plc=bool(options.plcs),
                 has_tour=own.has_tour,
                 opens_browser=own.opens_browser,
                 is_embedded=own.is_embedded,
@@ -304,7 +303,7 @@ def _session_opener(
         return Session(
             channels=texts,
             machine=options.machine,
-            plc=options.plc,
+            plc=options.plcs,
             acknowledges=acknowledges,
             folders=folders,
             pace=own.pace,

@@ -255,7 +255,7 @@ def command(
         with building() as built:
             return _serve(options, access, own, built)
 
-    return carry_out({**words, "stays": True}, show, takes_several_plcs=False)
+    return carry_out({**words, "stays": True}, show)
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,12 +284,12 @@ class _Words:
 
 
 def _plc_programs(options: Options) -> Sequence[Program]:
-    """Return the programs of a PLC in Structured Text; raises ``Failure``."""
-    if options.plc is None:
+    """Return the programs of PLCs in Structured Text; raises ``Failure``."""
+    if not options.plcs:
         return ()
     from nctakt.plc.structured_text import structured_programs  # noqa: PLC0415 - rare
 
-    return structured_programs(options.plc)
+    return [program for one in options.plcs for program in structured_programs(one)]
 
 
 def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[], None]) -> int:
@@ -378,7 +378,7 @@ def _setup(options: Options, request: Request, own: _Words, folders: Sequence[st
     return Setup(
         {1: request.programs, **request.channels},
         options.machine,
-        options.plc,
+        options.plcs,
         acknowledges=not own.acknowledge,
         folders=folders,
         options=merged(request.session_options, {"stays": True}),
@@ -476,7 +476,7 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> D
         address,
         options.language,
         acknowledges=not own.acknowledge,
-        has_plc=options.plc is not None,
+        has_plc=bool(options.plcs),
         tell_error=lambda found: print_diagnostics([found], options.language),
         refused=lambda client, reason: host.refuse_later("live", client, reason.get("en")),
     )

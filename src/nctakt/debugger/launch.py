@@ -56,7 +56,7 @@ class Configuration:
                 *self.channels.get(1, ()),
                 channels={number: own for number, own in self.channels.items() if number != 1},
                 machine=self.settings.machine,
-                plc=self.settings.plc,
+                plc=self.settings.plcs,
                 acknowledges=self.acknowledges,
                 folders=self.folders,
                 **options,
@@ -93,15 +93,17 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
         raise Failure(diagnostic(WRONG_ARGUMENT, name="program", expected="the path of a program"))
     options = _options(arguments)
     until = arguments.optional_text("until")
-    machine, plc = arguments.optional_text("machine"), arguments.optional_text("plc")
-    plcs = () if plc is None else (plc,)
+    machine = arguments.optional_text("machine")
+    plcs = tuple(arguments.texts("plc")) if arguments.has("plc") else ()
     values = options.get("set") or {}
-    named = Named(machine=machine, plcs=plcs, values=values, until=until, base=base)
+    named = Named(
+        machine=machine, plcs=plcs, values=values, until=until, base=base, takes_several_plcs=True
+    )
     settings = run_settings([one for own in channels.values() for one in own], access, named)
     if machine is not None and settings.machine is not None:
         access.check_admitted(settings.machine)
-    if plc is not None and settings.plc is not None:
-        _paths([plc], base, access)
+    if settings.plcs:
+        _paths(plcs, base, access)
     has_breakpoints = not arguments.flag("noDebug")
     return Configuration(
         channels,

@@ -118,8 +118,8 @@ SEVERAL_PLCS_HERE = error(
     902760,
     en="several PLCs do not run together here: {files}",
     de="mehrere SPSen laufen hier nicht zusammen: {files}",
-    remedy_en="Name one of them; nctakt run, why, time, coverage, and tests take several.",
-    remedy_de="Eine davon angeben; nctakt run, why, time, coverage und Tests nehmen mehrere an.",
+    remedy_en="Name one of them; commands but study and fmu, sessions and tests take several.",
+    remedy_de="Eine davon angeben; Befehle außer study und fmu, Sitzungen, Tests nehmen mehrere.",
     files=("the files of the PLCs", "die Dateien der SPSen"),
 )
 FILE_KEPT = note(

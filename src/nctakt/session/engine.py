@@ -28,7 +28,7 @@ from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
-from nctakt.plc.loading import load_plc
+from nctakt.plc.loading import load_plcs
 from nctakt.results.compared import Compared, compared_last, compared_now
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.results.run import ProgramMessage, Run, RunState
@@ -206,7 +206,7 @@ class Engine:
         self._stops: Sequence[StopAt] = ()
         self._listed: list[int | str] = []
         self._told_diagnostics = self._told_messages = 0
-        plc = None if setup.plc is None else load_plc(setup.plc)
+        plc = load_plcs(setup.plcs)
         self._schedule.follow(self._loop, plc, self._diagnostics.append)
         stimuli = [read_stimulus(stimulus) for stimulus in options.get("at", ())]
         options = self._options(options, plc, stimuli, recorded)

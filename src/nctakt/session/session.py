@@ -46,7 +46,7 @@ class Session:
     """A run that one lives through: on any clock, with stops, forward and back.
 
     Any thread may command; a command returns when it has been done. ``programs``, ``channels``
-    and ``options`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` a Python file.
+    and ``options`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` files of PLCs.
     Without a PLC, functions acknowledge themselves unless ``acknowledges`` is false. ``folders``:
     the only ones whose files may be read. ``pace``: on the wall clock ``slice`` runs the ticks of
     10 ms together, ``tick`` each at its own time. ``stays``: it goes on after its programs.
@@ -72,7 +72,7 @@ class Session:
         *programs: str | Path | NcText,
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
         machine: str | Path | None = None,
-        plc: str | Path | None = None,
+        plc: str | Path | Sequence[str | Path] | None = None,
         acknowledges: bool = True,
         folders: Sequence[str | Path] = (),
         pace: str = "slice",

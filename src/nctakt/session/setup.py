@@ -19,7 +19,7 @@ class Setup:
     """Programs, machine and PLC of a session.
 
     ``programs``: number of the channel, from 1 -> its programs. ``machine``: a folder, ``None`` for
-    the demo machine. ``plc``: a Python file. ``acknowledges``: technology functions acknowledge
+    the demo machine. ``plc``: files of PLCs. ``acknowledges``: technology functions acknowledge
     themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
     only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``rtconf``:
     a scheduling list by which the controller's threads run on a real clock, with its ``load`` and
@@ -29,7 +29,7 @@ class Setup:
 
     programs: Mapping[int, Sequence[str | Path | NcText]]
     machine: str | Path | None = None
-    plc: str | Path | None = None
+    plc: str | Path | Sequence[str | Path] | None = None
     acknowledges: bool = True
     folders: Sequence[str | Path] = ()
     inputs: Sequence[Input] = ()
@@ -37,6 +37,13 @@ class Setup:
     load: str | None = None
     system: str | None = None
     options: RunKeywords = field(default_factory=RunKeywords)
+
+    @property
+    def plcs(self) -> tuple[str | Path, ...]:
+        """The files of the PLCs."""
+        if self.plc is None:
+            return ()
+        return (self.plc,) if isinstance(self.plc, str | Path) else tuple(self.plc)
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,14 +18,20 @@ from nctakt.messages import diagnostic
 from nctakt.messages.project import SEVERAL_PLCS_HERE
 from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
 from nctakt.messages.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
-from nctakt.plc.loading import load_plc
+from nctakt.plc.loading import load_plcs
 from nctakt.run.controller import Controller
 from nctakt.run.inputs import Input
 from nctakt.run.options import RunKeywords
 from nctakt.run.program_loader import NcText, name_of
 from nctakt.run.realtime_plc import is_structured
 from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
-from nctakt.run.tape_words import options_of_words, plcs_of, words_of, words_of_run
+from nctakt.run.tape_words import (
+    options_of_words,
+    plcs_of,
+    word_of_plcs,
+    words_of,
+    words_of_run,
+)
 from nctakt.session.schedules import schedule_of_setup
 from nctakt.session.setup import Setup
 
@@ -55,7 +61,7 @@ def save_tape(path: str | Path, setup: Setup, inputs: Sequence[Input], ticks: in
             "sinks": (writer,),
             "record": writer.note,
             "replay": replayed,
-            "plc": load_plc(setup.plc) if setup.plc and is_structured(setup.plc) else None,
+            "plc": load_plcs([one for one in setup.plcs if is_structured(one)]),
         }
         channels = {number: own for number, own in setup.programs.items() if number > 1}
         run = controller.run(*setup.programs.get(1, ()), channels=channels, **options)
@@ -86,12 +92,14 @@ def words_of_setup(setup: Setup) -> dict[str, Any]:
         system=setup.system,
         confined=[str(folder) for folder in setup.folders],
     )
-    return {**words, "plc": str(setup.plc) if is_structured(setup.plc) else None}
+    return {**words, "plc": word_of_plcs([str(one) for one in setup.plcs])}
 
 
 def has_called_plc(setup: Setup) -> bool:
     """Return whether a PLC outside of the tick acknowledges: a tape has what it does."""
-    return not is_structured(setup.plc) and (setup.plc is not None or not setup.acknowledges)
+    if not setup.plcs:
+        return not setup.acknowledges
+    return not all(map(is_structured, setup.plcs))
 
 
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
@@ -109,9 +117,9 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
     changed = changed_files(tape, FileAccess(folders))
     if changed and not anyway:
         raise Failure(diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed)))
-    plcs = (*plcs_of(tape), *(["Python"] if tape.has_plc else []))
-    if len(plcs) > 1:
-        raise Failure(diagnostic(SEVERAL_PLCS_HERE, files=", ".join(plcs)))
+    plcs = plcs_of(tape)
+    if plcs and tape.has_plc:
+        raise Failure(diagnostic(SEVERAL_PLCS_HERE, files=", ".join((*plcs, "Python"))))
     if tape.lists:
         raise Failure(diagnostic(TAPE_CHANGES_LISTS, files=", ".join(tape.lists)))
     if words["rtconf"] is not None:
@@ -129,5 +137,5 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         folders=folders,
         inputs=tape.inputs,
         options=options_of_words(words),
-        plc=next(iter(plcs_of(tape)), None),
+        plc=plcs,
     )

@@ -13,7 +13,6 @@ import contextlib
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from pathlib import Path
 from typing import cast
 
 from nctakt.base.diagnostics import Language
@@ -22,6 +21,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
 from nctakt.messages.session import NO_SUCH_BRANCH, PLC_HOLDS_OPEN, TICK_NOT_REACHED
 from nctakt.run.inputs import PLC, SCHEDULE, Input, in_order
+from nctakt.run.realtime_plc import is_structured
 from nctakt.session.branch import Branch, index_of
 from nctakt.session.columns import WRITE_KINDS, Necessary
 from nctakt.session.comparing import BranchDifference, fork_of
@@ -42,7 +42,6 @@ from nctakt.session.schedules import CLOSE, RESTART, TABLE
 from nctakt.session.setup import Setup
 from nctakt.session.stops import BLOCKS, StopAt
 from nctakt.session.workshop import ProcessPool, RemoteEngine
-from nctakt.st.files.suffixes import PLC_SUFFIXES
 
 #: Ticks, and marks, between two calls of ``poll`` while the past is run again.
 PART_TICKS = 100_000
@@ -142,7 +141,7 @@ class Timeline:
             if not self._has_past:
                 own = (PLC, SCHEDULE)
                 self._plc[branch.number] += [one for one in done.inputs if one.source in own]
-            elif self._setup.plc is not None:
+            elif self._setup.plcs:
                 news = [one for one in done.inputs if one.tick > branch.latest]
                 self._plc[branch.number] += [one for one in news if one.source == PLC]
             branch.latest = done.tick
@@ -203,13 +202,13 @@ class Timeline:
         ends = ticks_of(marks)
         found = list(zip(asked or ends, done.marks, strict=False))
         differs = first_difference([mark for tick, mark in found if tick in ends], marks)
-        if differs is None and self._setup.plc is None:
+        if differs is None and not self._setup.plcs:
             near = (mark for tick, mark in found if tick == mark.tick)
             differs = self._confirmed.compare(branch.number, near)
         done = replace(done, marks=(), rows=b"")
         if differs is None or done.differs is not None:
             return done
-        if self._setup.plc is not None:
+        if self._setup.plcs:
             return replace(done, differs=differs)
         raise past_differs(differs)
 
@@ -217,7 +216,7 @@ class Timeline:
         """Let a copy run on to the next mark, so that what is shown here is as it was."""
         tick = engine.tick
         following = branch.mark_after(tick)
-        if following is None or not self._can_copy or self._setup.plc is not None:
+        if following is None or not self._can_copy or self._setup.plcs:
             return
         if self._confirmed.is_proved(tick):
             return
@@ -320,7 +319,7 @@ class Timeline:
         if target is self.branch and tick == self.tick and self._fault is None:
             return self._live.run(tick)
         is_front = self._can_copy and self.tick == self.branch.latest and self._fault is None
-        if is_front and self._setup.plc is not None:
+        if is_front and self._setup.plcs:
             with contextlib.suppress(Failure):  # one that is gone is left behind
                 self._park()  # what holds a file open shows now
         before_us = self.branch.work_at(self.tick)
@@ -410,7 +409,7 @@ class Timeline:
 
     def _near(self, branch: Branch, first: int, tick: int) -> list[int]:
         """Return ``tick`` and those after ``first`` to which somebody goes back from there."""
-        if not self._can_copy or self._setup.plc is not None:
+        if not self._can_copy or self._setup.plcs:
             return []
         if tick in self._confirmed:
             return [tick]
@@ -426,7 +425,7 @@ class Timeline:
         Where somebody goes step by step this takes ``REFINED_US`` at most, with the work that the
         step itself has been.
         """
-        if not self._can_copy or self._setup.plc is not None:
+        if not self._can_copy or self._setup.plcs:
             return
         while spent_us < REFINED_US or not is_step:
             present_us = self.branch.work_at(self.tick)
@@ -516,9 +515,8 @@ class Timeline:
         ``None`` where what comes depends on somebody outside who cannot be copied: a PLC in Python
         or a model that may reach beyond this process, a schedule on the real clock.
         """
-        plc, options = self._setup.plc, self._setup.options
-        is_outside = plc is not None and Path(plc).suffix.lower() not in PLC_SUFFIXES
-        if not self._can_copy or is_outside or options.get("fmu") is not None:
+        is_outside = not all(map(is_structured, self._setup.plcs))
+        if not self._can_copy or is_outside or self._setup.options.get("fmu") is not None:
             return None
         engine = self.trial(self.branch.latest)
         engine.is_apart = True
@@ -627,7 +625,7 @@ class Timeline:
         self, engine: RemoteEngine, end: int, stops: Sequence[StopAt], before: int, whole: int
     ) -> int:
         """Run a controller up to a tick; return the last tick at which a stop held, or 0."""
-        first, hit, has_plc = engine.tick, 0, self._setup.plc is not None
+        first, hit, has_plc = engine.tick, 0, bool(self._setup.plcs)
         marks: Sequence[PastMark] = ()
         while engine.tick < end:
             self._report(before + engine.tick - first, whole)

@@ -66,12 +66,12 @@ class Started:
     def until(self, text: str) -> None:
         """Wait until it has said a text."""
         while text not in self.said:
-            line = (self._out.readline()).decode()
+            line = (self.output.readline()).decode()
             assert line, self.said
             self.said += line
 
     @property
-    def _out(self) -> IO[bytes]:
+    def output(self) -> IO[bytes]:
         assert self.process.stdout is not None
         return self.process.stdout
 
@@ -81,7 +81,7 @@ class Started:
             os.killpg(self.process.pid, number)
         else:
             self.process.send_signal(number)
-        self.said += self._out.read().decode()  # to the end of all that hold it open
+        self.said += self.output.read().decode()  # to the end of all that hold it open
         code = self.process.wait(60)
         for _ in range(200):
             try:
@@ -190,7 +190,7 @@ def test_a_debugger_leaves_no_controller(
             to, said = client.makefile("wb"), client.makefile("rb")
         else:
             assert debugger.process.stdin is not None
-            to, said = debugger.process.stdin, debugger._out
+            to, said = debugger.process.stdin, debugger.output
         for seq, command in enumerate(("initialize", "launch", "configurationDone"), 1):
             given = arguments if command == "launch" else {}
             request = {"seq": seq, "type": "request", "command": command, "arguments": given}

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
+from support.insides import break_output
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
@@ -182,7 +183,7 @@ def test_an_output_that_was_cut_off_says_so_by_its_name(
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patch:
-        patch.setattr(file, "_file", _Refusing(file._file, refuse))
+        break_output(patch, file, lambda inner: _Refusing(inner, refuse))
         with pytest.raises(Failure) as caught:
             file.write("second line\n")
     assert [one.id for one in caught.value.diagnostics] == [900507, 900918]

@@ -278,12 +278,13 @@ def test_selected_and_deselected_reset_as_well(target: int, tmp_path: Path) -> N
     machine.session.close()
 
 
-def test_active_goes_through_ready(tmp_path: Path) -> None:
+def test_active_comes_with_its_program(tmp_path: Path) -> None:
     """A program and its START in one command, written as one sum command of a client is."""
     machine = OperationMode(tmp_path)
     machine.go(4, ticks=700)
+    assert machine.state() == "SELECTED"
     machine.go(4, str(machine.part), ticks=1)
-    seen = [machine.state()]
-    machine.session.step(2)
-    assert (*seen, machine.state()) == ("READY", "ACTIVE")
+    seen = [machine.state()]  # of the tick that takes START
+    machine.session.step(1)
+    assert (*seen, machine.state()) == ("SELECTED", "ACTIVE")
     machine.session.close()

@@ -6,7 +6,7 @@ from __future__ import annotations
 import struct
 
 import pytest
-from support.insides import loop_of, machine_of
+from support.insides import living_cycles, loop_of, machine_of
 from support.kernel_rig import DEMO
 
 from nctakt.kernel import rows
@@ -59,7 +59,7 @@ def test_a_condition_records_each_change_of_its_truth(condition: str) -> None:
 
 def reaction(controller: Controller):
     """The node of the only branch of the only cycle."""
-    (definition,) = machine_of(controller).registry._living.values()
+    (definition,) = living_cycles(controller)
     return definition.reactions[0].node
 
 

@@ -49,7 +49,7 @@ def begun(program: str = PROGRAM) -> tuple[Controller, ProgramRun]:
 def cell(controller: Controller, name: str) -> Expression:
     """Return the load of a variable."""
     machine = machine_of(controller)
-    return Load(machine.access._find(name)[1], len(machine.memory) // 8)
+    return Load(machine.access.cell_of(name)[0], len(machine.memory) // 8)
 
 
 def first_tick_of(kind: str, text: str) -> int:

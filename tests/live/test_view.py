@@ -5,7 +5,7 @@ import time
 from pathlib import Path
 
 import pytest
-from support.insides import story_of
+from support.insides import audience_of, processes_of
 
 from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
@@ -311,7 +311,7 @@ def test_only_a_session_that_stays_where_it_is_is_explained() -> None:
 def test_a_controller_that_is_lost_is_told_once() -> None:
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
-        (process,) = story_of(shared.session).timeline._workshop._processes
+        (process,) = processes_of(shared.session)
         process.kill()
         process.wait()
         end_s = time.monotonic() + 20.0
@@ -332,18 +332,18 @@ def test_a_page_that_did_not_keep_up_listens_anew() -> None:
     """Whoever leaves too many notices unread is told no more."""
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
-        audience, ask = shared.session._audience, shared.session._thread.ask
+        audience = audience_of(shared.session)
         shared.do(lambda session: session.step(1))
         with shared.lock:
             for _ in range(MAX_NOTICES + 100):
-                ask(audience.tell, "travelled")
+                audience.tell_of_travel()
         shared.do(lambda session: session.play(1.0))
         end_s = time.monotonic() + 20.0
         while time.monotonic() < end_s:
-            if shared.snapshot.tick >= 100 and len(audience._listeners) == 1:
+            if shared.snapshot.tick >= 100 and audience.count == 1:
                 break
             time.sleep(0.02)
         assert shared.snapshot.tick >= 100
-        assert len(audience._listeners) == 1
+        assert audience.count == 1
     finally:
         shared.close()

@@ -16,6 +16,7 @@ from typing import Any
 
 import pytest
 from support.check_machine import demo_channel
+from support.insides import remembered
 from support.random_seeds import each_seed
 
 from nctakt.base.diagnostics import Diagnostic
@@ -303,5 +304,6 @@ def test_not_more_shapes_are_remembered_than_there_is_room_for(
         key = f"G{number} X\1".encode()
         assert known.of(key) is None
         assert known.of(key) is not None
-        assert sum(map(len, known._seen)) <= 100
-        assert len(known._known) <= len(known._seen)
+        seen, made = remembered(known)
+        assert sum(map(len, seen)) <= 100
+        assert made <= len(seen)

@@ -24,6 +24,7 @@ from support.ads_wire import (
     result,
     write,
 )
+from support.insides import handles_of, kept_items
 
 from nctakt.servers.address import is_within, read_network
 from nctakt.servers.ads import clients, limits, notifications, symbols
@@ -441,14 +442,14 @@ def test_a_newcomer_gets_a_notification_where_others_hold_all(
             request = notification(VARIABLES, 0, 8, source=source)
             assert result(await found.ask(greedy, its, request)) == 0
         notifier = found.door.service.notifier
-        oldest = next(iter(notifier._all))
+        oldest = handles_of(notifier)[0]
         for _ in range(2):
             assert result(await found.ask(other, wire, notification(VARIABLES, 0, 8))) == 0
         assert result(await found.ask(other, wire, notification(VARIABLES, 0, 8))) == (
             Error.NO_HANDLES
         )
         assert len(notifier) == 5
-        assert oldest not in notifier._all
+        assert oldest not in handles_of(notifier)
         empty = pack("<II", oldest, 0)
         assert empty in bytes(its.sent)
         greedy.end("it goes")
@@ -481,7 +482,7 @@ def test_what_is_remembered_of_large_ranges_is_bounded(monkeypatch: pytest.Monke
         for count in range(1, 11):
             item = table.item(start.group, start.offset, 8 * count)
             assert len(item.leaves) == count
-            kept = list(table._items.values())
+            kept = kept_items(table)
             assert item in kept
             assert sum(len(one.leaves) for one in kept) <= 25
 

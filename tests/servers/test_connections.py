@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 from support.ads_wire import bench, notification, read
+from support.insides import timer_of
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import load_machine
@@ -47,7 +48,7 @@ def test_a_message_has_its_time(looks: tuple[tuple[int, bool], ...], late_s: flo
         deadline = Deadline(loop, 10, ended.append)
         for pending, is_new in looks:
             deadline.look(pending, is_new=is_new)
-        timer = deadline._timer
+        timer = timer_of(deadline)
         if timer is not None:
             begun.append(timer.when() - loop.time())
         deadline.stop()

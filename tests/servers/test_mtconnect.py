@@ -10,9 +10,11 @@ import asyncio
 import json
 import re
 from collections.abc import Awaitable, Callable
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import pytest
+from support.insides import queue_line
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import ProgramMessage
@@ -133,11 +135,9 @@ def test_an_error_is_a_fault_until_it_is_cleared() -> None:
         await agent.until(lambda: agent.values.get("p1_logic") == "NORMAL||||")
         await host.ask(host.session.write, {"HLI.RESET": 1})
         await host.ask(host.session.run, "10 ms")
-        host.store.values = {**host.store.values, "HLI.ERROR": 20847.0}
         assert host.store.frame is not None
-        door_frame = host.store.frame
-        for listener in tuple(host.store._listeners):
-            listener(door_frame)
+        values = {**host.store.values, "HLI.ERROR": 20847.0}
+        host.store.take(replace(host.store.frame, values=values))
         await agent.until(lambda: agent.values["p1_logic"] == "FAULT|20847|||error 20847")
 
     at_the_door(act)
@@ -163,7 +163,7 @@ def test_an_agent_that_asks_and_never_reads_is_disconnected() -> None:
         await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
         (client,) = door.clients
         for _ in range(1001):  # nothing is sent meanwhile
-            client._queue("* PONG 10000")
+            queue_line(client, "* PONG 10000")
         async with asyncio.timeout(30.0):
             while door.clients:
                 await asyncio.sleep(0.01)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.insides import story_of
+from support.insides import lose_controller, story_of
 
 from nctakt import Controller, Failure, NcText
 from nctakt.run.inputs import Input
@@ -409,7 +409,7 @@ def test_a_controller_that_is_gone_is_told_and_left_behind() -> None:
     with opened() as session:
         session.run("100 ms")
         session.back(50)
-        story_of(session).timeline.live._connection.close()
+        lose_controller(session)
         with pytest.raises(Failure, match="901153"):
             session.step()
         assert session.go_to(20).tick == 20

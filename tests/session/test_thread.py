@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.insides import exchange_queue
 
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
@@ -37,7 +38,7 @@ def test_who_asks_while_it_closes_gets_an_answer() -> None:
 
     assert thread.ask(int, "1") == 1
     slow = SlowQueue()
-    first, thread._commands = thread._commands, slow
+    first = exchange_queue(thread, slow)
     first.put(lambda: None)  # wakes the thread, which then waits at the slow queue
     with ThreadPoolExecutor(1) as pool:
         answer = pool.submit(thread.ask, int, "2")

@@ -132,7 +132,7 @@ def test_object_storage(plan: Path, monkeypatch: pytest.MonkeyPatch, capsys: Cap
     s3fs: Any = pytest.importorskip("s3fs")
     server = server_of.ThreadedMotoServer(ip_address="127.0.0.1", port=0)
     server.start()
-    port = server._server.server_port
+    _, port = server.get_host_and_port()
     for name in ("AWS_ACCESS_KEY_ID", "AWS_SECRET_ACCESS_KEY"):
         monkeypatch.setenv(name, "testing")
     monkeypatch.setenv("AWS_ENDPOINT_URL", f"http://127.0.0.1:{port}")

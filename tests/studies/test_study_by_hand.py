@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support.insides import let_copy
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.studies.bench import Digest
@@ -84,8 +85,7 @@ def test_a_shared_beginning_yields_the_same_rows(program: Path) -> None:
         expect=["PATH.SPEED <= 0 within 20 ms"],
     )
     shared = SharedBeginning(plan.bench, may_copy=False)
-    shared._may_copy = True
-    shared._copying_pays = lambda: True  # type: ignore[method-assign]
+    let_copy(shared)
     for number in (0, 1, 2, 3, 40, 700, 5):
         assert shared.row(number) == plan.bench.row(number)
 

@@ -125,7 +125,7 @@ def test_ctrl_c_keeps_what_is_finished(
             yield list(rows)[:2]
             raise KeyboardInterrupt
 
-        patch.setattr("nctakt.studies.results._groups", interrupt_writing)
+        patch.setattr("nctakt.studies.results.in_groups", interrupt_writing)
         assert main([*words, "--resume"]) == 1
     assert "rows.partial.jsonl" in capsys.readouterr().err  # as of each file that is cut off
     out.with_name("rows.partial.jsonl").unlink()

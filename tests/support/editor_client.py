@@ -12,6 +12,8 @@ from typing import Any
 
 import pytest
 
+from support.insides import kill_server
+
 pytest.importorskip("pygls", reason="the language server needs pygls (extra editor)")
 pytest_lsp = pytest.importorskip("pytest_lsp", reason="its tests need pytest-lsp (extra test)")
 
@@ -109,7 +111,7 @@ async def with_editor(
         await asyncio.wait_for(script(Editor(client, folder)), 600)
         await client.shutdown_session()
     except BaseException:
-        client._server.kill()
+        kill_server(client)
         raise
     finally:
         await client.stop()

@@ -65,11 +65,11 @@ def write_rows(
             file.fill(lambda target: _write_parquet(rows, schema, target))
         elif path.suffix == ".csv":
             file.write(_csv_line(columns))
-            for group in _groups(rows):
+            for group in in_groups(rows):
                 file.write("".join(_csv_line([row.get(name) for name in columns]) for row in group))
         else:
             file.write("")
-            for group in _groups(rows):
+            for group in in_groups(rows):
                 file.write("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in group))
 
 
@@ -97,7 +97,7 @@ def _csv_line(cells: Sequence[object]) -> str:
     return text.getvalue()
 
 
-def _groups(rows: Iterable[Row]) -> Iterator[list[Row]]:
+def in_groups(rows: Iterable[Row]) -> Iterator[list[Row]]:
     iterator = iter(rows)
     while group := list(itertools.islice(iterator, GROUP)):
         yield group
@@ -256,5 +256,5 @@ def _arrays(rows: Iterable[Row], schema: pyarrow.Schema) -> list[pyarrow.Array]:
 def _write_parquet(rows: Iterable[Row], schema: pyarrow.Schema, path: Path) -> None:
     arrow, parquet = load_pyarrow(), load_pyarrow("parquet")
     with parquet.ParquetWriter(path, schema, compression="zstd") as writer:
-        for group in _groups(rows):
+        for group in in_groups(rows):
             writer.write_table(arrow.table(_arrays(group, schema), schema=schema))

@@ -15,6 +15,7 @@ from datetime import timedelta
 from typing import ClassVar
 
 import pytest
+from support.insides import is_writing, send_unasked
 
 pytest.importorskip("asyncua", reason="needs the extra [opcua]")
 
@@ -371,7 +372,7 @@ def test_who_reads_nothing_is_disconnected(served):
 
             async def ask():
                 with contextlib.suppress(Exception):
-                    protocol._send_request(request)
+                    send_unasked(protocol, request)
                 assert await node.read_value() == 1
                 return any("read its responses" in one for one in served.refusals())
 
@@ -475,7 +476,7 @@ def test_a_write_comes_between_the_parts_of_a_long_past(served, monkeypatch):
 
     def looked(first, end, *words):
         limit_s = time.monotonic() + 20
-        while not done and served.host._writer is None and time.monotonic() < limit_s:
+        while not done and not is_writing(served.host) and time.monotonic() < limit_s:
             time.sleep(0.001)
         done.append(end - first)
         return look(first, end, *words)

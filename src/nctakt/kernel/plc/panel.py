@@ -170,8 +170,7 @@ class Panel:
             self.cells[cell + cells.PANEL_ERROR_SERIAL] += 1.0
         self.cells[cell + cells.PANEL_STATE] = state
         self.cells[cell + cells.PANEL_PAUSED] = self.is_paused
-        # The tick that takes START is the last one in which the program is selected.
-        self.cells[cell + cells.PANEL_ARMED] = self.is_armed or self.start_taken
+        self.cells[cell + cells.PANEL_ARMED] = self.is_armed
         self.cells[cell + cells.PANEL_ERROR] = message
 
     def show_loop(self, is_inside: bool) -> None:

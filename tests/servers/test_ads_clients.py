@@ -7,7 +7,6 @@ What both read and write is right: the oracle of AD-1 … AD-6.
 from __future__ import annotations
 
 import json
-import shutil
 import socket
 import subprocess
 import sys
@@ -15,7 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from support.ads_server import Server
+from support.ads_server import Server, drive_with_npm
 from support.ads_wire import write
 
 pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing here")
@@ -65,25 +64,7 @@ def test_the_library_of_the_vendor(server: Server) -> None:
 
 def test_ads_client_of_npm(server: Server, tmp_path: Path) -> None:
     """Another client reads structures by the uploaded types, writes, listens."""
-    if shutil.which("node") is None or shutil.which("npm") is None:
-        pytest.skip("node and npm are not installed")
-    for name in ("package.json", "drive_ads.js"):
-        shutil.copy(FOLDER / name, tmp_path)
-    words = ["npm", "install", "--no-audit", "--no-fund", "--no-package-lock", "--ignore-scripts"]
-    try:
-        installed = subprocess.run(
-            words, cwd=tmp_path, capture_output=True, timeout=60, check=False
-        )
-    except subprocess.TimeoutExpired:
-        pytest.skip("npm cannot install ads-client here")
-    if installed.returncode:
-        pytest.skip("npm cannot install ads-client here")
-    host, port = server.address.split(":")
-    driven = ["node", "drive_ads.js", host, port, server.net_id]
-    done = subprocess.run(
-        driven, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
+    drive_with_npm(server, "drive_ads.js", tmp_path)
 
 
 @pytest.mark.nightly

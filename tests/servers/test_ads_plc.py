@@ -9,7 +9,7 @@ from pathlib import Path
 from struct import pack
 
 import pytest
-from support.ads_server import Server
+from support.ads_server import Server, drive_with_npm
 
 from nctakt.plc.structured_text import structured_programs
 from nctakt.servers.ads.codes import AdsError, Error
@@ -100,6 +100,17 @@ def test_methods_and_unknown_parts_are_refused(symbols: PlcSymbols) -> None:
     with pytest.raises(AdsError) as raised:
         symbols.item(0x4060, 3, 1)
     assert raised.value.code is Error.OFFSET
+
+
+@pytest.mark.slow
+def test_a_client_of_npm_finds_them(tmp_path: Path) -> None:
+    """ads-client uploads symbols and types, reads arrays by them, writes, listens, uses handles."""
+    (tmp_path / "cell.st").write_text(PLC, "utf-8")
+    server = Server(tmp_path, "--plc=cell.st", "--pace=tick")
+    try:
+        drive_with_npm(server, "drive_ads_plc.js", tmp_path)
+    finally:
+        server.end()
 
 
 @pytest.mark.nightly

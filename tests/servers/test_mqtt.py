@@ -17,6 +17,7 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import load_machine
+from nctakt.plc.structured_text import structured_programs
 from nctakt.run.program_loader import NcText
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
@@ -93,14 +94,17 @@ class Client:
 
 
 def at_the_broker(
-    port: int, act: Callable[[Host, MqttDoor, Client], Awaitable[None]]
+    port: int,
+    act: Callable[[Host, MqttDoor, Client], Awaitable[None]],
+    plc: Path | None = None,
 ) -> list[dict[str, Any]]:
     """Let a client see what the door publishes; the log."""
     aiomqtt = pytest.importorskip("aiomqtt", reason="the extra mqtt")
     lines: list[str] = []
 
     async def live(session: Session) -> None:
-        host = await Host(session, load_machine(), ServerLog(lines.append)).open()
+        programs = [] if plc is None else structured_programs(plc)
+        host = await Host(session, load_machine(), ServerLog(lines.append), programs).open()
         door = MqttDoor(host, read_broker(f"mqtt://127.0.0.1:{port}/cell"))
         async with aiomqtt.Client("127.0.0.1", port) as client:
             await client.subscribe("cell/#", 1)
@@ -112,7 +116,7 @@ def at_the_broker(
                 await door.close()
                 await host.close()
 
-    with Session(PROGRAM, stays=True) as session:
+    with Session(PROGRAM, stays=True, plc=plc) as session:
         asyncio.run(live(session))
         tape = [{"source": one.source, "values": one.values} for one in session.tape()]
     return [*map(json.loads, lines), *tape]
@@ -161,6 +165,33 @@ def test_a_client_sees_the_machine_and_writes(port: int) -> None:
     ]
     assert {line["source"] for line in log if "values" in line} == {"mqtt 127.0.0.1"}
     assert len([line for line in log if line.get("event") == "refused"]) >= 4
+
+
+def test_what_a_plc_marks_has_a_topic(port: int, tmp_path: Path) -> None:
+    """Numbers, truths and items of marked variables come by their paths, and can be written."""
+    (tmp_path / "cell.st").write_text(
+        "TYPE E_Gate : (Closed := 0, Open := 5); END_TYPE\nPROGRAM MAIN\nVAR\n"
+        "    {attribute 'OPC.UA.DA' := '1'} bOpen : BOOL;\n"
+        "    {attribute 'OPC.UA.DA' := '1'} eGate : E_Gate;\n    nOwn : INT;\nEND_VAR\n"
+        "eGate := SEL(bOpen, E_Gate.Closed, E_Gate.Open);\nEND_PROGRAM\n",
+        "utf-8",
+    )
+
+    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+        await client.until(lambda: "plc/MAIN.eGate" in client.latest)
+        assert client.latest["plc/MAIN.bOpen"]["value"] is False
+        text = '{"id": 1, "values": {"MAIN.bOpen": true}}'
+        await client.client.publish("cell/write", text, 1)
+        await client.until(lambda: bool(client.answers))
+        await host.ask(host.session.run, "50 ms")
+        await client.until(lambda: client.latest["plc/MAIN.eGate"]["value"] == "E_Gate.Open")
+        assert client.latest["plc/MAIN.bOpen"]["value"] is True
+        assert [one for one in client.latest if one.startswith("plc/")] == [
+            "plc/MAIN.bOpen",
+            "plc/MAIN.eGate",
+        ]
+
+    at_the_broker(port, act, tmp_path / "cell.st")
 
 
 def test_a_retained_request_is_refused(port: int) -> None:

@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import json
+import shutil
 import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+
+import pytest
 
 LIMIT_S = 60.0
 
@@ -59,3 +62,24 @@ class Server:
         self.process.send_signal(signal.SIGTERM)
         out, error = self.process.communicate(timeout=LIMIT_S)
         return self.process.returncode, out, error
+
+
+def drive_with_npm(server: Server, script: str, folder: Path) -> None:
+    """Let ads-client of npm, installed in a folder, drive a server by a script of the tests."""
+    if shutil.which("node") is None or shutil.which("npm") is None:
+        pytest.skip("node and npm are not installed")
+    for name in ("package.json", script):
+        shutil.copy(Path(__file__).parents[1] / "servers" / name, folder)
+    words = ["npm", "install", "--no-audit", "--no-fund", "--no-package-lock", "--ignore-scripts"]
+    try:
+        installed = subprocess.run(words, cwd=folder, capture_output=True, timeout=60, check=False)
+    except subprocess.TimeoutExpired:
+        pytest.skip("npm cannot install ads-client here")
+    if installed.returncode:
+        pytest.skip("npm cannot install ads-client here")
+    host, port = server.address.split(":")
+    driven = ["node", script, host, port, server.net_id]
+    done = subprocess.run(
+        driven, cwd=folder, capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr

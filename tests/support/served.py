@@ -13,6 +13,7 @@ from typing import Any
 
 from nctakt import Session
 from nctakt.lists.machine.machine import load_machine
+from nctakt.plc.structured_text import structured_programs
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.opcua.door import OpcuaDoor
@@ -46,6 +47,7 @@ class Served:
         address: str = "127.0.0.1",
         limits: Limits | None = None,
         text: str = PROGRAM,
+        plc: Path | None = None,
     ) -> None:
         self.folder = folder
         self.lines: list[dict[str, Any]] = []
@@ -53,8 +55,13 @@ class Served:
         (folder / "wrong.nc").write_text(WRONG, encoding="utf-8")
         (folder / "other.nc").write_text("G01 X5 F6000\nM30\n", encoding="utf-8")
         self.session = Session(
-            str(folder / "part.nc"), stays=True, wait_for_start=True, folders=[str(folder)]
+            str(folder / "part.nc"),
+            stays=True,
+            wait_for_start=True,
+            folders=[str(folder)],
+            plc=plc,
         )
+        self._programs = [] if plc is None else structured_programs(plc)
         self._address = address
         self._limits = limits
         self._ready = threading.Event()
@@ -70,7 +77,7 @@ class Served:
         self._end = asyncio.Event()
         log = ServerLog(lambda line: self.lines.append(json.loads(line)))
         try:
-            self.host = await Host(self.session, load_machine(), log).open()
+            self.host = await Host(self.session, load_machine(), log, self._programs).open()
             address = self._address, 0
             self.door = OpcuaDoor(self.host, address, self.folder / "opcua", self._limits)
             await self.door.prepare()

@@ -26,6 +26,7 @@ from nctakt.servers.catalogue import Catalogue
 from nctakt.servers.clock import MachineClock
 from nctakt.servers.feed import Feed
 from nctakt.servers.log import ServerLog
+from nctakt.servers.marked_variables import marked_values
 from nctakt.servers.notices import Notices, ServerNotice
 from nctakt.servers.store import Scalar, Store
 from nctakt.session.listening import Frame, Notice
@@ -81,7 +82,8 @@ class Host:
     """A session and what its doors share; open it in a running loop.
 
     ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
-    values; ``programs``: those of its PLC in Structured Text; ``notices``: what clients must know;
+    values; ``programs``: those of its PLC in Structured Text, ``marked``: what these mark for
+    clients (``marked_variables``); ``notices``: what clients must know;
     ``log``: what is logged about clients; ``clock``: the times of ticks.
     """
 
@@ -96,6 +98,7 @@ class Host:
         self.programs = programs
         self.machine = machine
         self.catalogue = Catalogue(names_of_machine(machine))
+        self.marked = marked_values(programs)
         self.log = log
         self.notices = Notices(log)
         self.store = Store(self._subscribe, log)

@@ -197,7 +197,8 @@ class MqttDoor:
 
     def _typed(self, name: str, value: Scalar) -> Scalar:
         """Return a value as JSON has it: whole numbers, true and false by the type of the value."""
-        type_ = self._host.catalogue.values[name].type
+        host = self._host
+        type_ = (host.marked.get(name) or host.catalogue.values[name]).type
         if isinstance(value, str) or type_ == "REAL64":
             return value
         return bool(value) if type_ == "BOOLEAN" else int(value)
@@ -302,6 +303,8 @@ def _topics_of(host: Host) -> dict[str, dict[str, str]]:
     for value in host.catalogue.values.values():
         if value.name.startswith("V.E.") or ".V.E." in value.name:
             topics[f"variable/{value.name}"] = {"value": value.name}
+    for name in host.marked:
+        topics[f"plc/{name}"] = {"value": name}
     return topics
 
 

@@ -127,6 +127,7 @@ class MachineSpace:
         for channel in machine.channels:
             prefix = f"CH{channel.number}." if several else ""
             self._add_channel(channel, prefix, texts)
+        self._add_marked()
 
     # --- axes, spindles and channels ------------------------------------------------------------
 
@@ -310,21 +311,30 @@ class MachineSpace:
             elif not own.startswith("V."):
                 self._add_value(f"{path}.Signals", own, value)
 
+    def _add_marked(self) -> None:
+        """Add the variables that a PLC marks for clients, if there are any."""
+        if self._host.marked:
+            self._add_folder("CncInterface", "PLC")
+        for value in self._host.marked.values():
+            self._add_value("CncInterface.PLC", value.name, value, has_past=False)
+
     def _add_folder(self, path: str, name: str) -> ua.NodeId:
         node = self._nodes.add_object(self.id(f"{path}.{name}"), self.name(name), standard(61))
         self._nodes.refer(self.id(path), refs.HAS_COMPONENT, node)
         return node
 
-    def _add_value(self, folder: str, name: str, value: CatalogueValue) -> None:
+    def _add_value(
+        self, folder: str, name: str, value: CatalogueValue, *, has_past: bool = True
+    ) -> None:
         kind = KINDS[value.type]
         session_name = value.name
         live = Live(
             kind,
-            _reader(session_name),
+            _text_reader(session_name) if value.is_text else _reader(session_name),
             (session_name,),
             write_name=session_name if value.is_writable else "",
             to_session=bool_to_number if kind == ua.VariantType.Boolean else None,
-            signal="" if value.is_text else session_name,
+            signal=session_name if has_past and not value.is_text else "",
         )
         node = self.id(f"{folder}.{name}")
         rights = READ | (WRITE if live.write_name else 0) | (HISTORY if live.signal else 0)
@@ -356,6 +366,11 @@ def _reader(name: str) -> Any:
         return moment.values[name]
 
     return read
+
+
+def _text_reader(name: str) -> Any:
+    """Return what reads a text, or an enumeration, which is a number where no item has it."""
+    return lambda moment: str(moment.values[name])
 
 
 def _component(type_: str, name: str) -> Component:

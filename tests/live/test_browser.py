@@ -407,6 +407,32 @@ def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.nightly
+def test_a_plc_that_is_saved(browser: Any, tmp_path: Path) -> None:
+    """It is told; the run begins anew with the new text, and what is typed here stays.
+
+    Of a text with a mistake the mistake is told, and the run stays as it was.
+    """
+    path, plc = written(tmp_path), tmp_path / "cell.st"
+    text = "PROGRAM MAIN\nVAR\n    n : INT;\nEND_VAR\nn := n + 1;\nEND_PROGRAM\n"
+    plc.write_text(text, "utf-8")
+    with served(str(path), "--plc", str(plc)) as address:
+        page = opened(browser, address)
+        page.get_by_test_id("tick").click()
+        expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
+        expect(page.get_by_test_id("load")).to_be_hidden()
+        plc.write_text(text.replace("n + 1", "m + 1"), "utf-8")
+        expect(page.get_by_text("PLC changed on disk")).to_be_visible()
+        page.get_by_test_id("load").click()
+        expect(page.get_by_text("m is not declared").first).to_be_visible()
+        expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
+        plc.write_text(text.replace("n + 1", "n + 2"), "utf-8")
+        page.get_by_test_id("load").click()
+        expect(page.get_by_test_id("clock")).to_contain_text("before tick 0 ")
+        expect(page.get_by_test_id("load")).to_be_hidden()
+        page.close()
+
+
+@pytest.mark.nightly
 @pytest.mark.parametrize(("width", "height"), [(1280, 800), (820, 1180)])
 def test_nothing_is_cut_off(browser: Any, tmp_path: Path, width: int, height: int) -> None:
     """On a laptop and on a tablet: no scroll bar of the page, every part has room."""

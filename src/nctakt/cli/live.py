@@ -208,7 +208,12 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
     file = documents[channel][0].file
     open_session = _session_opener(options, request, own, documents, folders)
     shared = SharedSession(
-        open_session, file, acknowledges=not own.acknowledge, channel=channel, logged=curves
+        open_session,
+        file,
+        acknowledges=not own.acknowledge,
+        channel=channel,
+        logged=curves,
+        plc=None if options.plc is None else Path(options.plc),
     )
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)

@@ -191,12 +191,18 @@ class ProgramCard:
         self._choice.set_value(self._key())
         self.show(self._shared.snapshot)
 
+    @property
+    def _is_replaced(self) -> bool:
+        """Whether the file on disk is another than the one that this browser shows or changes."""
+        return self._begin != self.document.text or self.document.is_replaced
+
     def look_at_disk(self) -> None:
-        """Tell when the file on disk is another than the one that this browser shows or changes."""
-        is_replaced = self._begin != self.document.text or self.document.is_replaced
-        self._load.set_visibility(is_replaced)
-        if is_replaced:
-            self._edited.set_text(self._texts["on_disk"])
+        """Tell when the file on disk is another than what this browser shows, or the PLC's is."""
+        is_replaced = self._is_replaced
+        is_plc = self._shared.plc_files.are_replaced
+        self._load.set_visibility(is_replaced or is_plc)
+        if is_replaced or is_plc:
+            self._edited.set_text(self._texts["on_disk" if is_replaced else "plc_on_disk"])
 
     def set_dark(self, is_dark: bool) -> None:
         """Use dark or light colours."""
@@ -270,8 +276,11 @@ class ProgramCard:
             await self._play()
 
     async def _read(self) -> None:
-        """Show the file as it is on disk now, and run it."""
-        if self._commander.may():
+        """Show the file as it is on disk now, and run it; with a saved PLC run it as it is here."""
+        if not self._is_replaced:
+            if await self._commander.attempt(lambda: self._shared.reopen(self._shared.program)):
+                self.look_at_disk()
+        elif self._commander.may():
 
             def read_and_run() -> None:
                 self.document.read()

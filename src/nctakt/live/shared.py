@@ -12,6 +12,7 @@ import contextlib
 import threading
 import time
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Any
 
 from nctakt.base.diagnostics import Diagnostic, Language
@@ -20,6 +21,7 @@ from nctakt.comparison.overlay import LoggedCurve
 from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.explaining import Explainer, Moment, why_text
+from nctakt.live.plc_files import PlcFiles
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot
@@ -49,6 +51,7 @@ class SharedSession:
     acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
     command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
     those that persons have given to branches. ``logged``: curves of a machine's log.
+    ``plc``: the file of the session's PLC, whose ``plc_files`` may be saved meanwhile.
     """
 
     def __init__(
@@ -59,6 +62,7 @@ class SharedSession:
         acknowledges: bool,
         channel: int = 1,
         logged: Sequence[LoggedCurve] = (),
+        plc: Path | None = None,
     ) -> None:
         self.logged = {
             one.signal: {
@@ -70,6 +74,7 @@ class SharedSession:
             for one in logged
         }
         self._opener = opener
+        self.plc_files = PlcFiles(plc)
         self.file = file
         self.delay: int | None = 0 if acknowledges else None
         self.program: str | None = None
@@ -90,7 +95,9 @@ class SharedSession:
         self._thread.start()
 
     def _opened(self) -> Session:
+        states = self.plc_files.states()
         session = self._opener(self.program, self.delay == 0)
+        self.plc_files.note(states)
         session.acknowledge_after(self.delay or None)
         with contextlib.suppress(Failure):  # a stop of a line or a cycle that is gone
             session.set_stops(*self.stops)

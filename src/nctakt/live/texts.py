@@ -45,6 +45,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "save_short": ("Save and run", "Speichern, Neustart"),
     "saved": ("Saved; the program runs again.", "Gespeichert; das Programm läuft neu."),
     "on_disk": ("changed on disk", "auf der Platte geändert"),
+    "plc_on_disk": ("PLC changed on disk", "SPS auf der Platte geändert"),
     "load": ("Load it", "Neu laden"),
     "edit": ("To the editor", "Zum Editor"),
     "leave": ("Leave the field or the editor", "Feld oder Editor verlassen"),

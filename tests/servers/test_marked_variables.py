@@ -64,6 +64,17 @@ def test_marks_count_for_parts_and_instances(tmp_path: Path) -> None:
     ]
 
 
+def test_of_several_plcs_the_second_has_its_project_in_front(tmp_path: Path) -> None:
+    """``MAIN.n`` of the first, ``b.MAIN.n`` of the second; what it alone has, by its path."""
+    text = "PROGRAM MAIN\nVAR\n    {attribute 'OPC.UA.DA' := '1'} n : INT;\nEND_VAR\nEND_PROGRAM\n"
+    (tmp_path / "a.st").write_text(text, "utf-8")
+    (tmp_path / "b.st").write_text(text.replace("n : INT", "n, k : INT"), "utf-8")
+    programs = [
+        program for name in ("a.st", "b.st") for program in structured_programs(tmp_path / name)
+    ]
+    assert list(marked_values(programs)) == ["MAIN.n", "b.MAIN.n", "MAIN.k"]
+
+
 @pytest.mark.slow
 def test_a_client_of_opc_ua_reads_and_writes_them(tmp_path: Path) -> None:
     """In the object ``PLC`` below ``CncInterface``, by their paths, with their types."""

@@ -213,7 +213,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
         acknowledges=not own.acknowledge,
         channel=channel,
         logged=curves,
-        plc=None if options.plc is None else Path(options.plc),
+        plcs=[Path(one) for one in options.plcs],
     )
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The files of the session's PLC: whether one has been saved since the run began.
+"""The files of the session's PLCs: whether one has been saved since the run began.
 
-In: the file that names the PLC. Out: yes or no; nothing of a file is executed. Of a project those
+In: the files that name the PLCs. Out: yes or no; nothing of a file is executed. Of a project those
 that it lists count, and its own file; of a PLC in Python its file.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from nctakt.base.failure import Failure
@@ -22,10 +23,10 @@ _MAX_FILES = 5000
 
 
 class PlcFiles:
-    """The files of a PLC, ``None`` for none, with their states when the run began."""
+    """The files of PLCs with their states when the run began."""
 
-    def __init__(self, plc: Path | None = None) -> None:
-        self._plc = plc
+    def __init__(self, plcs: Sequence[Path] = ()) -> None:
+        self._plcs = plcs
         self._states: dict[Path, tuple[int, int]] = {}
 
     def states(self) -> dict[Path, tuple[int, int]]:
@@ -42,13 +43,13 @@ class PlcFiles:
         return any(_state(path) != state for path, state in self._states.items())
 
     def _files(self) -> list[Path]:
-        if self._plc is None:
-            return []
-        found = [self._plc]
-        if self._plc.suffix.lower() in PROJECT_SUFFIXES:
-            reporter = Reporter(Sources(), Collector())
-            for project in read_project(self._plc, _bytes, reporter):
-                found += project.files
+        found: list[Path] = []
+        for plc in self._plcs:
+            found.append(plc)
+            if plc.suffix.lower() in PROJECT_SUFFIXES:
+                reporter = Reporter(Sources(), Collector())
+                for project in read_project(plc, _bytes, reporter):
+                    found += project.files
         return found
 
 

@@ -51,7 +51,7 @@ class SharedSession:
     acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
     command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
     those that persons have given to branches. ``logged``: curves of a machine's log.
-    ``plc``: the file of the session's PLC, whose ``plc_files`` may be saved meanwhile.
+    ``plcs``: the files of the session's PLCs, whose ``plc_files`` may be saved meanwhile.
     """
 
     def __init__(
@@ -62,7 +62,7 @@ class SharedSession:
         acknowledges: bool,
         channel: int = 1,
         logged: Sequence[LoggedCurve] = (),
-        plc: Path | None = None,
+        plcs: Sequence[Path] = (),
     ) -> None:
         self.logged = {
             one.signal: {
@@ -74,7 +74,7 @@ class SharedSession:
             for one in logged
         }
         self._opener = opener
-        self.plc_files = PlcFiles(plc)
+        self.plc_files = PlcFiles(plcs)
         self.file = file
         self.delay: int | None = 0 if acknowledges else None
         self.program: str | None = None

@@ -192,6 +192,16 @@ def side_of(plcs: Sequence[RealtimePlc]) -> PlcSide:
     return PlcPair(first.side(), side_of(others)) if others else first.side()
 
 
+def distinct_names(projects: Sequence[str]) -> list[str]:
+    """Return the names by which several projects are told apart."""
+    found: list[str] = []
+    for name in projects:
+        taken = {one.lower() for one in found}
+        names = (name, *(f"{name}_{number}" for number in range(2, len(projects) + 2)))
+        found.append(next(one for one in names if one.lower() not in taken))
+    return found
+
+
 class NamedGroup:
     """The variables of several PLCs by their paths, with or without the project before them.
 
@@ -201,11 +211,7 @@ class NamedGroup:
 
     def __init__(self, parts: Sequence[NamedValues], projects: Sequence[str]) -> None:
         self._parts = parts
-        self._projects: list[str] = []
-        for name in projects:
-            taken = {one.lower() for one in self._projects}
-            names = (name, *(f"{name}_{number}" for number in range(2, len(parts) + 2)))
-            self._projects.append(next(one for one in names if one.lower() not in taken))
+        self._projects = distinct_names(projects)
 
     def path(self, number: int, path: str) -> str:
         """Return the name here of a variable of a PLC, which has it at ``path``."""

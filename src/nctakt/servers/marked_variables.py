@@ -12,8 +12,10 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from nctakt.kernel.st import kinds
+from nctakt.run.realtime_plc import distinct_names
 from nctakt.servers.catalogue import Value
 from nctakt.st.program import Program
 from nctakt.st.types import (
@@ -29,6 +31,7 @@ from nctakt.st.types import (
     Variable,
 )
 from nctakt.translation.layout import kind_of
+from nctakt.translation.variables import find_variable
 
 #: Values that are shown at most: each of them comes with every frame.
 MAX_MARKED = 2000
@@ -50,9 +53,18 @@ _TYPES = {
 
 
 def marked_values(programs: Sequence[Program]) -> dict[str, Value]:
-    """Return the marked values of a session's PLC by their paths, ``MAX_MARKED`` at most."""
-    found = (value for program in programs[:1] for value in _of_program(program))
-    return {value.name: value for value in itertools.islice(found, MAX_MARKED)}
+    """Return the marked values of a session's PLCs by their names, ``MAX_MARKED`` at most.
+
+    A path that an earlier PLC has, too, has its project before it, as elsewhere in a session.
+    """
+    found: dict[str, Value] = {}
+    projects = distinct_names([program.name for program in programs])
+    for number, program in enumerate(programs):
+        for value in itertools.islice(_of_program(program), MAX_MARKED - len(found)):
+            is_taken = any(find_variable(one, value.name) for one in programs[:number])
+            name = f"{projects[number]}.{value.name}" if is_taken else value.name
+            found[name] = replace(value, name=name)
+    return found
 
 
 def _of_program(program: Program) -> Iterator[Value]:

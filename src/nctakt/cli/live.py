@@ -175,6 +175,13 @@ class Words:
     has_tour: bool = False
 
 
+def _check_tape(own: Words, access: FileAccess) -> None:
+    """Raise ``Failure`` if the tape is one of the inputs, or cannot be written."""
+    if own.tape is not None:
+        with OutputFile(own.tape, "--record", access):
+            pass
+
+
 def show_page(options: Options, access: FileAccess, own: Words) -> int:
     """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
     from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
@@ -191,9 +198,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
     if options.machine_note is not None and not options.quiet:
         print_diagnostics([options.machine_note], options.language)
     host, port = own.address[0], usable_port(*own.address)
-    if own.tape is not None:
-        with OutputFile(own.tape, "--record", access):
-            pass  # it is none of the inputs, and can be written
+    _check_tape(own, access)
     folders = options.confined or _folders_of(options)
     checker = Checker(options.machine, folders)
     documents = {
@@ -205,11 +210,9 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
     curves = [] if own.log is None else _laid_over(options, access, own.log)
     refused: Counter[Text] = Counter()
     channel = next(iter(documents))
-    file = documents[channel][0].file
-    open_session = _session_opener(options, request, own, documents, folders)
     shared = SharedSession(
-        open_session,
-        file,
+        _session_opener(options, request, own, documents, folders),
+        documents[channel][0].file,
         acknowledges=not own.acknowledge,
         channel=channel,
         logged=curves,

@@ -3,8 +3,9 @@
 
 Measured: runs of examples/crossing.nc with fresh inputs in one process, the same on two; injections
 into it with windows of 100 ticks; the overhead of Dask against processes; the size of 10^6 rows as
-Parquet; the memory of a process over many runs. Goals: 2,800 runs/s and 10,000 injections/s per
-core, two cores 1.9 times one, Dask within 10 %, 60 MB, memory flat.
+Parquet; the memory of a process over many runs; a loop over a reusable controller beside a study.
+Goals: 2,800 runs/s and 10,000 injections/s per core, two cores 1.9 times one, Dask within 10 %,
+60 MB, memory flat, a loop of one's own 1.3 times a study. ``benchmarks.plc`` has runs with a PLC.
 ``python -m benchmarks.studies 1000000`` makes so many runs into a folder of parts instead,
 with one worker, and says what they and 10^9 take.
 """
@@ -20,6 +21,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
+from nctakt.run.controller import Controller
 from nctakt.studies.bench import Bench, Row
 from nctakt.studies.blocks import make_runs
 from nctakt.studies.folder_store import FolderStore
@@ -67,6 +69,17 @@ def per_cpu_second(bench: Bench, count: int) -> float:
     begin = time.process_time()
     make_runs(maker, tuple(range(count)))
     return count / (time.process_time() - begin)
+
+
+def loop_per_cpu_second(count: int) -> float:
+    """How many runs of a reusable controller, with their traces, a second of a processor makes."""
+    with Controller().reusable() as controller:
+        for number in range(3):
+            controller.run(PROGRAM, set={"V.E.COUNT": number})
+        begin = time.process_time()
+        for number in range(count):
+            controller.run(PROGRAM, set={"V.E.COUNT": number})
+        return count / (time.process_time() - begin)
 
 
 def wall(function: Callable[[], object]) -> float:
@@ -143,7 +156,10 @@ def main() -> int:
         return 0
     print(f"CPython {platform.python_version()}, {platform.machine()}")
     bench = crossing(100_000).bench
-    print(f"runs per second of a core: {per_cpu_second(bench, RUNS):.0f} (goal 2800)")
+    runs = per_cpu_second(bench, RUNS)
+    print(f"runs per second of a core: {runs:.0f} (goal 2800)")
+    own = runs / loop_per_cpu_second(RUNS)
+    print(f"a run of a reusable controller takes {own:.2f} times as long (goal 1.3)")
     each_tick = injections()
     print(
         f"injections per second of a core: {per_cpu_second(each_tick.bench, RUNS):.0f} (goal 10000)"

@@ -108,3 +108,17 @@ def test_a_run_with_many_actions_decodes_few(ticks: int, monkeypatch: pytest.Mon
     assert run.ticks == ticks + 1
     assert len(sink.report.lines(4)) == 20
     assert sum(decoded) < 1000
+
+
+@pytest.mark.parametrize("words", [("M", "H", "output"), ("fired",), ("message",), ("ended", "M")])
+def test_events_of_a_kind_are_those_of_all_events(words: tuple[str, ...]) -> None:
+    """Whether only their rows are decoded, or all have been before, in the same order."""
+    text = (
+        "#RT CYCLE [ID = 1 SCOPE = PROG]\n$IF EDGE V.RTA.ACS.ACT_POS.X > 5\nM100 H7\n$ENDIF\n"
+        '#RT CYCLE END\nM8\nG01 X10 F6000\n#MSG ["there"]\nM9\nM30\n'
+    )
+    first = Controller().run(NcText("part.nc", text)).trace
+    second = Controller().run(NcText("part.nc", text)).trace
+    expected = [event for event in second.events if event.kind in words]
+    assert expected
+    assert first.events_of(words) == second.events_of(words) == expected

@@ -365,7 +365,8 @@ class AssembledMachine:
 
         ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix one of the first.
         """
-        return {**self._names.signals(), **self.access.named_signals}
+        signals, named = self._names.signals(), self.access.named_signals
+        return {**signals, **named} if named else signals
 
     def show_named(self, names: Sequence[str]) -> None:
         """Let those of the names that are variables of a PLC in the tick be signals."""

@@ -86,6 +86,8 @@ class Bench:
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
         #: The program as it was checked for a machine.
         self._loaded: dict[Parameters, LoadedProgram] = {}
+        self._speaks_of_errors = plan.speaks_of_errors
+        self._may_share = may_share(merged(plan.options, {}))
         self._parts = RealtimeParts()
         self._beginnings: Beginnings[Controller] = Beginnings()
         self._asks_all = any(isinstance(one.node, PythonMeasure) for one in plan.measures)
@@ -214,7 +216,7 @@ class Bench:
     def broken(self, outcome: Outcome, expectations: Sequence[Expectation]) -> list[str]:
         """Return what a run breaks: expectations with what was instead, and unexpected errors."""
         broken = [one.broken(outcome) for one in expectations if not one.is_met(outcome)]
-        if not self.plan.speaks_of_errors:
+        if not self._speaks_of_errors:
             broken += dict.fromkeys(f"error {found.id}" for found in outcome.run.errors)
         return broken
 
@@ -293,7 +295,7 @@ class Bench:
         if (
             inputs.program_variables
             or self._asks_all
-            or not may_share(merged(self.plan.options, {}))
+            or not self._may_share
         ):
             return None
         lists = tuple(inputs.parameters.items())

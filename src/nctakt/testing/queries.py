@@ -317,7 +317,8 @@ class NcRun:
         cycle: int | str | None = None,
     ) -> Occurrences:
         """Return events of these kinds with this text (any if empty), line and cycle."""
-        alike = [event for event in self.run.events if event.kind in kinds]
+        trace = self.run.trace
+        alike = [] if trace is None else trace.events_of(kinds)
         matching = [
             event
             for event in alike

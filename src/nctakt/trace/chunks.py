@@ -11,6 +11,7 @@ from __future__ import annotations
 import bisect
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
+from types import MappingProxyType
 from typing import cast, overload
 
 from nctakt.kernel import rows
@@ -27,6 +28,17 @@ _FREQUENT = frozenset(
         rows.EVENT_TECHNOLOGY_RT,
         rows.EVENT_TECHNOLOGY,
     )
+)
+
+#: Words of events, with the kind of row that alone gives them.
+ROW_KINDS = MappingProxyType(
+    {
+        "H": rows.EVENT_TECHNOLOGY_RT,
+        "M": rows.EVENT_TECHNOLOGY_RT,
+        "fired": rows.EVENT_FIRED,
+        "message": rows.EVENT_MESSAGE,
+        "output": rows.EVENT_TECHNOLOGY,
+    }
 )
 
 #: The columns that repeated events of these kinds have in common.

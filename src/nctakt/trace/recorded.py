@@ -7,11 +7,12 @@ they come; arrays and events are built when they are first read, and numpy is lo
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from nctakt.base.misspelling import nearest
 from nctakt.base.notebook import curve, html_columns
+from nctakt.trace.chunks import ROW_KINDS, EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal, TraceHeader
 
@@ -128,6 +129,18 @@ class Trace(Mapping[str, "Values"]):
         if self._events is None:
             self._events = [event for chunk in self._event_chunks for event in chunk]
         return self._events
+
+    def events_of(self, words: Collection[str]) -> list[Event]:
+        """Return the events of these kinds (``fired``, ``M``); the others may stay undecoded."""
+        kinds = [ROW_KINDS[word] for word in words if word in ROW_KINDS]
+        if self._events is not None or len(kinds) < len(words):
+            return [event for event in self.events if event.kind in words]
+        return [
+            event
+            for chunk in self._event_chunks
+            for event in (chunk.of_kinds(kinds) if isinstance(chunk, EventChunk) else chunk)
+            if event.kind in words
+        ]
 
     def at(self, tick: int, name: str) -> float:
         """Return a signal after tick ``tick``; raises ``IndexError`` for a tick without a row."""

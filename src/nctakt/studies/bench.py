@@ -292,11 +292,7 @@ class Bench:
         """
         if is_structured(self.plan.plc) or self._schedule_files is not None:
             return None
-        if (
-            inputs.program_variables
-            or self._asks_all
-            or not self._may_share
-        ):
+        if inputs.program_variables or self._asks_all or not self._may_share:
             return None
         lists = tuple(inputs.parameters.items())
         beginning = self._beginnings.of(lists, lambda: self._beginning(inputs))

@@ -60,8 +60,8 @@ class Breakpoint:
     """A breakpoint: its stops, and what is wrong with it; ``line`` 0: it has no line.
 
     ``asked``: what the client has sent, and for which ``source``; it is read again where a program
-    begins anew. ``hit_condition`` counts ``hits``, the ticks in which it has held; ``log``: the
-    text that it tells instead of stopping.
+    begins anew. ``hit_condition`` counts ``hits``, the moments in which it has held
+    (``moment_of``); ``log``: the text that it tells instead of stopping.
     """
 
     number: int
@@ -76,16 +76,21 @@ class Breakpoint:
     mistake: Failure | None = None
     hits: array[int] = field(default_factory=lambda: array("q"))
 
-    def is_due(self, tick: int) -> bool:
-        """Count a tick in which it has held; return whether its hit condition is true there."""
+    def is_due(self, moment: int) -> bool:
+        """Count a moment in which it has held; return whether its hit condition is true there."""
         if not self.hit_condition:
             return True
-        index = bisect_left(self.hits, tick)
-        if index == len(self.hits) or self.hits[index] != tick:
+        index = bisect_left(self.hits, moment)
+        if index == len(self.hits) or self.hits[index] != moment:
             if len(self.hits) >= MAX_HITS:
                 return True
-            self.hits.insert(index, tick)
+            self.hits.insert(index, moment)
         return is_met(self.hit_condition, index + 1)
+
+
+def moment_of(tick: int, number: int = 0) -> int:
+    """Return a number for a tick, or for a statement of the PLC in it; later ones are greater."""
+    return (tick << 32) + number
 
 
 def is_met(condition: str, count: int) -> bool:
@@ -211,7 +216,7 @@ class Breakpoints:
     def forget_from(self, tick: int) -> None:
         """Forget hits in and after a tick: another story begins there."""
         for breakpoint_ in self.all:
-            del breakpoint_.hits[bisect_left(breakpoint_.hits, tick) :]
+            del breakpoint_.hits[bisect_left(breakpoint_.hits, moment_of(tick)) :]
 
     def renew(self, again: Callable[[Breakpoint], Breakpoint]) -> None:
         """Replace each by what ``again`` returns for it, with its number and without hits."""
@@ -258,6 +263,10 @@ def _kinds_at(location: Place, mode: str) -> list[tuple[Kind, int]]:
         if mode in ("changes", "fires", "written"):
             raise Failure(diagnostic(CHANGES_NEEDS_A_BRANCH))
         return [("block", location.line)]
+    if location.kind == "statement":
+        if mode != "runs":
+            raise Failure(diagnostic(CHANGES_NEEDS_A_BRANCH))
+        return [("statement", location.line)]
     if location.kind == "cycle":
         if mode == "changes" and location.target:
             return [("changes", 0)]

@@ -113,6 +113,11 @@ class Console:
             raise Failure(diagnostic(UNKNOWN_CONSOLE_COMMAND, text=line))
         return Answer(self._values.evaluate(line, channel))
 
+    def is_command(self, line: str) -> bool:
+        """Return whether a line begins with a command, or sets a value."""
+        word = line.strip().partition(" ")[0].lower()
+        return word in self._commands or _SET.fullmatch(line.strip()) is not None
+
     def travels(self, line: str) -> bool:
         """Return whether a line is a command that needs a session at rest."""
         word, _, rest = line.strip().partition(" ")

@@ -13,13 +13,14 @@ from functools import partial
 from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure, error_text
-from nctakt.debugger.breakpoints import Breakpoint, Breakpoints
+from nctakt.debugger.breakpoints import Breakpoint, Breakpoints, moment_of
 from nctakt.debugger.console import Console
 from nctakt.debugger.disassembly import Disassembly
 from nctakt.debugger.exceptions import ExceptionFilters, Raised
-from nctakt.debugger.places import Places
+from nctakt.debugger.places import Places, StatementPlaces
+from nctakt.debugger.plc_frames import PLC_THREAD
 from nctakt.debugger.report import Report, Tell
 from nctakt.debugger.scopes import Scopes
 from nctakt.debugger.sources import Sources
@@ -29,6 +30,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.debugger import RUN_IS_ON
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.summary import headline
+from nctakt.session.cursor import FAULT
 from nctakt.session.engine import Slice
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
@@ -88,7 +90,8 @@ class Debuggee:
         self._abilities = abilities
         self._owns = owns
         self._stops_at_end = stops_at_end
-        self.sources = Sources(session.description.texts)
+        own = session.description
+        self.sources = Sources({**own.texts, **own.plc_texts})
         self.report = Report(
             session,
             self.sources,
@@ -101,7 +104,7 @@ class Debuggee:
         self.disassembly = Disassembly(self.sources, self._listings)
         self.scopes = Scopes(session, self.values, self.sources, self.disassembly, language)
         self.console = Console(session, self.values, language)
-        self._places: dict[str, Places] = {}
+        self._places: dict[str, Places | StatementPlaces] = {}
         self._owners: list[Breakpoint] = []
         self._stops: list[StopAt] = []
         self._seen: tuple[int, int, bool] = (session.tick, session.branch, False)
@@ -117,8 +120,10 @@ class Debuggee:
         """Whether it is on its way."""
         return self._running is not None
 
-    def places(self, file: str) -> Places:
+    def places(self, file: str) -> Places | StatementPlaces:
         """Return the places of a text where a breakpoint can be."""
+        if file in self.session.description.plc_texts:
+            return StatementPlaces(self.session.description.plc_lines.get(file, ()))
         if file not in self._places:
             lines = self.sources.lines(file)
             self._places[file] = Places(file, lines, self.values.inventory.cycles)
@@ -141,9 +146,14 @@ class Debuggee:
         The stops of another one's session stay; the debugger's are watched beside them.
         """
         stops, self._owners = self.breakpoints.stops()
-        self._stops = [*stops, *self.exceptions.stops()]
+        self._stops = [*stops, *self._exception_stops()]
         if self._owns:
             self.session.set_stops(*self._stops)
+
+    def _exception_stops(self) -> list[StopAt]:
+        """Return the stops at exceptions; without a PLC that can fail none at its faults."""
+        has_plc = bool(self.session.description.plc_lines)
+        return [stop for stop in self.exceptions.stops() if has_plc or stop.kind != "fault"]
 
     def check_standing(self, command: str) -> None:
         """Raise ``Failure`` (901226) while it is on its way."""
@@ -168,11 +178,16 @@ class Debuggee:
         self._start(_Running("breakpoint", thread))
 
     def step(self, thread: int, *, is_tick: bool, up: int | None) -> None:
-        """Step to a block, or by a tick.
+        """Step to a block, or by a tick; in the PLC to a statement.
 
         ``up``: how many programs fewer may be open than now at the block, ``None``: any number of
         programs may be open.
         """
+        if self.scopes.is_plc(thread):
+            into = is_tick or up is None
+            stop = self.session.sought("into" if into else "out" if up else "over")
+            self._start(_Running("step", thread, [stop, FAULT]))
+            return
         if is_tick or self.scopes.is_cycle(thread):
             self._start(_Running("step", thread, end=self.session.tick + 1))
             return
@@ -232,7 +247,10 @@ class Debuggee:
         raised = None
         if any(own <= hit < watched for hit in hits):
             raised = self.exceptions.selected(done.events, tick)
-        if raised is not None:
+        is_step = any(hit >= watched for hit in hits)
+        if self.fault is not None and (is_step or self.exceptions.takes(self.fault)):
+            self._stop_at_fault(self.fault)
+        elif raised is not None:
             self._raise(raised, running.thread)
         elif due:
             self._stop_at(due, tick, running.thread)
@@ -253,13 +271,27 @@ class Debuggee:
         """Return the breakpoints to stop at of those that have held; tell the log points."""
         due = []
         for index, breakpoint_ in enumerate(held):
-            if breakpoint_ in held[:index] or not breakpoint_.is_due(tick):
+            if breakpoint_ in held[:index] or not breakpoint_.is_due(
+                self._moment(tick, breakpoint_)
+            ):
                 continue
             if breakpoint_.log:
                 self._log(breakpoint_, running.thread)
             else:
                 due.append(breakpoint_)
         return due
+
+    def _moment(self, tick: int, breakpoint_: Breakpoint) -> int:
+        """Return the moment in which a breakpoint has held in a tick."""
+        halted = self.session.statement
+        is_statement = any(stop.kind == "statement" for stop in breakpoint_.stops)
+        return moment_of(tick, halted.number if halted is not None and is_statement else 0)
+
+    @property
+    def fault(self) -> Diagnostic | None:
+        """The fault at which the session is in its PLC, ``None`` elsewhere."""
+        halted = self.session.statement
+        return None if halted is None else halted.fault
 
     def _log(self, breakpoint_: Breakpoint, thread: int) -> None:
         """Tell the text of a log point, with the values of the expressions in its braces."""
@@ -272,7 +304,7 @@ class Debuggee:
                 text += "{" + piece
                 continue
             try:
-                text += self.values.evaluate(expression, channel) + rest
+                text += self._logged(breakpoint_, expression, channel) + rest
             except Failure as failure:
                 text += f"<{failure.diagnostics[0].text(self.language)}>{rest}"
         where: dict[str, Any] = {}
@@ -280,6 +312,12 @@ class Debuggee:
             where = {"line": breakpoint_.line, "source": self.sources.source(breakpoint_.file)}
         time = self.report.time(self.session.tick - 1)
         self.report.output("console", f"{time}  {text}\n", **where)
+
+    def _logged(self, breakpoint_: Breakpoint, expression: str, channel: int) -> str:
+        """Return the value of an expression of a log point."""
+        if any(stop.kind == "statement" for stop in breakpoint_.stops):
+            return self.session.value(expression).text
+        return self.values.evaluate(expression, channel)
 
     # --- stopping -------------------------------------------------------------------------------
 
@@ -300,6 +338,9 @@ class Debuggee:
             thread = channel
         self._stopped("exception", thread, raised.title)
 
+    def _stop_at_fault(self, fault: Diagnostic) -> None:
+        self._stopped("exception", PLC_THREAD, fault.headline(self.language))
+
     def _stop_at(self, due: Sequence[Breakpoint], tick: int, thread: int) -> None:
         """Stop at breakpoints: in the thread in which the first of them has held."""
         kinds = {"function": "function breakpoint", "data": "data breakpoint"}
@@ -318,6 +359,8 @@ class Debuggee:
     def _thread_of(self, breakpoint_: Breakpoint, thread: int) -> int:
         """Return the thread in which a breakpoint has held: a realtime cycle, or a channel."""
         stop = breakpoint_.stops[0]
+        if stop.kind == "statement":
+            return PLC_THREAD
         if stop.kind in ("runs", "turns", "false", "fires", "cycle"):
             for cycle in self.session.cycles():
                 lines = {cycle.span.line, *(branch.span.line for branch in cycle.branches)}
@@ -391,6 +434,11 @@ class Debuggee:
         self._travel(thread, lambda: self._step_back(thread, is_tick=is_tick))
 
     def _step_back(self, thread: int, *, is_tick: bool) -> None:
+        if self.scopes.is_plc(thread):
+            if self.session.back_to(self.session.sought("into" if is_tick else "over")) is None:
+                self.session.go_to(0)
+            self.tell_travel("step", thread)
+            return
         if is_tick or self.scopes.is_cycle(thread):
             self.session.back(1)
         else:
@@ -433,14 +481,22 @@ class Debuggee:
     def _reverse(self, thread: int) -> None:
         stopping = [one for one in self.breakpoints.all if not one.log and one.mistake is None]
         owners = [one for one in stopping for _ in one.stops]
-        stops = [stop for one in stopping for stop in one.stops] + self.exceptions.stops()
+        stops = [stop for one in stopping for stop in one.stops] + self._exception_stops()
         for _ in range(MAX_PASSED):
-            if not stops or self.session.back_to(*stops) is None:
+            done = self.session.back_to(*stops) if stops else None
+            if done is None:
                 break
-            raised, due = self._due_here(stops, owners)
-            if raised is not None or due:
+            if self.session.statement is None:
+                raised, due = self._due_here(stops, owners)
+            else:
+                held = _distinct(owners[hit] for hit in done.hits if hit < len(owners))
+                raised, due = None, [one for one in held if self._is_due(one)]
+            fault = self.fault if self.fault and self.exceptions.takes(self.fault) else None
+            if raised is not None or due or fault is not None:
                 self._note_branch()
-                if raised is not None:
+                if fault is not None:
+                    self._stop_at_fault(fault)
+                elif raised is not None:
                     self._raise(raised, thread)
                 else:
                     self._stop_at(due, self.session.tick - 1, thread)
@@ -448,6 +504,9 @@ class Debuggee:
                 return
         self.session.go_to(0)
         self.tell_travel("entry", thread)
+
+    def _is_due(self, breakpoint_: Breakpoint) -> bool:
+        return breakpoint_.is_due(self._moment(self.session.tick - 1, breakpoint_))
 
     def _due_here(
         self, stops: Sequence[StopAt], owners: Sequence[Breakpoint]
@@ -462,7 +521,7 @@ class Debuggee:
         if any(hit >= len(owners) for hit in held):
             raised = self.exceptions.selected(events, tick)
         own = _distinct(owners[hit] for hit in held if hit < len(owners))
-        return raised, [one for one in own if one.is_due(tick)]
+        return raised, [one for one in own if self._is_due(one)]
 
     def _held(self, stops: Sequence[StopAt]) -> tuple[list[int], Sequence[Event]]:
         """Return which of some stops held in the last tick, which is run again, and its events."""

@@ -15,6 +15,17 @@ from nctakt.base.diagnostics import Diagnostic, Language, Message, Text
 from nctakt.debugger.arguments import Arguments
 from nctakt.messages.catalogue import messages_of
 from nctakt.messages.classes import CLEARINGS, REACTIONS
+from nctakt.messages.plc_code import (
+    CONVERSION_OUTSIDE,
+    DIVISION_BY_ZERO,
+    EXCEPTION_RAISED,
+    INVALID_OPERATION,
+    PLC_INDEX_OUTSIDE,
+    POINTER_OUTSIDE,
+    STACK_FULL,
+    STEP_ZERO,
+    TOO_MANY_INSTRUCTIONS,
+)
 from nctakt.session.stops import StopAt
 from nctakt.trace.events import Event
 
@@ -23,6 +34,28 @@ _LABELS = {
     "user_error": Text("#ERROR of programs", "#ERROR der Programme"),
     "warning": Text("Warnings and notes of the realtime part", "Warnungen und Hinweise im Takt"),
     "message": Text("#MSG of programs", "#MSG der Programme"),
+}
+
+_OTHERS = (INVALID_OPERATION, STACK_FULL, TOO_MANY_INSTRUCTIONS, STEP_ZERO, EXCEPTION_RAISED)
+#: Faults of a PLC in Structured Text: filter -> its label, and the numbers of their messages.
+_FAULTS = {
+    "plc_pointer": (
+        Text("PLC: null or foreign pointer", "SPS: Zeiger null oder fremd"),
+        (POINTER_OUTSIDE.id,),
+    ),
+    "plc_index": (Text("PLC: index outside", "SPS: Index außerhalb"), (PLC_INDEX_OUTSIDE.id,)),
+    "plc_division": (
+        Text("PLC: division by zero", "SPS: Division durch null"),
+        (DIVISION_BY_ZERO.id,),
+    ),
+    "plc_conversion": (
+        Text("PLC: conversion outside of the type", "SPS: Konvertierung außerhalb des Typs"),
+        (CONVERSION_OUTSIDE.id,),
+    ),
+    "plc_other": (
+        Text("PLC: other faults", "SPS: andere Fehler"),
+        tuple(one.id for one in _OTHERS),
+    ),
 }
 
 _CLASS = Text("Class", "Klasse")
@@ -58,6 +91,8 @@ def filters(language: Language) -> list[dict[str, Any]]:
     for number, effect in REACTIONS.items():
         label = f"{_CLASS.get(language)} {number}: {effect.get(language)}"
         found.append(_filter(f"class{number}", label))
+    for name, (fault, _) in _FAULTS.items():
+        found.append({"filter": name, "label": fault.get(language), "default": True})
     return found
 
 
@@ -75,7 +110,7 @@ class ExceptionFilters:
     """The filters that are on, each with the numbers that it wants; none: all."""
 
     def __init__(self) -> None:
-        self._selected: dict[str, tuple[int, ...]] = {_DEFAULT: ()}
+        self._selected: dict[str, tuple[int, ...]] = dict.fromkeys((_DEFAULT, *_FAULTS), ())
 
     def set(self, arguments: Arguments) -> None:
         """Choose filters; their conditions are numbers of messages."""
@@ -88,9 +123,10 @@ class ExceptionFilters:
 
     def stops(self) -> list[StopAt]:
         """Return the stops to watch."""
-        has_errors = any(name not in ("warning", "message") for name in self._selected)
-        has_notices = any(name not in ("user_error", "message", "error") for name in self._selected)
-        kinds: list[StopAt] = []
+        own = [name for name in self._selected if name not in _FAULTS]
+        has_errors = any(name not in ("warning", "message") for name in own)
+        has_notices = any(name not in ("user_error", "message", "error") for name in own)
+        kinds = [] if len(own) == len(self._selected) else [StopAt("fault")]
         if has_errors or has_notices:
             kinds.append(StopAt("error"))
         if has_notices:
@@ -98,6 +134,10 @@ class ExceptionFilters:
         if "message" in self._selected:
             kinds.append(StopAt("message"))
         return kinds
+
+    def takes(self, fault: Diagnostic) -> bool:
+        """Return whether a filter wants a fault of the PLC."""
+        return any(fault.id in _FAULTS[name][1] for name in self._selected if name in _FAULTS)
 
     def selected(self, events: Iterable[Event], tick: int) -> Raised | None:
         """Return the first event of a tick that a filter wants."""
@@ -158,4 +198,14 @@ def info(raised: Raised, diagnostics: Sequence[Diagnostic], language: Language) 
         "description": "\n".join(lines),
         "breakMode": "always",
         "details": details,
+    }
+
+
+def fault_info(fault: Diagnostic, language: Language) -> dict[str, Any]:
+    """Return what a client shows of a fault that has stopped the PLC."""
+    return {
+        "exceptionId": str(fault.id),
+        "description": fault.text(language),
+        "breakMode": "always",
+        "details": {"message": fault.render(language)},
     }

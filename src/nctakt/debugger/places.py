@@ -24,7 +24,7 @@ MAX_LINES = 2000
 #: Lines before a block that are read, since it may have begun there.
 MAX_LINES_BEFORE = 100
 
-PlaceKind = Literal["block", "branch", "otherwise", "cycle"]
+PlaceKind = Literal["block", "branch", "otherwise", "cycle", "statement"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,9 +33,9 @@ class Place:
 
     ``kind``: a ``block`` of a program; something in the body of a ``branch`` of a realtime cycle,
     or its condition; the same of an $ELSE, ``otherwise``; a statement of a ``cycle`` outside of any
-    branch. ``owner``: the line of the branch, or of the cycle. ``target``: the variable to which
-    the statement assigns, as text. ``statement``: the line of the statement of a cycle there, of a
-    branch that of the first one in its body; 0: none.
+    branch; a ``statement`` of a PLC in Structured Text. ``owner``: the line of the branch, or of
+    the cycle. ``target``: the variable to which the statement assigns, as text. ``statement``: the
+    line of the statement of a cycle there, of a branch that of the first one in its body; 0: none.
     """
 
     line: int
@@ -43,6 +43,22 @@ class Place:
     owner: int
     target: str = ""
     statement: int = 0
+
+
+class StatementPlaces:
+    """The places of one text in Structured Text; ``lines``: where statements begin, ascending."""
+
+    def __init__(self, lines: Sequence[int]) -> None:
+        self._lines = lines
+
+    def at_or_behind(self, line: int) -> Place | None:
+        """Return the place in a line, else the first one after it; ``None`` without any."""
+        found = next((one for one in self._lines if one >= line), None)
+        return None if found is None else Place(found, "statement", found)
+
+    def between(self, first: int, last: int) -> list[Place]:
+        """Return the places of a stretch of lines."""
+        return [Place(one, "statement", one) for one in self._lines if first <= one <= last]
 
 
 class Places:

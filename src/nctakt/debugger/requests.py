@@ -14,7 +14,7 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.breakpoints import Breakpoint, data_id, shown
 from nctakt.debugger.debuggee import Debuggee
-from nctakt.debugger.exceptions import info
+from nctakt.debugger.exceptions import fault_info, info
 from nctakt.debugger.values import shown_value
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import (
@@ -23,6 +23,7 @@ from nctakt.messages.debugger import (
     UNKNOWN_REFERENCE,
     UNKNOWN_REQUEST,
 )
+from nctakt.plc.stepping.shown import PlcValue
 from nctakt.session.stops import Kind, StopAt, read_stop
 
 Body = dict[str, Any]
@@ -189,6 +190,8 @@ class Requests:
 
     def _exception_info(self, _arguments: Arguments) -> Body:
         debuggee = self._debuggee
+        if debuggee.fault is not None:
+            return fault_info(debuggee.fault, debuggee.language)
         if debuggee.raised is None:
             raise Failure(diagnostic(UNKNOWN_REFERENCE, what="exception", number=0))
         return info(debuggee.raised, debuggee.report.kept, debuggee.language)
@@ -269,10 +272,24 @@ class Requests:
     def _set_variable(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee
         reference, name = arguments.number("variablesReference"), arguments.text("name")
+        found = debuggee.scopes.plc_variable(reference, name)
+        if found is not None:
+            return self._write_plc(found, arguments.text("value"))
         full, channel = debuggee.scopes.full_name(reference, name)
         return self._write(full, arguments.text("value"), channel)
 
+    def _write_plc(self, found: PlcValue, text: str) -> Body:
+        debuggee = self._debuggee
+        debuggee.check_standing("setVariable")
+        value = debuggee.scopes.plc.write(found, text)
+        self._then = debuggee.note_input
+        return {"value": value}
+
     def _set_expression(self, arguments: Arguments) -> Body:
+        level = self._debuggee.scopes.level_of(arguments.number("frameId", 0))
+        if level is not None:
+            found = self._debuggee.scopes.plc.value(arguments.text("expression"), level)
+            return self._write_plc(found, arguments.text("value"))
         channel = self._debuggee.scopes.channel_of_frame(arguments.number("frameId", 0))
         return self._write(arguments.text("expression"), arguments.text("value"), channel)
 
@@ -286,6 +303,9 @@ class Requests:
     def _evaluate(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee
         text = arguments.text("expression")
+        in_plc = self._in_plc(arguments, text)
+        if in_plc is not None:
+            return in_plc
         channel = debuggee.scopes.channel_of_frame(arguments.number("frameId", 0))
         structure = debuggee.scopes.structure(text, channel)
         if structure is not None:
@@ -314,6 +334,21 @@ class Requests:
         else:
             self._then = debuggee.note_input
         return {"result": answer.text, "variablesReference": 0}
+
+    def _in_plc(self, arguments: Arguments, text: str) -> Body | None:
+        """Return the value of what a call of the PLC sees, or of a path of it from elsewhere."""
+        scopes = self._debuggee.scopes
+        level = scopes.level_of(arguments.number("frameId", 0))
+        is_console = arguments.text("context", "") == "repl"
+        if not scopes.plc.is_there or (is_console and self._debuggee.console.is_command(text)):
+            return None
+        try:
+            found = scopes.of_plc(scopes.plc.value(text, level), level)
+        except Failure:
+            if level is None:
+                return None  # a name or an expression of the NC's language
+            raise
+        return {"result": found.pop("value"), **found}
 
     def _completions(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee

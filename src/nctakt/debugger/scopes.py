@@ -16,12 +16,14 @@ from nctakt.base.diagnostics import Language, Span
 from nctakt.base.failure import Failure
 from nctakt.debugger.disassembly import Disassembly
 from nctakt.debugger.names import Node, pieces_of, tree_of
+from nctakt.debugger.plc_frames import BELOW, PLC_THREAD, SCOPE, PlcFrames
 from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Value, Values, elements_of, shown_value
 from nctakt.hli.plc_entries import SpindleEntry
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
 from nctakt.messages.debugger import NOT_RESTARTED, UNKNOWN_REFERENCE
+from nctakt.plc.stepping.shown import PlcValue
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.session import Session
@@ -70,6 +72,7 @@ class Scopes:
         self._values = values
         self._sources = sources
         self._words = _WORDS[language]
+        self.plc = PlcFrames(session, values, language)
         self._channels = range(1, session.description.channel_count + 1)
         self._cycle_threads: dict[str, int] = {}
         self._trees: dict[int, dict[str, Node]] = {}
@@ -92,6 +95,8 @@ class Scopes:
         found = [
             {"id": number, "name": f"{words['channel n']} {number}"} for number in self._channels
         ]
+        if self.plc.is_there:
+            found.append(self.plc.thread)
         for cycle in self._session.cycles():
             if cycle.state == "ended":
                 continue
@@ -111,11 +116,17 @@ class Scopes:
         """Return the channel of a thread."""
         if thread in self._channels:
             return thread
+        if self.is_plc(thread):
+            return 1
         return _channel_of_cycle(self._cycle_of(thread).name)
 
     def is_cycle(self, thread: int) -> bool:
         """Return whether a thread is a realtime cycle."""
-        return thread not in self._channels
+        return thread not in self._channels and not self.is_plc(thread)
+
+    def is_plc(self, thread: int) -> bool:
+        """Return whether a thread is the PLC in Structured Text."""
+        return thread == PLC_THREAD and self.plc.is_there
 
     def _cycle_of(self, thread: int) -> CycleState:
         names = {number: name for name, number in self._cycle_threads.items()}
@@ -128,6 +139,11 @@ class Scopes:
 
     def stack(self, thread: int) -> list[dict[str, Any]]:
         """Return the frames of a thread, the innermost first."""
+        if self.is_plc(thread):
+            return [
+                self._frame(("plc", level), name, span)
+                for level, (name, span) in enumerate(self.plc.frames())
+            ]
         if thread not in self._channels:
             cycle = self._cycle_of(thread)
             ran = [branch.span for branch in cycle.branches if branch.has_run]
@@ -202,6 +218,8 @@ class Scopes:
         if not 0 < frame <= len(self._frames):
             return 1
         key = self._frames[frame - 1]
+        if key[0] == "plc":
+            return 1
         return _channel_of_cycle(key[1]) if key[0] == "cycle" else int(key[1])
 
     # --- scopes ---------------------------------------------------------------------------------
@@ -226,6 +244,8 @@ class Scopes:
             ]  # fmt: skip
         if kind == "label":
             return []
+        if kind == "plc":
+            return [self._scope(name, (SCOPE, owner, name)) for name in self.plc.scopes(owner)]
         roots = ("axes", "channel", "V.E", "V.CH", "V.RTA", "V.RTG", "HLI")
         return [
             *self._of_channel(owner, roots),
@@ -285,6 +305,9 @@ class Scopes:
     def variables(self, reference: int, first: int, count: int) -> list[dict[str, Any]]:
         """Return the variables of a scope or of another variable, from ``first`` on."""
         kind, *rest = self._key(reference)
+        if kind in (SCOPE, BELOW):
+            key = (kind, *rest)
+            return [self.of_plc(one, rest[0]) for one in self.plc.variables(key, first, count)]
         if kind == "tree":
             return self._of_tree(rest[0], rest[1], rest[2], first, count)
         if kind == "cycles":
@@ -300,6 +323,31 @@ class Scopes:
         else:
             found = self._of_decoder(*rest)
         return found[first:][: count or None]
+
+    def level_of(self, frame: int) -> int | None:
+        """Return the level of the PLC's call that a frame shows, ``None`` for other frames."""
+        if not 0 < frame <= len(self._frames) or self._frames[frame - 1][0] != "plc":
+            return None
+        return int(self._frames[frame - 1][1])
+
+    def of_plc(self, found: PlcValue, level: int | None) -> dict[str, Any]:
+        """Return a variable of the PLC."""
+        shown = _variable(found.name, found.text + self.plc.note_of(found), found.type)
+        shown["evaluateName"] = found.path
+        if found.count:
+            shown["variablesReference"] = self._reference((BELOW, level, found.path))
+            shown["indexedVariables" if found.indexed else "namedVariables"] = found.count
+        return shown
+
+    def plc_variable(self, reference: int, name: str) -> PlcValue | None:
+        """Return the variable of the PLC that a reference has by a name; ``None`` for others."""
+        key = self._key(reference)
+        if key[0] not in (SCOPE, BELOW):
+            return None
+        for one in self.plc.variables(key, 0, 0):
+            if one.name == name:
+                return one
+        return self.plc.value(f"{key[2]}{name}" if key[0] == BELOW else name, key[1])
 
     def full_name(self, reference: int, name: str) -> tuple[str, int]:
         """Return the whole name of a variable in a scope, and its channel."""

@@ -93,10 +93,13 @@ class Values:
         if _DECODER.match(name):
             raise Failure(diagnostic(DECODER_VARIABLE, name=name))
         value = read_value(text)
-        full = self.prefixed(name, channel)
-        self._session.write({full: value}, source=DEBUGGER)
-        self._pending[full] = self._session.tick, value
+        self.write_value(self.prefixed(name, channel), value, DEBUGGER)
         return value
+
+    def write_value(self, name: str, value: Value, source: str) -> None:
+        """Let a variable by its full name have a value from the next tick on."""
+        self._session.write({name: value}, source=source)
+        self._pending[name] = self._session.tick, value
 
     def evaluate(self, text: str, channel: int) -> str:
         """Return the value of a name or an expression of the controller's language.

@@ -50,6 +50,13 @@ POINTER_FROM_OUTSIDE = error(
     remedy_en="Let the code of the PLC set it.",
     remedy_de="Den Code der SPS es setzen lassen.",
 )
+LIVES_IN_A_CALL = error(
+    902816,
+    en="{name} cannot be set: it lives in a call, and the call ends with this cycle",
+    de="{name} lässt sich nicht setzen: es lebt in einem Aufruf, und der endet mit dem Zyklus",
+    remedy_en="Set a variable of an instance, a program or a list: it counts from the next tick.",
+    remedy_de="Eine Variable einer Instanz, eines Programms oder einer Liste setzen.",
+)
 CONDITION_IS_NO_TRUTH = error(
     902817,
     en="{text} is of the type {type}; a condition is BOOL",

@@ -176,6 +176,8 @@ class Cursor:
 
     def check_goes_on(self) -> None:
         """Raise ``Failure`` (902818) where a fault has stopped the PLC."""
+        if self.statement is not None and self.statement.fault is None:
+            return
         if self._timeline.live.ask("plc_fault") is not None:
             raise Failure(diagnostic(PLC_HAS_STOPPED))
 

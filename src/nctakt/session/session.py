@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Self, Unpack
 
@@ -252,8 +253,7 @@ class Session:
             is_there = is_there or (end is not None and done.tick >= end)
             self._publish(done, at_once=is_there)
             if is_there:
-                self._story.enter(stops, done.hits)
-                return whole
+                return replace(whole, hits=self._story.enter(stops, done.hits))
             if self._thread.is_interrupted:
                 return joined(whole, self._story.step(0))
 
@@ -277,6 +277,10 @@ class Session:
         self._story.cursor.check_goes_on()
         self._run_to(None, [self._story.cursor.sought(step), FAULT, *self._story.stops])
         return self._story.cursor.statement
+
+    def sought(self, step: Step) -> StopAt:
+        """Return the stop at which a step from here ends; raises ``Failure`` (902810)."""
+        return self._ask(self._story.cursor.sought, step)
 
     def step_statement_back(self, step: Step = "into") -> PlcPlace | None:
         """Go back to the last statement before this one; otherwise as ``step_statement``.

@@ -173,16 +173,33 @@ class Story:
         chosen = [stops[index] for index in own]
         cursor = self.cursor
         met = cursor.last_in_tick(chosen) if is_back else cursor.next_in_tick(chosen)
-        if not met:
+        if met:
+            return replace(self._latest, hits=tuple(own[index] for index in met))
+        faults = [index for index, stop in enumerate(stops) if stop.kind == "fault"]
+        halted = cursor.statement
+        if is_back or not faults or halted is None or halted.fault is not None:
             return None
-        return replace(self._latest, hits=tuple(own[index] for index in met))
+        # The PLC has passed this statement, so that a fault is one of the same tick.
+        if not cursor.enter_fault() or cursor.statement is None or cursor.statement.fault is None:
+            return None
+        texts = ("", str(cursor.statement.fault.id))
+        return replace(
+            self._latest, hits=tuple(index for index in faults if stops[index].text in texts)
+        )
 
-    def enter(self, stops: Sequence[StopAt], hits: Sequence[int]) -> None:
-        """Be where in the last tick the first of some stops has held, if the PLC has."""
-        held = [stops[hit] for hit in hits if hit < len(stops)]
-        if any(stop.kind == "fault" for stop in held) and self.cursor.enter_fault():
-            return
-        self.cursor.first_in_tick([stop for stop in held if stop.kind == "statement"])
+    def enter(self, stops: Sequence[StopAt], hits: Sequence[int]) -> tuple[int, ...]:
+        """Be where in the last tick the first of some stops has held, if that is in the PLC.
+
+        ``hits``: those that have held; returns them without those at later statements.
+        """
+        own = [hit for hit in hits if hit < len(stops) and stops[hit].kind == "statement"]
+        met = self.cursor.first_in_tick([stops[hit] for hit in own])
+        first = {own[index] for index in met}
+        faults = [hit for hit in hits if hit < len(stops) and stops[hit].kind == "fault"]
+        if faults and not first:
+            self.cursor.enter_fault()
+        later = {*own} - first | ({*faults} if first else set())
+        return tuple(hit for hit in hits if hit not in later)
 
     def step(self, ticks: int = 1) -> Slice:
         """Run this number of ticks, past any stop."""

@@ -206,3 +206,118 @@ def test_what_makes_no_fmu_is_told(told: Told) -> None:
     Path("part.nc").write_text("G01 X\n", "utf-8")
     assert told("fmu", "part.nc", "-o", "cell.fmu")[0] == 1
     assert not Path("cell.fmu").exists()
+
+
+def cell_of(name: str, version: str, log: list[str] | None = None) -> Any:
+    """An instance in FMPy, initialised."""
+    described = fmpy.read_model_description("cell.fmu")
+    folder = fmpy.extract("cell.fmu", Path(f"unpacked{name}").absolute())
+    kind = fmpy.fmi2.FMU2Slave if version == "2" else fmpy.fmi3.FMU3Slave
+    one = kind(
+        instanceName=name,
+        guid=described.guid,
+        unzipDirectory=str(folder),
+        modelIdentifier="cell",
+    )
+    if log is None:
+        one.instantiate()
+    else:
+        one.instantiate(logMessage=lambda *said: log.append(said[-1].decode()), loggingOn=True)
+    if version == "2":
+        one.setupExperiment(startTime=0.0)
+        one.get, one.set = one.getReal, one.setReal
+        one.state, one.put_back, one.free = one.getFMUstate, one.setFMUstate, one.freeFMUstate
+        one.to_bytes, one.of_bytes = one.serializeFMUstate, one.deSerializeFMUstate
+    else:
+        one.get, one.set = one.getFloat64, one.setFloat64
+        one.state, one.put_back, one.free = one.getFMUState, one.setFMUState, one.freeFMUState
+        one.to_bytes, one.of_bytes = one.serializeFMUState, one.deserializeFMUState
+    one.enterInitializationMode()
+    one.exitInitializationMode()
+    return one
+
+
+def values_of(cell: Any, begin: int, end: int, override: float = 100.0) -> list[list[float]]:
+    """All outputs after each tick; the override changes each 7 ticks."""
+    references = list(range(1, len(NAMES) + 1))
+    found = []
+    for tick in range(begin, end):
+        if tick % 7 == 0:
+            cell.set([len(NAMES) + 1], [override - tick % 5])
+        cell.doStep(tick / 1000, 0.001)
+        found.append(cell.get(references))
+    return found
+
+
+@pytest.mark.parametrize("version", ["2", "3"])
+@pytest.mark.parametrize("plc", [None, "cell.py", "cell.st"])
+def test_a_state_is_put_back(told: Told, version: str, plc: str | None) -> None:
+    """Saved, run on, put back, run on again: the same values; so in another instance, from bytes.
+
+    What is set after a state was put back belongs to that branch alone.
+    """
+    Path("cell.st").write_text(
+        "PROGRAM MAIN\nVAR n : DINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n", "utf-8"
+    )
+    names = ["--outputs", ",".join(NAMES), "--inputs", "HLI.OVERRIDE", "--fmi", version]
+    code, _, err = told(
+        "fmu", "part.nc", "-o", "cell.fmu", *names, *(["--plc", plc] if plc else [])
+    )
+    assert (code, err) == (0, "")
+    cell = cell_of("a", version)
+    values_of(cell, 0, 100)
+    early = cell.state()
+    first = values_of(cell, 100, 300)
+    late = cell.state()
+    after = values_of(cell, 300, 330)
+    cell.put_back(early)
+    slow = values_of(cell, 100, 300, 50.0)
+    assert slow != first
+    for _ in range(2):
+        cell.put_back(early)
+        assert values_of(cell, 100, 300) == first
+    cell.put_back(late)
+    assert values_of(cell, 300, 330) == after
+    data = cell.to_bytes(late)
+    other = cell_of("b", version)
+    read = other.of_bytes(data)
+    other.put_back(read)
+    assert values_of(other, 300, 330) == after
+    cell.free(early)
+    cell.free(late)
+
+
+def test_a_state_that_does_not_come_back_is_refused(told: Told) -> None:
+    """A PLC whose state is in another module does otherwise the second time (902843).
+
+    A state of another FMU (902842) and bytes that are none (902841) are refused as well.
+    """
+    Path("counted.py").write_text("CALLS = []\n", "utf-8")
+    Path("cell.py").write_text(
+        "import counted\n\n\nclass Cell:\n    def cycle(self, hli):\n"
+        "        counted.CALLS.append(1)\n"
+        "        hli.override_pct = 50 if len(counted.CALLS) < 50 else 100\n"
+        "        hli.acknowledge_all()\n",
+        "utf-8",
+    )
+    words = ("fmu", "part.nc", "-o", "cell.fmu", "--outputs", ",".join(NAMES))
+    assert told(*words, "--plc", "cell.py")[0] == 0
+    log: list[str] = []
+    cell = cell_of("a", "3", log)
+    for tick in range(100):
+        cell.doStep(tick / 1000, 0.001)
+    state = cell.state()
+    data = cell.to_bytes(state)
+    with pytest.raises(fmpy.fmi1.FMICallException):
+        cell.put_back(state)
+    assert "902843" in log[-1]
+    assert "cell.py" in log[-1]
+    with pytest.raises(fmpy.fmi1.FMICallException):
+        cell.of_bytes(data[:-1] + b"\n1")
+    assert "902841" in log[-1]
+    Path("cell.fmu").unlink()
+    assert told(*words)[0] == 0
+    other = cell_of("b", "3", log)
+    with pytest.raises(fmpy.fmi1.FMICallException):
+        other.put_back(other.of_bytes(data))
+    assert "902842" in log[-1]

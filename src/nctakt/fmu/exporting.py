@@ -173,23 +173,19 @@ def build_cell(
 
     Without pythonfmu or pythonfmu3 (901311); if it does not start from its own files (902615).
     """
-    content = json.dumps(
-        {
-            "words": cell.words,
-            "plc": cell.plc,
-            "has_lists": cell.has_lists,
-            "variables": [one.name for one in variables],
-        },
-        indent=1,
-        sort_keys=True,
-    )
-    digest = hashlib.sha256(content.encode())
+    content = {
+        "words": cell.words,
+        "plc": cell.plc,
+        "has_lists": cell.has_lists,
+        "variables": [one.name for one in variables],
+    }
+    digest = hashlib.sha256(json.dumps(content, sort_keys=True).encode())
     for name in sorted(cell.files):
         digest.update(name.encode() + b"\0" + hashlib.sha256(cell.files[name]).digest())
     token = digest.hexdigest()[:32]
     module = f"nctakt_cell_{version}_{token}"
     resources = {
-        CONTENT: content.encode(),
+        CONTENT: json.dumps({**content, "token": token}, indent=1, sort_keys=True).encode(),
         "slavemodule.txt": module.encode(),
         f"{module}.py": _SCRIPT.format(version=version).encode(),
         **{f"{FILES}/{name}": data for name, data in cell.files.items()},

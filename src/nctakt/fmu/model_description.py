@@ -49,6 +49,7 @@ def model_description(
             "generationTool": f"nctakt {__version__}",
         },
     )
+    state = "FMUstate" if version == 2 else "FMUState"
     SubElement(
         root,
         "CoSimulation",
@@ -56,6 +57,8 @@ def model_description(
             "modelIdentifier": identifier,
             "needsExecutionTool": "true",
             "canHandleVariableCommunicationStepSize": "true",
+            f"canGetAndSet{state}": "true",
+            f"canSerialize{state}": "true",
             **({} if version == 2 else {"fixedInternalStepSize": repr(tick_s)}),
         },
     )

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.fmu.cell import Cell
+from nctakt.fmu.cell_state import CellState, state_from_bytes, state_to_bytes
 
 OK, WARNING, ERROR = 0, 1, 3
 
@@ -79,6 +80,18 @@ class Slave:
     def terminate(self) -> None:
         """Give up the run."""
         self._cell.close()
+
+    def _get_fmu_state(self) -> CellState:
+        return self._cell.state()
+
+    def _set_fmu_state(self, state: CellState) -> None:
+        try:
+            self._cell.put_back(state)
+        except Failure as failure:
+            raise RuntimeError(str(failure)) from failure  # the libraries show its text
+
+    _fmu_state_to_bytes = staticmethod(state_to_bytes)
+    _fmu_state_from_bytes = staticmethod(state_from_bytes)
 
     def _get(self, references: Sequence[int]) -> list[Any]:
         return self._cell.get(references)

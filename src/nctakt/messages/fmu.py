@@ -183,3 +183,32 @@ NOTHING_TO_ISOLATE = error(
     remedy_en="Name one: --fmu plant.fmu",
     remedy_de="Eine nennen: --fmu anlage.fmu",
 )
+CELL_INPUTS_NOT_KEPT = error(
+    902840,
+    en="the inputs of the FMU, which its states need, cannot be kept: {reason}",
+    de="die Eingänge der FMU, die ihre Zustände brauchen, lassen sich nicht aufheben: {reason}",
+    remedy_en="Make room in the folder for temporary files, or name another one: TMPDIR=/var/tmp",
+    remedy_de="Im Ordner für temporäre Dateien Platz schaffen, oder einen anderen: TMPDIR=/var/tmp",
+)
+CELL_STATE_UNREADABLE = error(
+    902841,
+    en="these bytes are no state of an FMU of nctakt: {reason}",
+    de="diese Bytes sind kein Zustand einer FMU von nctakt: {reason}",
+    remedy_en="Keep the bytes whole, as the FMU has given them.",
+    remedy_de="Die Bytes unverändert aufheben, wie die FMU sie ausgegeben hat.",
+)
+CELL_STATE_OF_ANOTHER = error(
+    902842,
+    en="the state belongs to another FMU: other programs, lists, inputs, outputs or options",
+    de="der Zustand gehört zu einer anderen FMU: andere Programme, Listen, Variablen oder Optionen",
+    remedy_en="Put back states only into the FMU that they come from.",
+    remedy_de="Zustände nur in die FMU zurücksetzen, aus der sie stammen.",
+)
+CELL_DOES_OTHERWISE = error(
+    902843,
+    en="run again, the FMU is not in the state that it had after {ticks} ticks (PLC: {plc})",
+    de="wieder ausgeführt, hat die FMU nicht den Zustand wie nach {ticks} Takten (SPS: {plc})",
+    remedy_en="Keep the PLC's state in its object; leave out clock, files, chance, other modules.",
+    remedy_de="Den Zustand der SPS in ihrem Objekt halten; keine Uhr, Datei, Zufallszahl, Module.",
+    plc=("the PLC's file, - without", "die Datei der SPS, - ohne"),
+)

@@ -6,10 +6,11 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+import numpy
 import pytest
 
 from nctakt.base.failure import Failure
-from nctakt.comparison.log import Log
+from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.log_file import open_log
 from nctakt.files.access import FileAccess
 
@@ -194,3 +195,12 @@ def test_a_log_is_the_same_without_pyarrow(tmp_path: Path, monkeypatch: pytest.M
     (plain,) = log.read(log.columns)
     assert quick.values[:].tobytes() == plain.values[:].tobytes()
     assert plain.values[:].tolist() == list(map(float, texts))
+
+
+def test_a_part_of_the_samples_does_not_hold_the_others() -> None:
+    """Of each hundredth sample an array of its own is yielded, whatever the length of the log."""
+    samples = Samples(numpy.arange(1000.0), numpy.arange(1000.0))
+    ((times, values),) = samples.stretches(100)
+    assert times.tolist() == values.tolist() == [100.0 * number for number in range(10)]
+    assert times.base is None
+    assert values.base is None

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -208,6 +208,17 @@ def test_what_makes_no_fmu_is_told(told: Told) -> None:
     assert not Path("cell.fmu").exists()
 
 
+#: Instances of a test, which are freed at its end, also those that have refused something.
+CELLS: list[Any] = []
+
+
+@pytest.fixture(autouse=True)
+def _freed() -> Iterator[None]:
+    yield
+    while CELLS:
+        CELLS.pop().freeInstance()
+
+
 def cell_of(name: str, version: str, log: list[str] | None = None) -> Any:
     """An instance in FMPy, initialised."""
     described = fmpy.read_model_description("cell.fmu")
@@ -234,6 +245,7 @@ def cell_of(name: str, version: str, log: list[str] | None = None) -> Any:
         one.to_bytes, one.of_bytes = one.serializeFMUState, one.deserializeFMUState
     one.enterInitializationMode()
     one.exitInitializationMode()
+    CELLS.append(one)
     return one
 
 
@@ -283,6 +295,7 @@ def test_a_state_is_put_back(told: Told, version: str, plc: str | None) -> None:
     read = other.of_bytes(data)
     other.put_back(read)
     assert values_of(other, 300, 330) == after
+    other.free(read)
     cell.free(early)
     cell.free(late)
 
@@ -312,8 +325,10 @@ def test_a_state_that_does_not_come_back_is_refused(told: Told) -> None:
         cell.put_back(state)
     assert "902843" in log[-1]
     assert "cell.py" in log[-1]
+    broken = cell_of("broken", "3", log)
+    unread = broken.of_bytes(data[:-1] + b"\n1")
     with pytest.raises(fmpy.fmi1.FMICallException):
-        cell.of_bytes(data[:-1] + b"\n1")
+        broken.put_back(unread)
     assert "902841" in log[-1]
     Path("cell.fmu").unlink()
     assert told(*words)[0] == 0
@@ -321,3 +336,14 @@ def test_a_state_that_does_not_come_back_is_refused(told: Told) -> None:
     with pytest.raises(fmpy.fmi1.FMICallException):
         other.put_back(other.of_bytes(data))
     assert "902842" in log[-1]
+
+
+def test_a_value_that_an_input_cannot_have_is_refused(told: Told) -> None:
+    """With a message in the importer's log; the instance can be freed."""
+    words = ("--outputs", ",".join(NAMES), "--inputs", "HLI.OVERRIDE")
+    assert told("fmu", "part.nc", "-o", "cell.fmu", *words)[0] == 0
+    log: list[str] = []
+    cell = cell_of("a", "3", log)
+    with pytest.raises(fmpy.fmi1.FMICallException):
+        cell.set([len(NAMES) + 1], [float("nan")])
+    assert "HLI.OVERRIDE" in log[-1]

@@ -50,10 +50,12 @@ class Samples:
         """Yield times and values, stretch by stretch; of every ``stride``-th sample."""
         for one in stretches(len(self)):
             kept = slice(-one.start % stride, None, stride)
-            values = self.values[one][kept]
+            times, values = self.times[one], self.values[one]
+            if stride > 1:  # a view would keep the whole stretch in memory
+                times, values = times[kept].copy(), values[kept].copy()
             if (self.factor, self.offset) != (1.0, 0.0):
                 values = values * self.factor + self.offset
-            yield self.times[one][kept], values
+            yield times, values
 
     @property
     def first_us(self) -> float:

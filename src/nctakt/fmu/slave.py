@@ -7,6 +7,7 @@ the importer's log and a status.
 
 from __future__ import annotations
 
+import ctypes
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -84,20 +85,41 @@ class Slave:
     def _get_fmu_state(self) -> CellState:
         return self._cell.state()
 
-    def _set_fmu_state(self, state: CellState) -> None:
+    def _set_fmu_state(self, state: CellState | Failure) -> None:
         try:
+            if isinstance(state, Failure):
+                raise state
             self._cell.put_back(state)
         except Failure as failure:
-            raise RuntimeError(str(failure)) from failure  # the libraries show its text
+            raise self._refusal(failure) from failure
+
+    def _refusal(self, failure: Failure) -> RuntimeError:
+        """Return what the libraries show of a failure.
+
+        They give back what they hold of an instance when it raises, and once more at its end.
+        """
+        for held in (self, type(self), self._log):
+            ctypes.pythonapi.Py_IncRef(ctypes.py_object(held))
+        return RuntimeError(str(failure))
 
     _fmu_state_to_bytes = staticmethod(state_to_bytes)
-    _fmu_state_from_bytes = staticmethod(state_from_bytes)
+
+    @staticmethod
+    def _fmu_state_from_bytes(data: bytes) -> CellState | Failure:
+        """Return a state, or why there is none: without an instance nothing may be raised."""
+        try:
+            return state_from_bytes(data)
+        except Failure as failure:
+            return failure
 
     def _get(self, references: Sequence[int]) -> list[Any]:
         return self._cell.get(references)
 
     def _set(self, references: Sequence[int], values: Sequence[Any]) -> None:
-        self._cell.set(references, values)
+        try:
+            self._cell.set(references, values)
+        except Failure as failure:
+            raise self._refusal(failure) from failure
 
     def _get_truths(self, references: Sequence[int]) -> list[bool]:
         return [bool(value) for value in self._cell.get(references)]

@@ -11,7 +11,7 @@ import pytest
 from support.changed_lists import machine_with
 
 from nctakt.cli import main
-from nctakt.comparison.neutral_names import NeutralNames
+from nctakt.comparison.sharing.neutral_names import NeutralNames
 
 SHARES = Path(__file__).parent / "shares"
 PRIVATE = """%MILLER_FLANGE (for Miller)

@@ -74,6 +74,7 @@ _CODES = (
         "nctakt compare scope.csv part.nc --machine mill",
         "nctakt compare scope.csv part.nc --tolerance 0.05 --tolerance S.SPEED=20",
         "nctakt compare scope.csv part.nc --map scope.toml --offset 1.25s",
+        'nctakt compare scope.csv part.nc --align "V.E.GATE rises"',
         "nctakt compare scope.csv part.nc --propose",
         "nctakt compare scope.csv part.nc --share for_nctakt",
     ),
@@ -119,7 +120,7 @@ _CODES = (
 )
 def command(log: str, picture: str | None, **words: Any) -> int:
     """Compare."""
-    own = LogWords(log, *(words.pop(name) for name in ("mapping", "tolerances", "offset")))
+    own = LogWords(log, *(words.pop(name) for name in ("mapping", "tolerances", "offset", "align")))
     said = {name: words.pop(name) for name in ("proposes", "share", "yes")}
     return carry_out(words, lambda options, access: _compare(options, access, own, picture, **said))
 
@@ -136,7 +137,8 @@ def _compare(
     """Run, compare and report; raises ``Failure`` for invalid options and logs."""
     choose_mode(options)
     from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
-    from nctakt.comparison.recorded import RecordedColumns, RecordedTrace  # noqa: PLC0415
+    from nctakt.comparison.deviations import DRAWN, SHARED  # noqa: PLC0415
+    from nctakt.comparison.recorded import RecordedColumns  # noqa: PLC0415
     from nctakt.proposals.changes import OVERRIDE  # noqa: PLC0415
     from nctakt.proposals.nearer import Search  # noqa: PLC0415
 
@@ -150,24 +152,19 @@ def _compare(
             None if picture is None else files.enter_context(OutputFile(picture, "--plot", access))
         )
         request = replace(request, signals=log.signals)
-        columns = None if share is not None else RecordedColumns()
-        sinks = [] if columns is None else [columns]
-        is_whole = columns is None
-        run = run_programs(
-            options, request, controller, sinks=sinks, blocks=True, is_drawn=is_whole
-        )
+        columns = RecordedColumns()
+        run = run_programs(options, request, controller, sinks=[columns], blocks=True)
         if run is None:
             return EXIT_NC_ERROR
         print_diagnostics(run.diagnostics, options.language, shown_from(options))
         comparison = compare(
             log.log,
             run,
-            columns or RecordedTrace(run),
+            columns,
             log.pairs,
             log.limits,
-            log.offset_us,
-            is_drawn=file is not None or share is not None,
-            is_thinned=share is None,
+            log.begin,
+            kept=SHARED if share is not None else DRAWN if file is not None else 0,
         )
         if file is not None:
             _draw(file, comparison, options)
@@ -176,7 +173,7 @@ def _compare(
     if proposes:
         again = partial(_run_again, options, access, controller.machine, log.signals)
         override = float((request.options["set"] or {}).get(OVERRIDE, 100.0))
-        search = Search(comparison, log.pairs, log.offset_us, again)
+        search = Search(comparison, log.pairs, again, log.begin)
         proposals = search.proposals(controller.machine, override)
     _show(options, comparison, proposals)
     if share is not None:
@@ -221,7 +218,7 @@ def _share(
     writes: bool,
 ) -> None:
     """Show what the folder holds, and write it; raises ``Failure``."""
-    from nctakt.comparison.share import SharedRun, share_lines, share_of  # noqa: PLC0415
+    from nctakt.comparison.sharing.share import SharedRun, share_lines, share_of  # noqa: PLC0415
 
     channels = {1: request.programs, **request.channels}
     share = share_of(comparison, SharedRun(machine, channels, request.options, options.run), access)

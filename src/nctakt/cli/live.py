@@ -148,11 +148,12 @@ def command(
     mapping: str | None,
     tolerances: tuple[str, ...],
     offset: str | None,
+    align: str | None,
     **words: Any,
 ) -> int:
     """Show a run on a page."""
     shown = is_embedded, opens_browser
-    read = None if log is None else LogWords(log, mapping, tolerances, offset)
+    read = None if log is None else LogWords(log, mapping, tolerances, offset, align)
     own = Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
     return carry_out(
         words,
@@ -249,8 +250,9 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
     The run ends with the log at the latest.
     """
     from nctakt.comparison.comparison import compare  # noqa: PLC0415 - the mode is chosen before
-    from nctakt.comparison.overlay import logged_curves  # noqa: PLC0415 - as above
-    from nctakt.comparison.recorded import RecordedTrace  # noqa: PLC0415 - as above
+    from nctakt.comparison.deviations import SHOWN  # noqa: PLC0415 - as above
+    from nctakt.comparison.overlay import left_out, logged_curves  # noqa: PLC0415 - as above
+    from nctakt.comparison.recorded import RecordedColumns  # noqa: PLC0415 - as above
 
     quiet = replace(options, machine_note=None)
     controller = start_controller(quiet, access)
@@ -261,8 +263,9 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
     request = replace(read_request(quiet, access), signals=opened.signals)  # a PLC of its own
     if request.options["until"] is None:
         request.options["until"] = f"{int(end - begin) + 1}us"
-    run = run_programs(quiet, request, controller, is_drawn=True)
-    if run is None or run.trace is None or run.errors:
+    columns = RecordedColumns()
+    run = run_programs(quiet, request, controller, sinks=[columns], blocks=True)
+    if run is None or run.errors:
         number = run.errors[0].number if run is not None and run.errors else ""
         print_diagnostics(
             [diagnostic(LOG_NOT_SHOWN, log=words.log, number=number)], options.language
@@ -271,13 +274,14 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
     found = compare(
         opened.log,
         run,
-        RecordedTrace(run),
+        columns,
         opened.pairs,
         opened.limits,
-        opened.offset_us,
-        is_drawn=True,
+        opened.begin,
+        kept=SHOWN,
     )
-    print_diagnostics(found.diagnostics, options.language, shown_from(options))
+    diagnostics = [*found.diagnostics, *left_out(found)]
+    print_diagnostics(diagnostics, options.language, shown_from(options))
     return logged_curves(found)
 
 

@@ -15,9 +15,10 @@ from nctakt.base.failure import Failure
 from nctakt.cli.help import option
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import TOLERANCE_UNREADABLE
+from nctakt.messages.comparison import TOLERANCE_UNREADABLE, TWO_PLACES
 
 if TYPE_CHECKING:
+    from nctakt.comparison.aligning_event import EventInLog
     from nctakt.comparison.log import Log
     from nctakt.comparison.mapping import Pair, Tolerance
     from nctakt.run.controller import Controller
@@ -51,10 +52,21 @@ _OFFSET = option(
     ),
 )
 
+_ALIGN = option(
+    "--align",
+    metavar="EVENT",
+    text=Text(
+        "An event that run and log have: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
+        "'M10 @ COLUMN rises', 'part.nc:4 @ COLUMN > 1'.",
+        "Ein Ereignis, das Lauf und Aufzeichnung haben: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
+        "'M10 @ SPALTE rises', 'part.nc:4 @ SPALTE > 1'.",
+    ),
+)
+
 
 def log_options(function: _Command) -> _Command:
     """Add the options that say how a log is read."""
-    return _MAP(_TOLERANCE(_OFFSET(function)))
+    return _MAP(_TOLERANCE(_OFFSET(_ALIGN(function))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +77,7 @@ class LogWords:
     mapping: str | None
     tolerances: tuple[str, ...]
     offset: str | None
+    align: str | None = None
 
     def read_limits(self) -> dict[str, Tolerance]:
         """Return the tolerances by signals, "" for all others; raises ``Failure`` (902529)."""
@@ -78,33 +91,45 @@ class OpenedLog:
     log: Log
     pairs: Sequence[Pair]
     limits: Mapping[str, Tolerance]
-    offset_us: float | None
+    begin: float | EventInLog | None
 
     @property
     def signals(self) -> tuple[str, ...]:
         """The names of the signals that the run must record."""
-        return tuple(dict.fromkeys(pair.signal.name for pair in self.pairs))
+        from nctakt.comparison.aligning_event import EventInLog  # noqa: PLC0415 - as below
+
+        names = [pair.signal.name for pair in self.pairs]
+        if isinstance(self.begin, EventInLog) and self.begin.event.signal:
+            names.append(self.begin.event.signal)
+        return tuple(dict.fromkeys(names))
 
 
 def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> OpenedLog:
     """Return the log and its signals; raises ``Failure`` for what cannot be used."""
+    from nctakt.comparison.aligning_event import AligningEvent, EventInLog  # noqa: PLC0415
     from nctakt.comparison.log_file import open_log  # noqa: PLC0415 - the mode is chosen before
     from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
     from nctakt.lists.format.times import read_time  # noqa: PLC0415
 
     limits = words.read_limits()
+    if words.offset is not None and words.align is not None:
+        raise Failure(diagnostic(TWO_PLACES))
     said = MappingFile() if words.mapping is None else read_mapping(words.mapping, access)
     log = open_log(words.log, access, said.log)
     offset = words.offset
     offset_us = None if offset is None else read_time(offset).us(controller.cycle_time_us)
     signals = {one.name: one for one in controller.signals()}
-    for wished in (*said.wishes, *filter(None, limits)):
+    event = None if words.align is None else AligningEvent.of(words.align)
+    own = () if event is None or not event.signal else (event.signal,)
+    for wished in (*said.wishes, *filter(None, limits), *own):
         if wished not in signals:
             controller.signal(wished)  # raises with the nearest name
     axes = [axis.name for axis in controller.machine.axes]
-    return OpenedLog(
-        log, pairs_of(log, list(signals.values()), axes, said.wishes), limits, offset_us
-    )
+    pairs = pairs_of(log, list(signals.values()), axes, said.wishes)
+    begin: float | EventInLog | None = offset_us
+    if event is not None:
+        begin = EventInLog(event, *event.log_us(log, pairs, signals), signals)
+    return OpenedLog(log, pairs, limits, begin)
 
 
 def _tolerance(text: str) -> tuple[str, Tolerance]:

@@ -10,6 +10,7 @@ from functools import partial
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
+from nctakt.comparison.aligning_event import EventInLog
 from nctakt.comparison.alignment import Alignment, Curve, align, aligned_before
 from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
@@ -43,6 +44,7 @@ class Comparison:
     recorded: Recorded
     alignment: Alignment
     aligned_by: str
+    event: EventInLog | None
     deviations: Sequence[Deviation]
     delays: Sequence[Delay]
     diagnostics: Sequence[Diagnostic]
@@ -71,16 +73,15 @@ def compare(
     recorded: Recorded,
     pairs: Sequence[Pair],
     tolerances: Mapping[str, Tolerance],
-    offset_us: float | None = None,
+    begin: float | EventInLog | None = None,
     *,
-    is_drawn: bool = False,
-    is_thinned: bool = False,
+    kept: int = 0,
 ) -> Comparison:
     """Return a log beside a run, of which ``recorded`` has the signals of the pairs.
 
-    ``tolerances``: by the names of signals, "" for all others; ``offset_us``: where the run begins
-    in the log, ``None`` to find it; ``is_drawn``: keep both sides, ``is_thinned``: as far as a
-    picture has room for them. Raises ``Failure`` if they have no time in common (902522).
+    ``tolerances``: by the names of signals, "" for all others; ``begin``: where the run begins in
+    the log, in µs or by an event, ``None`` to find it; ``kept``: how many samples of each pair are
+    kept, as ``deviation_of`` does. Raises ``Failure`` if they have no time in common (902522).
     """
     raw = log.read([pair.column for pair in pairs])
     samples = [one.scaled(pair.factor, pair.offset) for pair, one in zip(pairs, raw, strict=True)]
@@ -91,26 +92,25 @@ def compare(
         for pair, one, curve in zip(pairs, samples, curves, strict=True)
         if not pair.signal.integral
     ]
-    alignment = align(smooth) if offset_us is None else Alignment(offset_us)
+    alignment = begun(begin, smooth, recorded)
     beside = partial(
         _beside,
         list(zip(pairs, samples, curves, strict=True)),
         recorded.blocks,
         recorded.cycle_time_us,
         tolerances=tolerances,
-        is_drawn=is_drawn,
-        is_thinned=is_thinned,
+        kept=kept,
     )
     deviations, delays = beside(alignment)
-    if offset_us is None and alignment.reason is None and delays:
+    if begin is None and alignment.reason is None and delays:
         nearer = aligned_before(smooth, alignment, delays[0].time_us)
         if nearer is not alignment:
             alignment = nearer
             deviations, delays = beside(alignment)
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
-    names = [pair.signal.name for pair in pairs if not pair.signal.integral and offset_us is None]
-    found = [*log.notes]
+    names = [pair.signal.name for pair in pairs if not pair.signal.integral and begin is None]
+    found = list(dict.fromkeys(log.notes))  # it may have been read before
     if alignment.reason is not None:
         found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
     return Comparison(
@@ -119,12 +119,22 @@ def compare(
         recorded,
         alignment,
         ", ".join(names[:3]),
+        begin if isinstance(begin, EventInLog) else None,
         deviations,
         delays,
         found,
         recorded.blocks,
         recorded.reactions,
     )
+
+
+def begun(
+    begin: float | EventInLog | None, pairs: Sequence[tuple[Samples, Curve]], recorded: Recorded
+) -> Alignment:
+    """Return where a log lies: as said, by an event, or as the curves of pairs fit best."""
+    if isinstance(begin, EventInLog):
+        return begin.alignment(recorded)
+    return align(pairs) if begin is None else Alignment(begin)
 
 
 def _beside(
@@ -134,8 +144,7 @@ def _beside(
     alignment: Alignment,
     *,
     tolerances: Mapping[str, Tolerance],
-    is_drawn: bool,
-    is_thinned: bool,
+    kept: int,
 ) -> tuple[list[Deviation], list[Delay]]:
     """Return what deviates, and from which blocks on the log is late, in one pass."""
     delays = BlockDelays(blocks, cycle_time_us, alignment.is_scaled)
@@ -147,8 +156,7 @@ def _beside(
             alignment,
             _tolerance(pair, tolerances),
             delays=delays,
-            is_drawn=is_drawn,
-            is_thinned=is_thinned,
+            kept=kept,
         )
         for pair, samples, curve in triples
     ]

@@ -23,8 +23,9 @@ from nctakt.comparison.mapping import Pair, Tolerance
 
 #: The share of the percentile that is reported.
 _SHARE = 0.99
-#: Samples that are kept for a picture, which has fewer pixels; at most twice as many.
-MAX_DRAWN = 20_000
+#: Samples that are kept: for a picture, which has fewer pixels; for a page, where one looks closer;
+#: for others, who get each one. Beyond twice as many every other one is left out.
+DRAWN, SHOWN, SHARED = 20_000, 200_000, 500_000
 #: Times, values of the log, and log minus run.
 _Part = tuple[Numbers, Numbers, Numbers]
 
@@ -49,7 +50,7 @@ class Deviation:
     ``samples``: those that lie within the run. ``first_us``: where it begins to be more than the
     tolerance for two samples or longer, ``None`` for nowhere or without a tolerance; ``beyond``:
     how many samples are. ``tolerance``: in the signal's unit, ``ticks`` earlier or later.
-    ``overlaid``: what a picture shows, if it is asked for.
+    ``overlaid``: the samples that are kept, if it is asked for.
     """
 
     pair: Pair
@@ -74,13 +75,12 @@ def deviation_of(
     tolerance: Tolerance | None,
     *,
     delays: BlockDelays | None = None,
-    is_drawn: bool = False,
-    is_thinned: bool = False,
+    kept: int = 0,
 ) -> Deviation | None:
     """Return how far a pair is apart; ``None`` if no sample lies within the run.
 
-    ``delays`` gets what it says about the time that the log is late; ``is_drawn``: keep both sides,
-    ``is_thinned``: as many samples as a picture has room for.
+    ``delays`` gets what it says about the time that the log is late; ``kept``: how many samples of
+    both sides are kept at least, at most twice as many.
     """
     parts = _beside(pair, samples, curve, alignment, delays)
     if pair.signal.integral:
@@ -90,7 +90,7 @@ def deviation_of(
         limit = tolerance.amount / 100.0 * range_of(curve.values)
     around = 0 if tolerance is None else tolerance.ticks
     sums = DeviationSums(len(samples), limit)
-    drawn = _Drawn(MAX_DRAWN if is_thinned else len(samples)) if is_drawn else None
+    drawn = _Drawn(kept) if kept else None
     for times, values, differences in parts:
         sizes = numpy.abs(differences)
         if around:

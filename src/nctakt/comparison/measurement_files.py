@@ -9,7 +9,7 @@ by its name or that of a mapping file, and units in the metadata of its fields o
 from __future__ import annotations
 
 import importlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +26,8 @@ from nctakt.trace.measurement import load_asammdf
 
 #: Types of channels of MF4 that are numbers.
 _NUMBER_TYPES = frozenset(range(6))
+#: Bytes of a column of a Parquet file that are read at a time.
+_BUFFER = 1 << 20
 
 
 class Mf4Log(Log):
@@ -77,7 +79,7 @@ class ParquetLog(Log):
         arrow = load_pyarrow()
         parquet = importlib.import_module("pyarrow.parquet")
         try:
-            self._file = parquet.ParquetFile(path)
+            self._file = parquet.ParquetFile(path, buffer_size=_BUFFER)
         except (OSError, arrow.ArrowException) as error:
             raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file)) from error
         schema = self._file.schema_arrow
@@ -104,6 +106,11 @@ class ParquetLog(Log):
         if not self.columns:
             raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
 
+    def _batches(self, names: list[str]) -> Iterator[Any]:
+        """Yield rows in parts, group by group: else the library keeps what it has read."""
+        for group in range(self._file.num_row_groups):
+            yield from self._file.iter_batches(STRETCH, [group], names, use_threads=False)
+
     def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
         """Return the samples of columns; empty cells and what is no number are none."""
         names = self._file.schema_arrow.names
@@ -111,7 +118,7 @@ class ParquetLog(Log):
         asked = [time, *(names[one.column] for one in columns)]
         table = NumberTable(len(asked))
         first: float | None = None
-        for batch in self._file.iter_batches(batch_size=STRETCH, columns=list(set(asked))):
+        for batch in self._batches(list(set(asked))):
             numbers = {name: _numbers(batch.column(name)) for name in set(asked)}
             stamps = numbers[time]
             known = stamps[numpy.isfinite(stamps)]

@@ -11,8 +11,11 @@ import numpy
 from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.comparison.comparison import Comparison
 from nctakt.comparison.deviations import Deviation, single_samples
+from nctakt.messages import diagnostic
+from nctakt.messages.comparison import LOG_THINNED
 
 #: Points of a curve, and stretches that are marked, at most.
 _MAX_POINTS, _MAX_STRETCHES = 4_000, 500
@@ -36,6 +39,17 @@ class LoggedCurve:
 def logged_curves(comparison: Comparison) -> list[LoggedCurve]:
     """Return the log's curves in the order of the comparison."""
     return [_curve(one, comparison.recorded.cycle_time_us) for one in comparison.deviations]
+
+
+def left_out(comparison: Comparison) -> list[Diagnostic]:
+    """Return a note for each signal of which not all samples are kept (902844)."""
+    found = []
+    for one in comparison.deviations:
+        kept = 0 if one.overlaid is None else len(one.overlaid.times)
+        if kept < one.samples:
+            name = one.pair.signal.name
+            found.append(diagnostic(LOG_THINNED, name=name, kept=kept, count=one.samples))
+    return found
 
 
 def _curve(one: Deviation, cycle_time_us: int) -> LoggedCurve:

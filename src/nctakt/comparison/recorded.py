@@ -19,6 +19,8 @@ from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 
+_FUNCTIONS = (event_rows.EVENT_TECHNOLOGY, event_rows.EVENT_TECHNOLOGY_RT)
+
 
 class Recorded(Protocol):
     """The recorded side of a comparison; events in the order of their ticks."""
@@ -34,6 +36,10 @@ class Recorded(Protocol):
     @property
     def reactions(self) -> Sequence[Event]:
         """The events of reactions that fire."""
+
+    @property
+    def functions(self) -> Sequence[Event]:
+        """The events of functions that go out."""
 
 
 class RecordedTrace:
@@ -57,6 +63,11 @@ class RecordedTrace:
         """The events of reactions that fire."""
         return [event for event in self._trace.events if event.kind == "fired"]
 
+    @property
+    def functions(self) -> Sequence[Event]:
+        """The events of functions that go out."""
+        return [event for event in self._trace.events if event.kind in ("output", "M", "H")]
+
 
 class RecordedColumns:
     """The trace of a run outside of the memory, as a sink."""
@@ -67,6 +78,7 @@ class RecordedColumns:
         self._table = NumberTable(0)
         self.blocks = StoredEvents()
         self.reactions = StoredEvents()
+        self.functions = StoredEvents()
 
     def open(self, header: TraceHeader) -> None:
         """Keep the header."""
@@ -75,10 +87,11 @@ class RecordedColumns:
         self._table = NumberTable(len(header.signals))
 
     def events(self, events: Sequence[Event]) -> None:
-        """Keep the events of blocks and reactions."""
+        """Keep the events of blocks, reactions and functions."""
         assert isinstance(events, EventChunk)
         self.blocks.add(events.of_kinds((event_rows.EVENT_BLOCK,)))
         self.reactions.add(events.of_kinds((event_rows.EVENT_FIRED,)))
+        self.functions.add(events.of_kinds(_FUNCTIONS))
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
         """Keep the rows."""

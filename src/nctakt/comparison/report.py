@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from nctakt.base.diagnostics import Language, Span, Text
+from nctakt.comparison.aligning_event import EventInLog
 from nctakt.comparison.alignment import Alignment
 from nctakt.comparison.comparison import Comparison, Running
 from nctakt.comparison.deviations import Deviation
@@ -34,6 +35,12 @@ _FOUND = Text(
 _GIVEN = Text(
     "the run begins {offset} s after the log's zero, as given",
     "der Lauf beginnt {offset} s nach der Null der Aufzeichnung, wie angegeben",
+)
+_BY_EVENT = Text(
+    "the run begins {offset} s after the log's zero "
+    "(by {event}: {time} s in the log, ± {apart} ms)",
+    "der Lauf beginnt {offset} s nach der Null der Aufzeichnung (über {event}: {time} s in der "
+    "Aufzeichnung, ± {apart} ms)",
 )
 _GAIN = Text(
     "the log is {gain} times the run, {bias} beside it",
@@ -85,7 +92,15 @@ def comparison_text(comparison: Comparison, program: str, language: Language) ->
 def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
     found = comparison.alignment
     offset = f"{found.offset_us / 1e6:.6f}"
-    if not comparison.aligned_by:
+    if comparison.event is not None:
+        event = comparison.event
+        yield _BY_EVENT.get(language).format(
+            offset=offset,
+            event=event.event.text,
+            time=f"{event.time_us / 1e6:.6f}",
+            apart=f"{event.apart_us / 1e3:g}",
+        )
+    elif not comparison.aligned_by:
         yield _GIVEN.get(language).format(offset=offset)
     elif found.reason is None:
         yield _FOUND.get(language).format(
@@ -161,6 +176,7 @@ def comparison_document(comparison: Comparison) -> dict[str, Any]:
         "log": comparison.log.file,
         "within": comparison.is_within,
         "alignment": _alignment_document(comparison.alignment),
+        "event": _event_document(comparison.event),
         "signals": [_document(comparison, one) for one in comparison.deviations],
         "delays": [
             {
@@ -203,6 +219,12 @@ def _document(comparison: Comparison, one: Deviation) -> dict[str, Any]:
         "block": _span(running.block),
         "reaction": None if running.reaction is None else str(running.reaction),
     }
+
+
+def _event_document(event: EventInLog | None) -> dict[str, Any] | None:
+    if event is None:
+        return None
+    return {"text": event.event.text, "log_us": event.time_us, "apart_us": event.apart_us}
 
 
 def _span(span: Span | None) -> dict[str, Any] | None:

@@ -223,3 +223,39 @@ NO_ROOM_FOR_SAMPLES = error(
     remedy_de="Dort Platz schaffen oder mit TMPDIR einen anderen Ordner nennen; je Wert 8 Byte.",
     reason=("what the operating system says", "was das Betriebssystem sagt"),
 )
+LOG_THINNED = note(
+    902844,
+    en="{name}: the page shows {kept} of the log's {count} samples; what is shorter may be missing",
+    de="{name}: Die Seite zeigt {kept} der {count} Werte; Kürzeres kann darin fehlen",
+    kept=("how many are shown", "wie viele gezeigt werden"),
+)
+EVENT_UNREADABLE = error(
+    902845,
+    en="{text} is no event: X.ACS.ACT_POS > 10, V.E.GATE rises, M10 @ COLUMN rises",
+    de="{text} ist kein Ereignis: X.ACS.ACT_POS > 10, V.E.GATE rises, M10 @ SPALTE rises",
+    remedy_en="Name a signal with rises, falls, > or <; or a function or block, @, and a column.",
+    remedy_de="Signal mit rises, falls, > oder < nennen; oder Funktion oder Satz, @ und Spalte.",
+)
+EVENT_NOT_IN_RUN = error(
+    902846,
+    en="{event} does not happen in the run",
+    de="{event} kommt im Lauf nicht vor",
+    remedy_en="Name an event that happens in both; --trace shows what the run has.",
+    remedy_de="Ein Ereignis nennen, das beide haben; --trace zeigt, was der Lauf hat.",
+    event=("the event", "das Ereignis"),
+)
+EVENT_NOT_IN_LOG = error(
+    902847,
+    en="{event} does not happen in {file}: {reason}",
+    de="{event} kommt in {file} nicht vor: {reason}",
+    remedy_en="Name another column after @, or align with --offset.",
+    remedy_de="Nach @ eine andere Spalte nennen, oder mit --offset ausrichten.",
+    event=("the event", "das Ereignis"),
+)
+TWO_PLACES = error(
+    902848,
+    en="--offset and --align both say where the run begins in the log",
+    de="--offset und --align sagen beide, wo der Lauf in der Aufzeichnung beginnt",
+    remedy_en="Leave one of them out.",
+    remedy_de="Eines von beiden weglassen.",
+)

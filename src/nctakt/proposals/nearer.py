@@ -13,8 +13,10 @@ import math
 from collections.abc import Callable, Sequence
 
 from nctakt.base.dataclass import dataclass
-from nctakt.comparison.alignment import Alignment, Curve, align
-from nctakt.comparison.comparison import Comparison
+from nctakt.base.failure import Failure
+from nctakt.comparison.aligning_event import EventInLog
+from nctakt.comparison.alignment import Curve
+from nctakt.comparison.comparison import Comparison, begun
 from nctakt.comparison.mapping import Pair
 from nctakt.comparison.recorded import Recorded, RecordedTrace
 from nctakt.lists.machine.machine import Machine
@@ -38,6 +40,8 @@ _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
 #: Runs the program with a change and its value; ``None`` if that is not possible.
 Again = Callable[[Change, float], Run | None]
+#: Where a run begins in a log: in µs, by an event, or ``None`` to find it.
+Begin = float | EventInLog | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,12 +63,12 @@ class Proposals:
 
 
 class Search:
-    """The search for one log; ``offset_us``: where the run begins in it, ``None`` to find it."""
+    """The search for one log; ``begin``: where the run begins in it, ``None`` to find it."""
 
     def __init__(
-        self, comparison: Comparison, pairs: Sequence[Pair], offset_us: float | None, again: Again
+        self, comparison: Comparison, pairs: Sequence[Pair], again: Again, begin: Begin = None
     ) -> None:
-        self._offset_us, self._again = offset_us, again
+        self._begin, self._again = begin, again
         self._jumps = [one.jump_us for one in comparison.delays if one.jump_us > 0.0]
         self._pairs = [pair for pair in pairs if not pair.signal.integral]
         raw = comparison.log.read([pair.column for pair in self._pairs])
@@ -162,10 +166,11 @@ class Search:
         """Return how far a run and the log are apart, as a share of the curves' spans."""
         period_us = float(recorded.cycle_time_us)
         curves = [Curve(period_us, recorded[one.signal.name]) for one in self._pairs]
-        if self._offset_us is None:
-            alignment = align(list(zip(self._samples, curves, strict=True)))
-        else:
-            alignment = Alignment(self._offset_us)
+        pairs = list(zip(self._samples, curves, strict=True))
+        try:
+            alignment = begun(self._begin, pairs, recorded)
+        except Failure:  # a change may keep the event from happening
+            return math.inf
         shares = []
         for samples, curve, span in zip(self._samples, curves, self._spans, strict=True):
             squares, count = 0.0, 0

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from nctakt.comparison.neutral_names import NeutralNames
+from nctakt.comparison.sharing.neutral_names import NeutralNames
 from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import SCHEMA_BY_KIND
 from nctakt.lists.declared.variables import SCALARS

@@ -21,11 +21,13 @@ from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text, split_lines
 from nctakt.base.version import __version__
+from nctakt.comparison.columns import Column, stretches
 from nctakt.comparison.comparison import Comparison
 from nctakt.comparison.deviations import Overlaid
-from nctakt.comparison.neutral_lists import neutral_lists
-from nctakt.comparison.neutral_names import NeutralNames
+from nctakt.comparison.recorded import RecordedColumns
 from nctakt.comparison.report import comparison_document
+from nctakt.comparison.sharing.neutral_lists import neutral_lists
+from nctakt.comparison.sharing.neutral_names import NeutralNames
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
@@ -139,8 +141,8 @@ def _programs(
             found[one.name] = split_lines(one.text)
         else:
             found[str(one)] = split_lines(decode_text(access.read_bytes(one)).text)
-    for event in comparison.run.events:
-        if event.span is not None and event.span.file not in found and event.kind == "block":
+    for event in comparison.blocks:
+        if event.span is not None and event.span.file not in found:
             data = access.read_bytes(Path(event.span.file))
             found[event.span.file] = split_lines(decode_text(data).text)
     return found
@@ -236,7 +238,8 @@ def _difference(
             "set": {names.text(name): one for name, one in (ran.options["set"] or {}).items()},
             "at": [_neutral_stimulus(one, names) for one in ran.options["at"]],
             "signals": tuple(signals.values()),
-            "memory_trace": True,
+            "sinks": [recorded := RecordedColumns()],
+            "memory_trace": False,
         }
         try:
             controller = Controller(folder / MACHINE)
@@ -245,16 +248,22 @@ def _difference(
             return [diagnostic(SHARE_DOES_NOT_RUN, number=failure.diagnostics[0].number)]
     if run.errors and not comparison.run.errors:
         return [diagnostic(SHARE_DOES_NOT_RUN, number=run.errors[0].number)]
-    assert run.trace is not None
     for name, neutral in signals.items():
-        ours, theirs = comparison.recorded[name][:], run.trace[neutral]
-        size = min(len(ours), len(theirs))
-        differs = numpy.flatnonzero(~(numpy.abs(ours[:size] - theirs[:size]) <= _EQUAL))
-        if len(differs) or len(ours) != len(theirs):
-            tick = int(differs[0]) if len(differs) else size
+        tick = _first_difference(comparison.recorded[name], recorded[neutral])
+        if tick is not None:
             time = tick * comparison.recorded.cycle_time_us / 1e6
             return [diagnostic(SHARE_DIFFERS, signal=name, time=f"{time:.6f}")]
     return []
+
+
+def _first_difference(ours: Column, theirs: Column) -> int | None:
+    """Return the first tick in which two columns differ, ``None`` for none."""
+    size = min(len(ours), len(theirs))
+    for part in stretches(size):
+        differs = numpy.flatnonzero(~(numpy.abs(ours[part] - theirs[part]) <= _EQUAL))
+        if len(differs):
+            return int(part.start) + int(differs[0])
+    return None if len(ours) == len(theirs) else size
 
 
 def share_lines(share: Share, folder: str, language: Language) -> Iterator[str]:

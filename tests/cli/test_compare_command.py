@@ -174,3 +174,15 @@ def test_gain_and_bias_are_no_delays(
     assert f"the log is {gain:.5f} times the run, {bias:.4g} beside it" in text
     assert " ms later than before" not in text
     assert " ms earlier than before" not in text
+
+
+def test_another_override_makes_the_begin_uncertain(capsys: pytest.CaptureFixture[str]) -> None:
+    """A log at 80 % fits best where it does not begin: told, but not with an event."""
+    Path("slow.nc").write_text("G01 X100 F20000\nY50 F10000\nG00 X0 Y0\nM30\n", "utf-8")
+    words = ["--signals", "X.ACS.ACT_POS,Y.ACS.ACT_POS", "--quiet"]
+    assert main(["run", "slow.nc", "--trace", "slow.csv", "--set", "HLI.OVERRIDE=80", *words]) == 0
+    capsys.readouterr()
+    assert main(["compare", "slow.csv", "slow.nc"]) == 0
+    assert "902849" in capsys.readouterr().err
+    assert main(["compare", "slow.csv", "slow.nc", "--align", "X.ACS.ACT_POS > 1"]) == 0
+    assert "902849" not in capsys.readouterr().err

@@ -25,6 +25,8 @@ _GRID_US, _MAX_GRID = 4000.0, 1 << 21
 _SECOND_PEAK = 0.95
 #: Lowest correlation at which the alignment is trusted.
 _MIN_QUALITY = 0.5
+#: From this correlation on, and up to this distance of the gain from 1, it is sure.
+_SURE_QUALITY, _SURE_GAIN = 0.9, 0.05
 #: Shortest log for which a drift is reported, in µs.
 _DRIFT_FROM_US = 60e6
 #: Largest number of samples in the fit, and of its rounds.
@@ -123,6 +125,11 @@ class Alignment:
     def is_scaled(self) -> bool:
         """Whether the log has a gain or a bias."""
         return abs(self.gain - 1.0) > _MIN_SCALE or self.bias != 0.0
+
+    @property
+    def is_uncertain(self) -> bool:
+        """Whether the curves differ in more than time, so that their best place may be false."""
+        return self.quality < _SURE_QUALITY or abs(self.gain - 1.0) > _SURE_GAIN
 
     def run_times(self, stamps: Numbers) -> Numbers:
         """Return the run's times of the log's stamps, in µs."""

@@ -18,7 +18,7 @@ from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.mapping import Pair, Tolerance
 from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import NO_OVERLAP, TIMES_NOT_ALIGNED
+from nctakt.messages.comparison import BEGIN_UNCERTAIN, NO_OVERLAP, TIMES_NOT_ALIGNED
 from nctakt.results.run import Run
 from nctakt.trace.events import Event
 
@@ -110,9 +110,6 @@ def compare(
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
     names = [pair.signal.name for pair in pairs if not pair.signal.integral and begin is None]
-    found = list(dict.fromkeys(log.notes))  # it may have been read before
-    if alignment.reason is not None:
-        found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
     return Comparison(
         log,
         run,
@@ -122,10 +119,21 @@ def compare(
         begin if isinstance(begin, EventInLog) else None,
         deviations,
         delays,
-        found,
+        _findings(log, alignment, is_searched=begin is None),
         recorded.blocks,
         recorded.reactions,
     )
+
+
+def _findings(log: Log, alignment: Alignment, *, is_searched: bool) -> list[Diagnostic]:
+    """Return what reading and aligning the log left open."""
+    found = list(dict.fromkeys(log.notes))  # it may have been read before
+    if alignment.reason is not None:
+        found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
+    elif is_searched and alignment.is_uncertain:
+        quality, gain = f"{alignment.quality:.2f}", f"{alignment.gain:.2f}"
+        found.append(diagnostic(BEGIN_UNCERTAIN, quality=quality, gain=gain))
+    return found
 
 
 def begun(

@@ -259,3 +259,12 @@ TWO_PLACES = error(
     remedy_en="Leave one of them out.",
     remedy_de="Eines von beiden weglassen.",
 )
+BEGIN_UNCERTAIN = warning(
+    902849,
+    en="where the run begins in the log is uncertain: correlation {quality}, gain {gain}",
+    de="der Beginn des Laufs ist unsicher gefunden: Korrelation {quality}, Faktor {gain}",
+    remedy_en="The curves differ in more than time: give --offset or --align, then see --propose.",
+    remedy_de="Die Kurven weichen nicht nur zeitlich ab: --offset oder --align, dann --propose.",
+    quality=("the correlation of the speeds, 1 for equal ones", "die Korrelation, 1 für gleiche"),
+    gain=("how many times the run the log is", "wie viel Mal der Lauf die Aufzeichnung ist"),
+)

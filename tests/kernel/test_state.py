@@ -25,6 +25,7 @@ BUILT = {
     "Channel": {"signals"},
     "ChannelLane": {"channel"},
     "AxisExchange": {"signals"},
+    "SpindleExchange": {"signals"},
     "CAxis": {"spindles"},
     "CommandSpindle": {"direction"},
     "CompareTexts": {"count"},

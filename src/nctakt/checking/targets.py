@@ -44,12 +44,13 @@ class Target:
         self.limits = StepLimits(context.max_steps, context.budget_steps)
         self.folder = machine.configuration.folder
         self.channel_count = len(machine.assembled)
-        #: Logical number of an axis -> the channel whose list has it.
-        self.owners = {
-            axis.logical_number: number
-            for number, other in enumerate(machine.configuration.channels, 1)
-            for axis in other.axes
-        }
+        #: Logical number of an axis -> the channel whose list has it, as an axis or a spindle.
+        self.owners: dict[int, int] = {}
+        for number, other in enumerate(machine.configuration.channels, 1):
+            own = [axis.logical_number for axis in other.axes]
+            own += [one.spindle.logical_number for one in other.spindles if one.index is not None]
+            for logical in own:
+                self.owners.setdefault(logical, number)
 
     def searches(self, folder: Path) -> bool:
         """Return whether the channel's list names this folder of programs."""

@@ -466,7 +466,7 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_SIGNAL_AWAITED,  # subject: number; senders, 0, 1: with SYN
     EVENT_SIGNAL_TAKEN,  # subject: number; its sender, tick in which it was sent, 1: with SYN
     EVENT_TOUCHED,  # length from the block's start to where the probe touches
-    EVENT_AXIS_EXCHANGED,  # subject: axis; ``codes.AXIS_AWAITED`` …, the channel that has it
+    EVENT_AXIS_EXCHANGED,  # subject: axis; ``codes.AXIS_AWAITED`` …, who has it, spindle from 1
     EVENT_TOOL_LIFE,  # subject: text of the tool's ID; its number, seconds, mm
     EVENT_AXIS_OSCILLATES,  # axis, first position, second position
 ) = range(1, 47)

@@ -82,9 +82,9 @@ AXIS_OF_SPINDLE = error(
     en="axis number {value} turns spindle {spindle} of channel {channel} and cannot be fetched",
     de="die Achse Nummer {value} dreht Spindel {spindle} von Kanal {channel} und kann nicht geholt "
     "werden",
-    remedy_en="Only a main spindle with 0x200 in P-AXIS-00015 can be fetched, by its channel, "
-    "after S[PUTAX].",
-    remedy_de="Nur eine Hauptspindel mit 0x200 in P-AXIS-00015 ist holbar, in ihrem Kanal, nach "
+    remedy_en="Only the axis of a main spindle with 0x200 in P-AXIS-00015 can be fetched, after "
+    "S[PUTAX].",
+    remedy_de="Holbar ist nur die Achse einer Hauptspindel mit 0x200 in P-AXIS-00015, nach "
     "S[PUTAX].",
     value=("the logical number", "die logische Nummer"),
     channel=("its channel", "ihr Kanal"),
@@ -94,9 +94,10 @@ AXIS_NEVER_GIVEN = warning(
     901808,
     en="no program of this run gives axis number {number}, which channel {channel} has",
     de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
-    remedy_en="Program #PUT AX in channel {channel}; without it the command never ends.",
-    remedy_de="#PUT AX in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",
+    remedy_en="Program {command} in channel {channel}; without it the command never ends.",
+    remedy_de="{command} in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",
     number=("the logical number", "die logische Nummer"),
+    command=("what gives the axis", "was die Achse abgibt"),
     channel=("the channel that has it", "der Kanal, der sie hat"),
 )
 CYCLE_AXIS_NOT_IN_CHANNEL = error(

@@ -92,6 +92,8 @@ def _places_of(
         listed,
         kernel.path.room,
         kernel.exchange.holder,
+        realtime.c_axes,
+        kernel.executor.context.spindles.without_axis,
         machine.c_axis_of(channel),
     )
 
@@ -286,7 +288,6 @@ class AssembledMachine:
         """Let the decoder of a channel begin with the axes of its list (P-CHAN-00460)."""
         own = self.assembled[channel]
         spindles = self.channels[channel].executor.context.spindles
-        spindles.begin_program()
         follow_executed(own.spindle_gears, spindles)
         factors = self.channels[channel].path.life.factors()
         self.controller_data[channel].follow_tool_life(*factors)

@@ -17,8 +17,8 @@ from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import LoadedProgram
 
 _NOT_GIVEN = Text(
-    "No program of this run gives it: program #PUT AX in channel {channel}.",
-    "Kein Programm dieses Laufs gibt sie ab: #PUT AX in Kanal {channel} programmieren.",
+    "No program of this run gives it: program {command} in channel {channel}.",
+    "Kein Programm dieses Laufs gibt sie ab: {command} in Kanal {channel} programmieren.",
 )
 _GIVEN_BY_WAITING = Text(
     "Line {line} of {file} in channel {channel} would free it, but channel {channel} waits, too.",
@@ -40,7 +40,7 @@ def seconds_text(time_us: int) -> str:
 def awaited_axes(machine: AssembledMachine, index: int) -> Text:
     """Return the axes that a channel waits for, and who has them; since when."""
     exchange = machine.channels[index].exchange
-    since = seconds_text(exchange.since * machine.configuration.cycle_time_us)
+    since = seconds_text(exchange.awaited_since()[1] * machine.configuration.cycle_time_us)
     parts = [(machine.registry.axis(axis), exchange.holder(axis)) for axis in exchange.missing()]
     english = " and ".join(_AWAITED.en.format(axis=name, channel=n) for name, n in parts)
     german = " und ".join(_AWAITED.de.format(axis=name, channel=n) for name, n in parts)
@@ -58,13 +58,26 @@ def axes_freed_by(machine: AssembledMachine, programs: Sequence[LoadedProgram], 
             text = _GIVEN_BY_WAITING if is_waiting else _GIVEN_BY_ENDED
             values = {"line": use.span.line, "file": use.span.file, "channel": holder}
             return Text(text.en.format(**values), text.de.format(**values))
-    return Text(_NOT_GIVEN.en.format(channel=holder), _NOT_GIVEN.de.format(channel=holder))
+    command = _giving(machine, axis)
+    values = {"channel": holder, "command": command}
+    return Text(_NOT_GIVEN.en.format(**values), _NOT_GIVEN.de.format(**values))
+
+
+def _giving(machine: AssembledMachine, axis: int) -> str:
+    """Return the command by which the channel that has an axis gives it."""
+    logical = machine.configuration.axes[axis].logical_number
+    holder = machine.channels[0].exchange.holder(axis)
+    if logical in machine.realtime.spindles and axis not in machine.members_of(holder - 1):
+        return f"{machine.realtime.spindles[logical][0]}[PUTAX]"
+    return "#PUT AX"
 
 
 def never_given(machine: AssembledMachine, programs: Sequence[LoadedProgram]) -> list[Diagnostic]:
     """Return a warning for each command that fetches an axis of a channel that never gives it."""
     uses = list(_uses(programs))
-    by_number = machine.realtime.path_axes
+    by_number = {
+        axis.logical_number: index for index, axis in enumerate(machine.configuration.axes)
+    }
     found = []
     for channel, use in uses:
         for number in use.fetched:
@@ -75,9 +88,8 @@ def never_given(machine: AssembledMachine, programs: Sequence[LoadedProgram]) ->
             if holder in (0, channel):
                 continue
             if not any(own == holder and _gives(machine, own, one, axis) for own, one in uses):
-                found.append(
-                    diagnostic(AXIS_NEVER_GIVEN, use.span, use.line, number=number, channel=holder)
-                )
+                values = {"number": number, "channel": holder, "command": _giving(machine, axis)}
+                found.append(diagnostic(AXIS_NEVER_GIVEN, use.span, use.line, **values))
     return found
 
 
@@ -87,7 +99,8 @@ def _first_holder(machine: AssembledMachine, running: set[int], axis: int) -> in
     Each of them begins with the axes of its list.
     """
     for index in sorted(running):
-        if any(one.index == axis for one in machine.configuration.channels[index].axes):
+        own = machine.configuration.channels[index]
+        if any(one.index == axis for one in (*own.axes, *own.spindles)):
             return index + 1
     holder = machine.channels[0].exchange.holder(axis)
     return 0 if holder - 1 in running else holder

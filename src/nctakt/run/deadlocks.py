@@ -77,10 +77,10 @@ def deadlock(machine: AssembledMachine, programs: Sequence[LoadedProgram]) -> li
     found = []
     for index, channel in enumerate(machine.channels):
         number, senders, source, since = channel.signals.awaited()
-        if not number and channel.exchange.is_waiting:
-            source, since = channel.exchange.source, channel.exchange.since
-        elif not number:
-            continue
+        if not number:
+            source, since = channel.exchange.awaited_since()
+            if not channel.exchange.missing():
+                continue
         if not channel.panel.is_running:
             continue
         span = machine.files.span(source)

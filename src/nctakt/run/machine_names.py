@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping
 from nctakt.decoder.blocks.spindles import names_of
 from nctakt.hli.layout import PANEL_CELLS, PanelValue, panel_values, spindle_values
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.lists.machine.axes_by_number import path_axes
+from nctakt.lists.machine.axes_by_number import c_axes, path_axes
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
 from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, NameTable
 from nctakt.run.named_values import SignalCell
@@ -42,7 +42,7 @@ class MachineNames:
                     modulo,
                     single,
                     ranges,
-                    _fetched(configuration, channel),
+                    _fetched(configuration),
                     channel.parameters.spindle_names,
                 )
                 for channel in configuration.channels
@@ -86,12 +86,9 @@ class MachineNames:
         return self._cell_names[cell]
 
 
-def _fetched(configuration: Machine, channel: ChannelConfiguration) -> dict[int, int]:
+def _fetched(configuration: Machine) -> dict[int, int]:
     """Return the axes that a channel can have by their logical numbers."""
-    c_axis = configuration.c_axis_of(channel)
-    if c_axis < 0:
-        return path_axes(configuration)
-    return {**path_axes(configuration), configuration.axes[c_axis].logical_number: c_axis}
+    return {**path_axes(configuration), **c_axes(configuration)}
 
 
 def prefix_of(index: int) -> str:

@@ -21,7 +21,7 @@ from nctakt.kernel.path.path import Path as KernelPath
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.channel import Channel
-from nctakt.lists.machine.axes_by_number import path_axes, spindle_numbers
+from nctakt.lists.machine.axes_by_number import c_axes, path_axes, spindle_numbers
 from nctakt.lists.machine.channel_configuration import ONLY_MOTIONS
 from nctakt.lists.machine.gantries import gantries
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -70,6 +70,7 @@ class RealtimePart:
         self.single_axes = single_axes(configuration, self.axes, self.record)
         self.path_axes = path_axes(configuration)
         self.spindles = spindle_numbers(configuration)
+        self.c_axes = c_axes(configuration)
         self._room = len(self.path_axes)
         self.gear_steps = [
             gear_steps(configuration, index) for index in range(len(configuration.channels))
@@ -77,6 +78,9 @@ class RealtimePart:
         self.channels = [
             self._channel(index, layout) for index in range(len(configuration.channels))
         ]
+        for one in self.channels:
+            others = [other.exchange.c_axis for other in self.channels if other is not one]
+            one.exchange.share([c_axis for c_axis in others if c_axis.axis >= 0])
         self.listed_limits = [
             listed_limits([configuration.axes[axis.index] for axis in channel.axes])
             for channel in configuration.channels
@@ -92,8 +96,8 @@ class RealtimePart:
         history_bytes = own.startup.backward_memory_bytes if self._has_history else 0
         room = max(len(members), self._room) if {*self.path_axes.values()} - {*members} else 0
         c_axis = configuration.c_axis_of(own)
-        if c_axis >= 0:
-            room = max(len(members), room, MAIN_AXES) + 1
+        if self.c_axes:
+            room = max(len(members), room, MAIN_AXES) + len(self.c_axes)
         timers = layout.tables[index].resolve("RTG", (("TIMER", 1),))
         assert isinstance(timers, Location)
         channel = Channel(
@@ -130,7 +134,7 @@ class RealtimePart:
         channel.executor.tool_lives.omit_zero(life.omits_zero)
         if c_axis >= 0:
             main = [spindle.is_main for spindle in parameters.spindles].index(True)
-            channel.exchange.c_axis.configure(c_axis, spindles, main)
+            channel.exchange.c_axis.configure(c_axis, spindles, main, own.number)
         channel.silence_ticks = SILENCE_US // configuration.cycle_time_us
         channel.panel.show_size(channel.path.history_size)
         context = channel.context

@@ -9,7 +9,7 @@ from nctakt.decoder.blocks.spindles import names_of
 from nctakt.decoder.state.spindle_gears import SpindleGear, SpindleGears
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.record import Record
-from nctakt.lists.machine.axis_configuration import AxisConfiguration, AxisDynamics
+from nctakt.lists.machine.axis_configuration import AxisDynamics
 from nctakt.lists.machine.channel_configuration import Spindle
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.vocabulary.variable_table import Layout
@@ -33,10 +33,11 @@ def channel_spindles(
     before = configuration.channels[:index]
     realtime.first_number = sum(len(channel.parameters.spindles) for channel in before)
     for column, spindle in enumerate(spindles):
-        axis = _axis_of(configuration, spindle)
-        if axis is None:
+        number = _axis_of(configuration, spindle)
+        if number < 0:
             realtime.configure(column, plc=spindle.plc_controlled, speed=0.0, acceleration=0.0)
             continue
+        axis = configuration.axes[number]
         gear = _gear(axis.dynamics, is_jerk_limited)
         realtime.configure(
             column,
@@ -46,6 +47,7 @@ def channel_spindles(
             jerk=gear.jerk,
             step=axis.dynamics.gear_number,
             override_pct=axis.max_override_pct,
+            axis=number,
         )
     return realtime
 
@@ -59,8 +61,9 @@ def gear_steps(configuration: Machine, index: int) -> dict[int, SpindleGears]:
     is_jerk_limited = parameters.program_start.slope_profile != 0
     gears = {}
     for column, spindle in enumerate(parameters.spindles):
-        axis = _axis_of(configuration, spindle)
-        if axis is not None:
+        number = _axis_of(configuration, spindle)
+        if number >= 0:
+            axis = configuration.axes[number]
             steps = {step.gear_number: _gear(step, is_jerk_limited) for step in axis.gears}
             active = axis.dynamics.gear_number
             gears[column] = SpindleGears(steps, active, axis.checks_tool_speed)
@@ -103,9 +106,9 @@ def all_names(configuration: Machine) -> list[str]:
     ]
 
 
-def _axis_of(configuration: Machine, spindle: Spindle) -> AxisConfiguration | None:
-    """Return the axis list of a spindle; ``None`` for one that the PLC turns."""
-    for axis in configuration.axes:
+def _axis_of(configuration: Machine, spindle: Spindle) -> int:
+    """Return the number in the machine of a spindle's axis; -1 for one that the PLC turns."""
+    for number, axis in enumerate(configuration.axes):
         if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
-            return axis
-    return None
+            return number
+    return -1

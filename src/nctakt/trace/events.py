@@ -331,10 +331,13 @@ class EventDecoder:
         sent_us = int(tick) * self.cycle_time_us
         return "signal", f"{number} taken CH{int(sender)} {sent_us}{_by(level)}"
 
-    def _axis_exchanged(self, axis: int, what: float, holder: float, _c: float) -> tuple[str, str]:
+    def _axis_exchanged(
+        self, axis: int, what: float, holder: float, spindle: float
+    ) -> tuple[str, str]:
         word = _EXCHANGES[int(what)]
         from_channel = f" CH{int(holder)}" if holder else ""
-        return "exchange", f"{self.names.axis(axis)} {word}{from_channel}"
+        name = self.names.spindle(int(spindle) - 1) if spindle else self.names.axis(axis)
+        return "exchange", f"{name} {word}{from_channel}"
 
     def _tool_life(
         self, tool: int, _basic: float, seconds: float, distance: float

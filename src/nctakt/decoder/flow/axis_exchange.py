@@ -26,6 +26,7 @@ from nctakt.decoder.state.axis_places import (
 )
 from nctakt.decoder.state.commands import Answer, Command, PositionRequest
 from nctakt.decoder.state.exchanged_state import follow
+from nctakt.decoder.state.spindle_commands import SpindleAxis
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.axis_exchange import (
     AXIS_NOT_IN_CHANNEL,
@@ -63,6 +64,8 @@ class AxisExchange:
         limited = frozenset(self._environment.controller_data.limited_axes)
         yield from listed_limits_again(self._environment, limited, 0, 0)
         yield from self._restore(members)
+        for spindle in self._places.without_axis():
+            yield SpindleAxis(0, 0, spindle, False)
         yield from self.resume(commands, current)
 
     def resume(self, commands: Decoded, current: Callable[[], tree.Statement | None]) -> Decoded:
@@ -144,10 +147,8 @@ class AxisExchange:
         """Return number in the machine and place of an axis to be fetched."""
         places = self._places
         value = yield from self._values.evaluate(axis.number, number)
-        main = main_of(self._environment.parameters.spindles)
-        is_given = main in self._values.state.spindles_without_axis and places.c_axis >= 0
-        is_given = is_given and value == places.logical(places.c_axis)
-        if value in places.spindles and not is_given:
+        of_spindle = self._of_spindle(value)
+        if value in places.spindles and of_spindle < 0:
             spindle, channel = places.spindles[int(value)]
             self._values.fail(
                 AXIS_OF_SPINDLE,
@@ -156,15 +157,26 @@ class AxisExchange:
                 spindle=spindle,
                 channel=channel,
             )
-        if value not in places.by_number and not is_given:
+        if value not in places.by_number and of_spindle < 0:
             known = ", ".join(map(str, sorted(places.by_number)))
             self._values.fail(UNKNOWN_AXIS_NUMBER, axis.number.span, value=value, numbers=known)
         slot = yield from self._values.evaluate(axis.slot, number)
         if not 0 <= slot < places.room or slot != int(slot):
             highest = places.room - 1
             self._values.fail(INVALID_AXIS_PLACE, axis.slot.span, value=slot, highest=highest)
-        index = places.c_axis if is_given else places.by_number[int(value)]
+        index = places.by_number[int(value)] if of_spindle < 0 else of_spindle
         return index, int(slot)
+
+    def _of_spindle(self, value: float) -> int:
+        """Return the axis of a spindle by its logical number; -1: there is none to be fetched.
+
+        The channel's own spindle has given it; that of another channel may still have to.
+        """
+        index = self._places.c_axes.get(int(value), -1) if value == int(value) else -1
+        if index < 0 or index != self._places.c_axis:
+            return index
+        main = main_of(self._environment.parameters.spindles)
+        return index if main in self._values.state.spindles_without_axis else -1
 
     def _put(
         self, places: list[AxisPlace | None], axis: FetchedAxis, new: AxisPlace, position: int

@@ -76,6 +76,8 @@ class ChannelPlaces:
     those that can be fetched. ``spindles``: logical number -> spindle and channel that it turns.
     ``listed``: the places of the list, ``present`` those at this moment of decoding. ``room``: how
     many places there can be. ``holder``: returns the channel that has an axis, 0 for none.
+    ``c_axes``: as ``by_number``, of main spindles that can be axes of a path. ``without_axis``:
+    returns the spindles of the channel that have given their axes away.
     ``c_axis``: number in the machine of the main spindle's axis, -1 where ``#CAX`` is not possible.
     """
 
@@ -86,6 +88,8 @@ class ChannelPlaces:
     present: Places
     room: int
     holder: Callable[[int], int]
+    c_axes: Mapping[int, int]
+    without_axis: Callable[[], list[int]]
     c_axis: int = -1
 
     @property

@@ -11,6 +11,7 @@ cdef class CAxis:
     cdef readonly Py_ssize_t axis
     cdef readonly Py_ssize_t spindle
     cdef double last
+    cdef readonly long long channel
     cdef readonly bint is_active
 
     cdef int can_take(self, Py_ssize_t axis) noexcept nogil

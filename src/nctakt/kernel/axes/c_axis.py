@@ -15,7 +15,7 @@ from nctakt.kernel.base.bounds import check_index
 class CAxis:
     """The axis and the spindle that are one; ``axis`` is -1 where no spindle can be an axis.
 
-    ``is_active``: the spindle is an axis now. ``last``: the command that the spindle has followed.
+    ``channel``: that of the spindle. ``is_active``: the spindle is an axis now. ``last``: the command that the spindle has followed.
     """
 
     def __init__(self, axes: Axes, spindles: Spindles) -> None:
@@ -24,15 +24,17 @@ class CAxis:
         self.axis = -1
         self.spindle = 0
         self.last = 0.0
+        self.channel = 0
         self.is_active = False
 
-    def configure(self, axis: int, spindles: Spindles, spindle: int) -> None:
-        """Let a spindle be able to become an axis."""
+    def configure(self, axis: int, spindles: Spindles, spindle: int, channel: int) -> None:
+        """Let a spindle of a channel, from 1, be able to become an axis."""
         check_index(axis, self.axes.count, "axis")
         check_index(spindle, spindles.count, "spindle")
         self.spindles = spindles
         self.axis = axis
         self.spindle = spindle
+        self.channel = channel
 
     def can_take(self, axis: int) -> int:
         """Return whether the path can have an axis: the spindle is at rest."""
@@ -41,21 +43,28 @@ class CAxis:
         return self.spindles.is_resting(self.spindle)
 
     def take(self, axis: int) -> None:
-        """Let the spindle be an axis, if it is this one."""
+        """Let the spindle be an axis, if it is this one; it begins at the angle of the axis."""
         if axis == self.axis:
+            if self.spindles.has_no_axis[self.spindle]:
+                self.spindles.turn_to(self.spindle, self.axes.command[axis])
             self.last = self.spindles.position[self.spindle]
             self.axes.set_position(axis, self.last)
             self.is_active = True
             self.spindles.follow(self.spindle, self.last, 0.0)
 
-    def give(self, axis: int) -> None:
-        """Let the spindle be one again, if its axis is this one."""
-        if axis == self.axis:
-            self.is_active = False
-            if self.spindles.has_no_axis[self.spindle]:
-                self.spindles.follow(self.spindle, self.last, 0.0)
-            else:
-                self.spindles.uncouple(self.spindle)
+    def give(self, axis: int) -> int:
+        """Let the spindle be one again, if its axis is this one, and has become one of a path.
+
+        Return the channel whose spindle has it from here on, 0 for none.
+        """
+        if axis != self.axis or not self.is_active:
+            return 0
+        self.is_active = False
+        if self.spindles.has_no_axis[self.spindle]:
+            self.spindles.follow(self.spindle, self.last, 0.0)
+            return 0
+        self.spindles.uncouple(self.spindle)
+        return self.channel
 
     def follow(self) -> None:
         """Turn the spindle with its axis."""

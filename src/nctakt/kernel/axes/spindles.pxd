@@ -40,6 +40,7 @@ cdef class Spindles:
     cdef long long[::1] serial
     cdef long long[::1] taken_tick
     cdef long long[::1] has_no_axis
+    cdef readonly long long[::1] axis
     cdef long long[::1] plc_state
     cdef long long[::1] done_tick
     cdef long long[::1] job
@@ -80,6 +81,7 @@ cdef class Spindles:
     cdef void uncouple(self, Py_ssize_t spindle) noexcept nogil
     cdef int give_axis(self, Py_ssize_t spindle) noexcept nogil
     cdef void take_axis(self, Py_ssize_t spindle) noexcept nogil
+    cdef void turn_to(self, Py_ssize_t spindle, double angle) noexcept nogil
     cdef void execute(self, double[::1] queue, Py_ssize_t row, int kind) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, limit_v=double, factor=double, speed_v=double)
     cdef void follow_axes(self, long long tick) noexcept nogil

@@ -65,6 +65,7 @@ class Spindles:
         self.serial = memoryview(bytearray(size)).cast("q")
         self.taken_tick = memoryview(bytearray(size)).cast("q")
         self.has_no_axis = memoryview(bytearray(size)).cast("q")
+        self.axis = memoryview(bytearray(size)).cast("q")
         self.plc_state = memoryview(bytearray(size)).cast("q")
         self.done_tick = memoryview(bytearray(size)).cast("q")
         self.job = memoryview(bytearray(size)).cast("q")
@@ -75,6 +76,7 @@ class Spindles:
         self.active_count = 0
         for spindle in range(count):
             self.taken_tick[spindle] = -1
+            self.axis[spindle] = -1
 
     def configure(
         self,
@@ -86,9 +88,14 @@ class Spindles:
         jerk: float = 0.0,
         step: int = 0,
         override_pct: float = 100.0,
+        axis: int = -1,
     ) -> None:
-        """Set limits and gear step of a spindle, degrees and seconds; a PLC spindle has none."""
+        """Set limits and gear step of a spindle, degrees and seconds; a PLC spindle has none.
+
+        ``axis``: number in the machine of the axis that it turns.
+        """
         check_index(spindle, self.count, "spindle")
+        self.axis[spindle] = axis
         self.is_plc[spindle] = plc
         self.limits.configure(spindle, speed, acceleration, jerk, step)
         self.overrides.limit(spindle, override_pct)
@@ -280,10 +287,15 @@ class Spindles:
             self.has_no_axis[spindle] = 0
             self.uncouple(spindle)
 
-    def begin_program(self) -> None:
-        """Let all spindles have their axes, between two ticks."""
-        for spindle in range(self.count):
-            self.take_axis(spindle)
+    def turn_to(self, spindle: int, angle: float) -> None:
+        """Let a spindle at rest stand at an angle, to which another one has turned its axis."""
+        if self.has_no_axis[spindle] or self.is_resting(spindle):
+            self.position[spindle] = wrapped(angle)
+            self.publish(spindle)
+
+    def without_axis(self) -> list[int]:
+        """Return the spindles that have given their axes away."""
+        return [spindle for spindle in range(self.count) if self.has_no_axis[spindle]]
 
     # --- settings of the program ----------------------------------------------------------------
 

@@ -4,10 +4,10 @@ cimport cython
 from nctakt.kernel cimport codes, rows
 from nctakt.kernel.axes.c_axis cimport CAxis
 from nctakt.kernel.axes.single_axes cimport SingleAxes
-from nctakt.kernel.axes.spindles cimport Spindles
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.path.segment_limits cimport SegmentLimits
 from nctakt.kernel.tick.channel_signals cimport ChannelSignals
+from nctakt.kernel.tick.spindle_exchange cimport SpindleExchange
 
 @cython.final
 cdef class AxisExchange:
@@ -16,6 +16,8 @@ cdef class AxisExchange:
     cdef SingleAxes single_axes
     cdef ChannelSignals signals
     cdef readonly CAxis c_axis
+    cdef list c_axes
+    cdef SpindleExchange spindles
     cdef long long[::1] awaited
     cdef readonly bint is_waiting
     cdef readonly long long source

@@ -12,12 +12,11 @@ from collections.abc import Sequence
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.c_axis import CAxis
-from nctakt.kernel.axes.single_axes import SingleAxes
-from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.segment_limits import SegmentLimits
 from nctakt.kernel.tick.channel_signals import ChannelSignals
+from nctakt.kernel.tick.command_execution import CommandExecutor
 
 
 class AxisExchange:
@@ -25,22 +24,17 @@ class AxisExchange:
 
     ``is_waiting``: its decoder waits for the axes that are ``awaited``; ``since``: the first tick
     of that; ``source``: the command. ``signals``: what knows the channel's number. ``c_axis``: the
-    spindle that can be one of them.
+    spindle that can be one of them; ``c_axes``: all such of the machine, its own first.
     """
 
-    def __init__(
-        self,
-        path: Path,
-        limits: SegmentLimits,
-        single_axes: SingleAxes,
-        signals: ChannelSignals,
-        spindles: Spindles,
-    ) -> None:
+    def __init__(self, path: Path, limits: SegmentLimits, executor: CommandExecutor) -> None:
         self.path = path
         self.limits = limits
-        self.single_axes = single_axes
-        self.signals = signals
-        self.c_axis = CAxis(self.path.axes, spindles)
+        self.single_axes = executor.context.single_axes
+        self.signals = executor.signals
+        self.spindles = executor.spindle_exchange
+        self.c_axis = CAxis(self.path.axes, executor.context.spindles)
+        self.c_axes = [self.c_axis]
         self.awaited = memoryview(bytearray(8 * (self.path.axes.count + 1))).cast("q")
         self.is_waiting = False
         self.source = 0
@@ -51,6 +45,10 @@ class AxisExchange:
         self.signals = signals
         for i in range(self.path.count):
             self.single_axes.assign_to_channel(self.path.members[i], signals.number)
+
+    def share(self, c_axes: Sequence[CAxis]) -> None:
+        """Know the spindles of other channels that can be axes."""
+        self.c_axes.extend(c_axes)
 
     # --- Python's side, between two ticks -------------------------------------------------------
 
@@ -81,13 +79,15 @@ class AxisExchange:
         after = [axis for axis in members if axis != self.path.axes.count]
         for axis in before:
             if axis not in after:
-                self.single_axes.assign_to_channel(axis, 0)
-                self.c_axis.give(axis)
+                keepers = [one.give(axis) for one in self.c_axes]
+                self.single_axes.assign_to_channel(axis, max(keepers))
                 self.tell(tick, axis, codes.AXIS_GIVEN, 0)
         for axis in after:
             if axis not in before:
                 self.single_axes.assign_to_channel(axis, self.signals.number)
-                self.c_axis.take(axis)
+                spindle = next((one for one in self.c_axes if one.axis == axis), None)
+                if spindle is not None:
+                    spindle.take(axis)
                 self.tell(tick, axis, codes.AXIS_TAKEN, 0)
         self.single_axes.note_exchange()
 
@@ -100,9 +100,21 @@ class AxisExchange:
         """Return the axes that the decoder waits for and that another channel has."""
         count = self.path.axes.count if self.is_waiting else 0
         own = (0, self.signals.number)
-        return [
+        missing = [
             axis for axis in range(count) if self.awaited[axis] and self.holder(axis) not in own
         ]
+        of_spindle = self.spindles.awaited()[0]
+        return missing if of_spindle < 0 else [of_spindle, *missing]
+
+    def awaited_since(self) -> tuple[int, int]:
+        """Return source and first tick of the command that waits for an axis; (0, 0): none.
+
+        That of a spindle comes before the decoder, which is ahead of it.
+        """
+        axis, source, since = self.spindles.awaited()
+        if axis < 0 and not self.is_waiting:
+            return (0, 0)
+        return (source, since) if axis >= 0 else (int(self.source), int(self.since))
 
     def tell(self, tick: int, axis: int, what: int, holder: int) -> None:
         """Record an event of the exchange in the coming tick."""

@@ -64,9 +64,7 @@ class Channel:
         self.manager = manager
         self.context = self.executor.context
         self.signals = self.executor.signals
-        self.exchange = AxisExchange(
-            path, look_ahead.limits, single_axes, self.signals, self.context.spindles
-        )
+        self.exchange = AxisExchange(path, look_ahead.limits, self.executor)
         self.c_axis = self.exchange.c_axis
         self.fixed_stops = self.executor.fixed_stops
         self.is_at_fixed_stop = False
@@ -166,7 +164,8 @@ class Channel:
         if self.path.is_active or self.panel.backward_motion or self.executor.waiting != 0:
             return codes.AT_WORK
         if self.queue.head < self.queue.tail:
-            return codes.STUCK if self.signals.is_stuck() else codes.AT_WORK
+            is_stuck = self.signals.is_stuck() or self.executor.spindle_exchange.is_stuck()
+            return codes.STUCK if is_stuck else codes.AT_WORK
         is_stuck = self.signals.is_decoder_waiting or self.exchange.is_stuck()
         return codes.STUCK if is_stuck else codes.AT_WORK
 
@@ -494,6 +493,7 @@ class Channel:
         self.answer_ready = False
         self.signals.reset()
         self.exchange.reset()
+        self.executor.spindle_exchange.reset()
         self.executor.program_ended = False
         self.panel.is_paused = False
 

@@ -16,6 +16,7 @@ from nctakt.kernel.tick.channel_signals cimport ChannelSignals
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.early_outputs cimport EarlyOutputs
 from nctakt.kernel.tick.single_block cimport SingleBlock
+from nctakt.kernel.tick.spindle_exchange cimport SpindleExchange
 from nctakt.kernel.tick.tool_lives cimport ToolLives
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
@@ -41,6 +42,7 @@ cdef class CommandExecutor:
     cdef Threads threads
     cdef public Timers program_timers
     cdef readonly ChannelSignals signals
+    cdef readonly SpindleExchange spindle_exchange
     cdef readonly int modal
     cdef int waiting
     cdef public long long taken_source
@@ -93,8 +95,8 @@ cdef class CommandExecutor:
     cdef int execute_definition(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(source=cython.longlong, identity=cython.longlong, action=int, message=int)
     cdef int execute_control(self, long long tick, Py_ssize_t row) noexcept nogil
-    @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)
-    cdef void execute_spindle_axis(self, Py_ssize_t row) noexcept nogil
+    @cython.locals(result=int, spindle=Py_ssize_t, number=Py_ssize_t)
+    cdef int execute_spindle_axis(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, ticks=cython.longlong)
     cdef int execute_spindle(self, long long tick, Py_ssize_t row) noexcept nogil
     @cython.locals(spindle=Py_ssize_t, number=Py_ssize_t)

@@ -21,6 +21,7 @@ from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.kernel.tick.early_outputs import EarlyOutputs
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.single_block import SingleBlock
+from nctakt.kernel.tick.spindle_exchange import SpindleExchange
 from nctakt.kernel.tick.tool_lives import ToolLives
 
 
@@ -60,6 +61,7 @@ class CommandExecutor:
         self.threads = Threads(queue.path, self.context)
         self.program_timers = timers
         self.signals = ChannelSignals(SignalBoard(), 1, queue, record)
+        self.spindle_exchange = SpindleExchange(self.context, queue, self.signals, record)
         self.modal = 0
         self.waiting = 0
         self.taken_source = 0
@@ -88,6 +90,7 @@ class CommandExecutor:
     def set_signals(self, board: SignalBoard, number: int) -> None:
         """Set the signals that all channels share; the channel's number, from 1."""
         self.signals = ChannelSignals(board, number, self.queue, self.record)
+        self.spindle_exchange.begin(self.signals)
 
     def run_commands(self, tick: int) -> None:
         """Execute the commands of this tick; BLOCK cycles leave their block with them (RC-105)."""
@@ -177,6 +180,8 @@ class CommandExecutor:
             return self.execute_measure_end(tick, row)
         if kind in (rows.SIGNAL, rows.AWAIT_SIGNAL, rows.REMOVE_SIGNAL):
             return self.execute_signal(tick, row, kind)
+        if kind == rows.SPINDLE_AXIS:
+            return self.execute_spindle_axis(tick, row)
         return self.execute_at_once(tick, row, kind)
 
     def execute_at_once(self, tick: int, row: int, kind: int) -> int:
@@ -193,8 +198,6 @@ class CommandExecutor:
             self.execute_user_error(row, kind)
         elif kind in (rows.CUTTING_SPEED, rows.SPINDLE_LIMITS):
             self.context.spindles.execute(self.queue.rows, row, kind)
-        elif kind == rows.SPINDLE_AXIS:
-            self.execute_spindle_axis(row)
         elif kind == rows.TIMER:
             timer = int(self.queue.rows[row + rows.TIMER_NUMBER])
             self.program_timers.command(int(self.queue.rows[row + rows.TIMER_ACTION]), timer, tick)
@@ -315,14 +318,14 @@ class CommandExecutor:
             self.report(source, message, identity)
         return 1
 
-    def execute_spindle_axis(self, row: int) -> None:
+    def execute_spindle_axis(self, tick: int, row: int) -> int:
         """Let a spindle give its axis, or take it again; while it turns that is 60137."""
-        spindle = int(self.queue.rows[row + rows.GIVING_SPINDLE])
-        if self.queue.rows[row + rows.GIVES_AXIS] == 0.0:
-            self.context.spindles.take_axis(spindle)
-        elif not self.context.spindles.give_axis(spindle):
+        result = self.spindle_exchange.execute(tick, row)
+        if result > 1:
+            spindle = int(self.queue.rows[row + rows.GIVING_SPINDLE])
             number = self.context.spindles.first_number + spindle
-            self.report(int(self.queue.rows[row + rows.SOURCE]), 60137, number)
+            self.report(int(self.queue.rows[row + rows.SOURCE]), result, number)
+        return 1 if result else 0
 
     def execute_spindle(self, tick: int, row: int) -> int:
         """Give a spindle its job; wait until the spindle can take it."""

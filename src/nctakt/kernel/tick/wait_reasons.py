@@ -100,6 +100,8 @@ class WaitReasons:
             is_plc = self.executor.context.spindles.has_plc(spindle)
             word = "spindle acknowledged" if is_plc else "spindle"
             return (word, self.executor.context.spindles.first_number + spindle)
+        if kind == rows.SPINDLE_AXIS:
+            return ("exchange" if self.executor.spindle_exchange.is_stuck() else "", 0)
         if kind == rows.AWAIT_SIGNAL:
             return ("signal" if self.executor.signals.is_stuck() else "", 0)
         if kind == rows.MEASURE_END:

@@ -15,6 +15,12 @@ def spindle_numbers(machine: Machine) -> dict[int, tuple[str, int]]:
     }
 
 
+def c_axes(machine: Machine) -> dict[int, int]:
+    """Return logical number -> index of the main spindles' axes that a path can have."""
+    indices = [machine.c_axis_of(channel) for channel in machine.channels]
+    return {machine.axes[index].logical_number: index for index in indices if index >= 0}
+
+
 def path_axes(machine: Machine) -> dict[int, int]:
     """Return logical number -> index of the axes that turn no spindle and follow none forever."""
     spindles = spindle_numbers(machine)

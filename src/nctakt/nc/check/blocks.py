@@ -64,6 +64,7 @@ from nctakt.nc.check.spindle_commands import SpindleChecker
 from nctakt.nc.check.weights import check_weight, is_neutral
 from nctakt.nc.meaning.path import SWITCHES, VECTORS
 from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
+from nctakt.nc.outline import AxisUse
 from nctakt.nc.tree import (
     AxisWord,
     Block,
@@ -150,6 +151,10 @@ class WordChecker:
         self._commands = SpindleChecker(channel, values, findings, in_cycle=False)
         self._together = BlockChecker(channel, self.axes[:3], findings)
         self.joins_motions = False
+
+    def take_exchanges(self) -> list[AxisUse]:
+        """Return the axes that spindles fetched or gave since the last call of this method."""
+        return self._commands.take()
 
     def block(self, block: Block, role: Role = "either") -> None:
         """Check one block of a program in this role."""

@@ -205,7 +205,7 @@ class Checker:
 
     def take_exchanges(self) -> list[AxisUse]:
         """Return what was fetched or given since the last call of this method."""
-        return self._exchange.take()
+        return self._exchange.take() + self._words.take_exchanges()
 
     def has_fetched(self, names: Iterable[object]) -> bool:
         """Return whether one of these names is that of a fetched axis."""

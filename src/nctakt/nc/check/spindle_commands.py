@@ -21,6 +21,7 @@ from nctakt.messages.spindles import (
 )
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
+from nctakt.nc.outline import AxisUse
 from nctakt.nc.tree import BlockWord, Expression, Keyword, Number
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.functions import (
@@ -61,6 +62,13 @@ class SpindleChecker:
         self._values = values
         self._findings = findings
         self._in_cycle = in_cycle
+        self._spindles = channel.spindles
+        self._uses: list[AxisUse] = []
+
+    def take(self) -> list[AxisUse]:
+        """Return the axes that spindles fetched or gave since the last call of this method."""
+        taken, self._uses = self._uses, []
+        return taken
 
     def check(self, command: SpindleCommand) -> None:
         """Check one command."""
@@ -126,6 +134,23 @@ class SpindleChecker:
             self._findings.report(
                 SPINDLE_EXCHANGE_NOT_ALONE, command.span, word=command.exchanges[0]
             )
+            return
+        number = self._number(command.name)
+        numbers = () if number is None else (number,)
+        fetched, given = ((), numbers) if command.exchanges == [PUTAX] else (numbers, ())
+        line = self._findings.line_of(command.span)
+        self._uses.append(AxisUse(fetched, (), given, False, (), command.span, line))
+
+    def _number(self, name: str) -> int | None:
+        """Return the logical number of a spindle of the list; ``None`` for an unknown one.
+
+        Without a name it is the main spindle of the list; ``#MAIN SPINDLE`` is not looked at.
+        """
+        for spindle in self._spindles:
+            is_named = name in (spindle.name, spindle.list_name)
+            if not spindle.plc_controlled and (is_named if name else spindle.is_main):
+                return spindle.logical_number
+        return None
 
     def _is_job(self, command: SpindleCommand) -> bool:
         """Return whether they are a complete job: turn, position, or stop."""

@@ -41,6 +41,8 @@ The PLC on the other side of the interface
     ``ALL``, ``NONE``      acknowledge every function, or none: ``acknowledge = NONE``
     ``run_up``             acknowledge a spindle's job when its speed is reached
     ``HliView``            the interface that its methods get: ``def each_tick(self, hli: HliView)``
+    ``ToolData``           the data of a tool, by which ``Plc.tool_data`` answers a D
+    ``ToolRequest``        what it is asked for
     ``Function``           an M, H or T function that waits for its acknowledgement
     ``SpindleJob``         a job of a spindle that the PLC turns
 
@@ -70,6 +72,7 @@ if TYPE_CHECKING:
     from nctakt.plc.policies import ALL, NONE, after, only, run_up
     from nctakt.plc.public_types import Function, HliView, SpindleJob
     from nctakt.plc.script import Plc, at, on, when
+    from nctakt.plc.tool_manager import ToolData, ToolRequest
     from nctakt.results.run import Run
     from nctakt.run.controller import Controller
     from nctakt.run.program_loader import NcText
@@ -98,6 +101,8 @@ __all__ = [
     "SpindleJob",
     "Stimulus",
     "Study",
+    "ToolData",
+    "ToolRequest",
     "after",
     "at",
     "check",
@@ -129,6 +134,8 @@ _MODULES = {
     "SpindleJob": "nctakt.plc.public_types",
     "Stimulus": "nctakt.run.stimuli",
     "Study": "nctakt.studies.study",
+    "ToolData": "nctakt.plc.tool_manager",
+    "ToolRequest": "nctakt.plc.tool_manager",
     "after": "nctakt.plc.policies",
     "at": "nctakt.plc.script",
     "check": "nctakt.checking.python_check",

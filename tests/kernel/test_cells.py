@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nctakt.hli.layout import LAMPS, PANEL, PANEL_CELLS, SPINDLE, UNIT
+from nctakt.hli.layout import LAMPS, PANEL, PANEL_CELLS, SPINDLE, TOOLS, UNIT
 from nctakt.hli.places import entry, size_of
 from nctakt.kernel import cells
 from nctakt.nc.vocabulary.realtime_variables import (
@@ -48,10 +48,13 @@ def test_each_coordinate_system_has_the_same_cells() -> None:
 
 
 def test_cells_of_the_panel_stand_in_the_order_of_its_table() -> None:
-    """Commands, then lamps."""
+    """Commands, then lamps, then what concerns the tool manager."""
     paths = [one.name for one in (*PANEL, *LAMPS)]
-    assert [getattr(cells, name) for name in names("PANEL", paths)] == list(range(PANEL_CELLS))
+    assert [getattr(cells, name) for name in names("PANEL", paths)] == list(
+        range(cells.PANEL_TOOLS)
+    )
     assert cells.PANEL_STATE == len(PANEL)
+    assert cells.PANEL_TOOLS + len(TOOLS) == PANEL_CELLS
     assert cells.PANEL_CELLS == PANEL_CELLS
 
 

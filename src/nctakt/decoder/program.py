@@ -176,6 +176,7 @@ class ProgramDecoder:
         yield from self._end(program)
 
     def _run(self, program: ProgramText) -> Generator[Command, Answer]:
+        yield from self._values.tool.manager.await_announcement()
         yield from self._hash_commands.begin_program(program.main.span)
         implicit = self._environment.parameters.implicit_programs
         self._calls.note_text(program)

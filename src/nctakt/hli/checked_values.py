@@ -11,7 +11,7 @@ import math
 import re
 
 from nctakt.base.failure import Failure
-from nctakt.hli.layout import PANEL, SPINDLE_OVERRIDE, Entry
+from nctakt.hli.layout import PANEL, SPINDLE_OVERRIDE, TOOL_ANSWER, Entry
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
@@ -33,13 +33,13 @@ def split_channel(name: str) -> tuple[str, int, str]:
 
 
 def command_number(name: str, entry: Entry, value: float | bool | str) -> float:
-    """Return the checked value of an operator's command; none is below 0."""
-    if entry not in (*PANEL, SPINDLE_OVERRIDE):
+    """Return the checked value of a command; none but those with a sign is below 0."""
+    if entry not in (*PANEL, *TOOL_ANSWER, SPINDLE_OVERRIDE):
         raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=name))
     if isinstance(value, str):
         raise Failure(diagnostic(VALUE_NOT_OF_TYPE, name=name, type=entry.type, value=value))
     number = number_of(name, entry.type, float(value))
-    if number < 0.0:
+    if number < 0.0 and not entry.is_signed:
         high = SCALARS["REAL64"].high
         raise Failure(
             diagnostic(VALUE_OUTSIDE_TYPE_RANGE, name=name, value=number, low=0, high=high)

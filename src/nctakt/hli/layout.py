@@ -77,7 +77,8 @@ class Entry:
     or axis that it shows (``nc/vocabulary/variable_table.py``); empty for a value of other origin.
     ``path``: that of the same value on the controller: then the image has its name, type and unit
     from the table of the interface, and ``name`` is the short form of the session; empty where the
-    controller has none, and the value is nctakt's own.
+    controller has none, and the value is nctakt's own. ``is_signed``: of what the PLC writes, it
+    may be below 0.
     """
 
     name: str
@@ -87,6 +88,7 @@ class Entry:
     count: int = 0
     source: str = ""
     path: str = ""
+    is_signed: bool = False
 
     @property
     def _element(self) -> Element | None:
@@ -277,8 +279,53 @@ LAMPS = (
     Entry("error_serial", "UNS32", "", "how many errors have stopped the channel"),
 )
 
+#: Axis offsets and free values of a tool that the interface has.
+TOOL_OFFSETS, TOOL_PARAMETERS = 6, 10
+
+#: What a channel asks the tool manager of the PLC for (P-CHAN-00016), written by the CNC.
+TOOL_REQUEST = (
+    Entry("tool_request", "UNS32", "", "number of the latest request; another one: a new request"),
+    Entry("tool_request_kind", "UNS08", "", "1: the data of a tool (D), 2: T, to get it ready"),
+    Entry("tool_request_basic", "UNS32", "", "number of the tool that is asked for"),
+    Entry("tool_request_sister", "UNS32", "", "its sister number, 0 for none"),
+    Entry("tool_request_variant", "UNS32", "", "its variant number, 0 for none"),
+    Entry("tool_request_t", "UNS32", "", "the latest T"),
+    Entry("tool_request_d", "UNS32", "", "the latest D: the tool that goes"),
+    *(
+        Entry(f"tool_request_parameter_{i}", "REAL64", "", f"P[{i}] of the tool that goes")
+        for i in range(TOOL_PARAMETERS)
+    ),
+)
+
+#: What the tool manager answers, written by the PLC; its number last.
+TOOL_ANSWER = (
+    Entry("tool_manager", "BOOLEAN", "", "1: the PLC manages the tools, and is asked for them"),
+    Entry("tool_answer", "UNS32", "", "number of the request that is answered"),
+    Entry("tool_valid", "BOOLEAN", "", "1: there is such a tool"),
+    Entry("tool_type", "UNS16", "", "0 milling, 1 turning, 2 grinding tool"),
+    Entry("tool_cutter", "UNS16", "", "orientation of the cutter of a turning tool"),
+    Entry("tool_spindle", "UNS16", "", "logical number of its spindle, 0 for none"),
+    Entry("tool_kinematic", "UNS16", "", "ID of its kinematic, 0 for none"),
+    Entry("tool_length", "REAL64", "mm", "its length", is_signed=True),
+    Entry("tool_radius", "REAL64", "mm", "its radius"),
+    Entry("tool_min_speed", "REAL64", "rev/min", "its least speed, 0 for none"),
+    Entry("tool_max_speed", "REAL64", "rev/min", "its highest speed, 0 for none"),
+    Entry("tool_max_acceleration", "REAL64", "°/s²", "of its spindle, 0 for that of the spindle"),
+    *(
+        Entry(f"tool_offset_{i}", "REAL64", "mm, °", f"its offset for axis {i}", is_signed=True)
+        for i in range(TOOL_OFFSETS)
+    ),
+    *(
+        Entry(f"tool_parameter_{i}", "REAL64", "", f"its P[{i}]", is_signed=True)
+        for i in range(TOOL_PARAMETERS)
+    ),
+)
+
+#: Both, as they are in the memory; the image of another process does not have them.
+TOOLS = (*TOOL_REQUEST, *TOOL_ANSWER)
+
 #: Cells of a channel's panel.
-PANEL_CELLS = len(PANEL) + len(LAMPS)
+PANEL_CELLS = len(PANEL) + len(LAMPS) + len(TOOLS)
 
 HEADER = Structure(
     "hli_header",
@@ -520,9 +567,10 @@ class PanelValue:
 
 def panel_values(first_cell: int) -> Iterator[PanelValue]:
     """Yield the operator's values of a channel whose panel begins at ``first_cell``."""
-    for offset, entry in enumerate((*PANEL, *LAMPS)):
+    for offset, entry in enumerate((*PANEL, *LAMPS, *TOOLS)):
         name = PREFIX + entry.name.upper()
-        yield PanelValue(name, entry, first_cell + offset, entry in PANEL)
+        is_command = entry in PANEL or entry in TOOL_ANSWER
+        yield PanelValue(name, entry, first_cell + offset, is_command)
 
 
 def spindle_value_name(spindle: str) -> str:

@@ -80,7 +80,7 @@ _SEGMENT = re.compile(r"(\w+)((?:\[[^\]]*\])*)(\^?)")
 _DOT = re.compile(r"\.(?![^\[]*\])")
 _INDEXED_NAME = re.compile(r"(\w+)\[(\d+)\.\.(\d+)\]")
 _TIE = re.compile(
-    r"(?P<spindle>spindle )?(?:(?P<kind>acts|shows|fact|unserved) )?(?P<name>[A-Za-z_.]+)"
+    r"(?P<spindle>spindle )?(?:(?P<kind>acts|shows|fact|unserved) )?(?P<name>[A-Za-z_.][\w.]*)"
     r"(?: (?P<sign>==|!=|\*) (?P<number>-?\d+)| (?P<mapping>\{.*\}))?"
 )
 

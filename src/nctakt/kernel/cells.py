@@ -58,7 +58,8 @@ SYSTEM_ACT_POS, SYSTEM_CUR_POS, SYSTEM_CMD_POS, SYSTEM_DIST_TO_GO, SYSTEM_CELLS 
 #: Timers of a channel.
 TIMERS = 128
 
-#: Cells of the operator's panel, in the order of ``PANEL`` and ``LAMPS`` in ``hli/layout.py``.
+#: Cells of the operator's panel, in the order of ``PANEL``, ``LAMPS`` and ``TOOLS`` in
+#: ``hli/layout.py``.
 (
     PANEL_OVERRIDE,
     PANEL_FEED_HOLD,
@@ -89,8 +90,10 @@ TIMERS = 128
     PANEL_LIFE_TIME,
     PANEL_LIFE_DISTANCE,
     PANEL_ERROR_SERIAL,
-    PANEL_CELLS,
+    PANEL_TOOLS,  # the cells of ``TOOLS`` begin
 ) = range(30)
+#: All cells of a panel, those of the tool manager included.
+PANEL_CELLS = 74
 
 #: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
 #: ``nc/vocabulary/realtime_variables.py``.

@@ -320,8 +320,8 @@ NO_PROGRAM_GIVES_AXIS = warning(
     en="no program of those that are checked gives axis number {number}, which channel {channel} "
     "has",
     de="keines der geprüften Programme gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
-    remedy_en="Program #PUT AX, of a spindle PUTAX, in channel {channel}; check the programs of all "
-    "channels together.",
+    remedy_en="Program #PUT AX, of a spindle PUTAX, in channel {channel}; check the programs of "
+    "all channels together.",
     remedy_de="#PUT AX, bei einer Spindel PUTAX, in Kanal {channel} programmieren; die Programme "
     "aller Kanäle gemeinsam prüfen.",
     number=("the logical number", "die logische Nummer"),

@@ -18,15 +18,41 @@ UNKNOWN_TOOL = error(
 )
 UNKNOWN_TO_TOOL_MANAGEMENT = error(
     20296,
-    en="there are no data of tool {tool}: its external tool management is not simulated",
-    de="es gibt keine Daten von Werkzeug {tool}: seine externe Werkzeugverwaltung wird nicht "
-    "simuliert",
-    remedy_en="Add wz[{tool}] to the tool list of the channel, which answers for it here.",
-    remedy_de="wz[{tool}] in die Werkzeugliste des Kanals aufnehmen, die hier für sie antwortet.",
-    cause_en="With ext_wzv_vorhanden (P-CHAN-00016) D asks an external tool management for the "
-    "data of a tool.",
-    cause_de="Mit ext_wzv_vorhanden (P-CHAN-00016) fragt D eine externe Werkzeugverwaltung nach "
-    "den Daten eines Werkzeugs.",
+    en="the tool management has no valid data of tool {tool}",
+    de="die Werkzeugverwaltung hat keine gültigen Daten von Werkzeug {tool}",
+    remedy_en="Let the PLC answer for it (Plc.tool_data, HLI.TOOL_MANAGER), or add wz[{tool}] to "
+    "the list.",
+    remedy_de="Die SPS antworten lassen (Plc.tool_data, HLI.TOOL_MANAGER) oder wz[{tool}] in die "
+    "Liste aufnehmen.",
+    cause_en="With ext_wzv_vorhanden (P-CHAN-00016) D asks the tool manager of the PLC for the "
+    "data of a tool; without one the tool list of the channel answers.",
+    cause_de="Mit ext_wzv_vorhanden (P-CHAN-00016) fragt D die Werkzeugverwaltung der SPS nach den "
+    "Daten eines Werkzeugs; ohne eine solche antwortet die Werkzeugliste des Kanals.",
+)
+TOOL_MANAGER_SILENT = error(
+    902800,
+    en="{command}: the PLC has not answered for tool {tool} within {seconds} s",
+    de="{command}: die SPS hat für Werkzeug {tool} nicht binnen {seconds} s geantwortet",
+    remedy_en="Let it answer each HLI.TOOL_REQUEST by that number in HLI.TOOL_ANSWER, or clear "
+    "HLI.TOOL_MANAGER.",
+    remedy_de="Sie jede HLI.TOOL_REQUEST mit deren Nummer in HLI.TOOL_ANSWER beantworten lassen "
+    "oder HLI.TOOL_MANAGER löschen.",
+    cause_en="The PLC has set HLI.TOOL_MANAGER: it has the tools of this channel (P-CHAN-00016).",
+    cause_de="Die SPS hat HLI.TOOL_MANAGER gesetzt: sie hat die Werkzeuge dieses Kanals "
+    "(P-CHAN-00016).",
+    command=("D, T or the command", "D, T oder der Befehl"),
+    seconds=("how long the answer was waited for", "wie lange auf die Antwort gewartet wurde"),
+    classes=(2, 6),
+)
+TOOL_NOT_ASKED_FOR = error(
+    902801,
+    en="the PLC has the data of tool {tool}, and this program has not asked for them yet",
+    de="die SPS hat die Daten von Werkzeug {tool}, und dieses Programm hat sie noch nicht verlangt",
+    remedy_en="Read V.G.WZ[{tool}] after a D{tool}, or V.G.WZ_AKT while the tool is active.",
+    remedy_de="V.G.WZ[{tool}] nach einem D{tool} lesen oder V.G.WZ_AKT bei aktivem Werkzeug.",
+    cause_en="Here only D and #TOOL DATA ask the tool manager of the PLC (HLI.TOOL_MANAGER).",
+    cause_de="Hier fragen nur D und #TOOL DATA die Werkzeugverwaltung der SPS (HLI.TOOL_MANAGER).",
+    classes=(2, 3),
 )
 TOOL_NOT_VALID = error(
     20691,

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import ast
 import inspect
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Message, Span, Text
@@ -35,11 +35,13 @@ from nctakt.messages.plc import (
     WRONG_PLC_TYPE,
 )
 from nctakt.plc.script import Plc, handler_parameters
+from nctakt.plc.tool_manager import ToolRequest
 from nctakt.run.plc_view import PlcView, public_names
 
 #: The members of a PLC's class that are called or read by name.
 _MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")
 _VIEW = tuple(public_names(PlcView))
+_REQUEST = tuple(public_names(ToolRequest))
 _ENTRY = tuple(dict.fromkeys([*public_names(TechnologyEntry), *public_names(SpindleEntry)]))
 _LISTS = ("functions", "spindle_jobs")
 _VALUES = {
@@ -163,7 +165,8 @@ class _Inspection(Collector):
                 if view and not _is_assigned(node, view):
                     self._check_view(node, view)
                 if entry and not _is_assigned(node, entry):
-                    self._check_entries([node], entry)
+                    asks = isinstance(node, ast.FunctionDef) and node.name == "tool_data"
+                    self._check_entries([node], entry, _REQUEST if asks else _ENTRY)
         for call in ast.walk(tree):
             condition = _condition(call)
             if condition is not None:
@@ -235,16 +238,18 @@ class _Inspection(Collector):
                 UNKNOWN_HLI_VALUE, node.slice, name=key, nearest=near, known=", ".join(names)
             )
 
-    def _check_entries(self, nodes: Iterable[ast.AST], name: str) -> None:
-        """Check the attributes read of a function or a spindle job."""
+    def _check_entries(
+        self, nodes: Iterable[ast.AST], name: str, known: Sequence[str] = _ENTRY
+    ) -> None:
+        """Check the attributes read of a function, a spindle job or a request for a tool."""
         for node in (inner for part in nodes for inner in ast.walk(part)):
             if (
                 isinstance(node, ast.Attribute)
                 and isinstance(node.value, ast.Name)
                 and node.value.id == name
-                and node.attr not in _ENTRY
+                and node.attr not in known
             ):
-                near = nearest(node.attr, _ENTRY) or NOTHING
+                near = nearest(node.attr, known) or NOTHING
                 self._report(
                     UNKNOWN_PLC_NAME, node, node.attr, owner=name, name=node.attr, nearest=near
                 )

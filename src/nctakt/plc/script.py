@@ -61,6 +61,7 @@ from nctakt.plc.policies import (
     delays_of,
     earliest,
 )
+from nctakt.plc.tool_manager import ToolData, ToolRequest, answer_requests
 from nctakt.run.conditions import read_expression
 from nctakt.run.plc_view import Declaration, WatchedPlc
 from nctakt.run.stimuli import Stimulus, not_reached
@@ -75,7 +76,7 @@ _MARK = "_nctakt_when"
 #: Methods of ``Plc`` that are called with the HLI.
 _CALLED = ("each_tick", "begin_run", "unused_handlers")
 #: Members of ``Plc`` that it calls or reads.
-_MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")
+_MEMBERS = ("cycle", "each_tick", "tool_data", "acknowledge", "spindles", "inputs")
 
 _CONDITION = Text(
     "a condition as a text, or a function that takes the HLI",
@@ -161,6 +162,8 @@ def handler_parameters(name: str, method: object, *, is_plc: bool) -> tuple[str,
     """
     if name == "cycle" or (is_plc and name in _CALLED):
         return ("self", "hli")
+    if is_plc and name == "tool_data":
+        return ("self", "hli", "request")
     marks = getattr(method, _MARK, ())
     if any(isinstance(mark, _On) for mark in marks):
         return ("self", "hli", "function")
@@ -321,9 +324,27 @@ class Plc(WatchedPlc):
     def each_tick(self, hli: PlcView) -> None:
         """Do nothing; a class overrides it for actions after each tick."""
 
+    def tool_data(self, hli: PlcView, request: ToolRequest) -> ToolData | None:
+        """Return the data of a tool that a channel asks for, ``None`` if there is no such tool.
+
+        A class that overrides it manages the tools of the channels whose list says so
+        (``ext_wzv_vorhanden``, P-CHAN-00016). Called after the tick of a D or ``#TOOL DATA``; also
+        for D0, with the number 0, and for a T that only has a tool got ready, where the data that
+        it returns have no effect.
+
+        >>> class Cell(Plc):
+        ...     tools = {5: ToolData(length=120.0, radius=4.0)}
+        ...
+        ...     def tool_data(self, hli, request):
+        ...         return self.tools.get(request.basic)
+        """
+        return None
+
     def cycle(self, hli: PlcView) -> None:
         """Call the methods that are due after a tick, and acknowledge."""
         functions, jobs = self._call_due(hli)
+        if self._manages_tools():
+            answer_requests(hli, self.tool_data)
         for function in functions:
             if self.acknowledge.answers(function, hli):
                 hli.acknowledge(function)
@@ -359,9 +380,15 @@ class Plc(WatchedPlc):
     def _needs_each_tick(self) -> bool:
         """Return whether something of the class has to be called after each tick."""
         called = (getattr(self.cycle, "__func__", None), getattr(self.each_tick, "__func__", None))
-        return called != (Plc.cycle, Plc.each_tick) or any(
-            callable(mark.condition) for _, _, mark in self._whens
+        return (
+            called != (Plc.cycle, Plc.each_tick)
+            or self._manages_tools()
+            or any(callable(mark.condition) for _, _, mark in self._whens)
         )
+
+    def _manages_tools(self) -> bool:
+        """Return whether the class is asked for tools."""
+        return type(self).tool_data is not Plc.tool_data
 
     def _cycle_without_functions(self, hli: PlcView) -> None:
         """Do as ``cycle``; the realtime part acknowledges the functions."""

@@ -26,6 +26,7 @@ from nctakt.decoder.state.transformation import ActiveTransformation
 from nctakt.files.access import FileAccess
 from nctakt.hli.layout import PanelValue
 from nctakt.kernel import codes
+from nctakt.kernel.cells import PANEL_TOOLS
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import ChannelConfiguration, Machine
@@ -258,6 +259,7 @@ class AssembledMachine:
             own.offsets,
             own.configuration.tools,
             self.cells,
+            self.layout.panel_cell(channel) + PANEL_TOOLS,
             memoryview(self.memory),
             self.configuration.cycle_time_us,
             self.files.number,

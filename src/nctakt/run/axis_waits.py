@@ -100,7 +100,7 @@ def _first_holder(machine: AssembledMachine, running: set[int], axis: int) -> in
     """
     for index in sorted(running):
         own = machine.configuration.channels[index]
-        if any(one.index == axis for one in (*own.axes, *own.spindles)):
+        if axis in (*(one.index for one in own.axes), *(one.index for one in own.spindles)):
             return index + 1
     holder = machine.channels[0].exchange.holder(axis)
     return 0 if holder - 1 in running else holder

@@ -149,6 +149,11 @@ class PlcView(OperatorPanel):
         return PlcView(self._machine, number - 1)
 
     @property
+    def channel_count(self) -> int:
+        """The number of channels."""
+        return len(self._machine.channels)
+
+    @property
     def tick(self) -> int:
         """The number of the latest tick."""
         return self._kernel.tick - 1

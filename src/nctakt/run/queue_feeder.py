@@ -46,7 +46,8 @@ class QueueFeeder:
     decoded and when it is executed, and why the channel is flushed. ``start``: the
     block where the program begins by block search. ``fatal_error``: the decoder's
     error that has stopped the program. ``state``: the modal state of the decoder. ``condition``:
-    the ``#WAIT FOR`` that it evaluates tick by tick, 0: none.
+    the ``#WAIT FOR`` that it evaluates tick by tick, 0: none; ``awaits_tools``: instead of one, the
+    answer of the tool manager.
     """
 
     def __init__(
@@ -95,6 +96,7 @@ class QueueFeeder:
         self.fatal_error: Diagnostic | None = None
         self._waiting: Command | None = None
         self.condition = 0
+        self.awaits_tools = False
         self._unloaded: commands.LoadCycle | None = None
         self._unpaid: Command | None = None
         self._since = 0
@@ -276,6 +278,7 @@ class QueueFeeder:
         else:
             self._channel.signals.await_tick(command.source)
             self.condition = command.source
+            self.awaits_tools = isinstance(command, commands.AwaitTools)
         self._waiting = command
         self._channel.decoder_open = False
 

@@ -126,7 +126,7 @@ class VariableAccess:
         if shown is not None:
             cell, type_, tie = shown.cell, shown.entry.type, shown.entry.tie
             is_settable = shown.is_command and (tie is None or not tie.taken)
-            lowest = max(0.0, SCALARS[type_].low)
+            lowest = SCALARS[type_].low if shown.entry.is_signed else max(0.0, SCALARS[type_].low)
         else:
             location, cell = self._find(name)
             type_, lowest = location.type, SCALARS[location.type].low

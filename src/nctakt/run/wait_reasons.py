@@ -156,6 +156,16 @@ _REASONS = {
             "ein Echtzeit-Zyklus oder die SPS tut es",
         ),
     ),
+    "tool manager": Reason(
+        Text(
+            "the tool manager of the PLC (HLI.TOOL_REQUEST)",
+            "die Werkzeugverwaltung der SPS (HLI.TOOL_REQUEST)",
+        ),
+        Text(
+            "The PLC has to answer the request by its number in {hli}TOOL_ANSWER",
+            "Die SPS muss die Anfrage mit deren Nummer in {hli}TOOL_ANSWER beantworten",
+        ),
+    ),
     "signal": Reason(
         Text("{name}", "{name}"),
         Text(
@@ -166,8 +176,8 @@ _REASONS = {
     "exchange": Reason(
         Text("{name}", "{name}"),
         Text(
-            "The channel that has the axis has to give it (#PUT AX)",
-            "Der Kanal, der die Achse hat, muss sie abgeben (#PUT AX)",
+            "The channel that has the axis has to give it (#PUT AX; a spindle: PUTAX)",
+            "Der Kanal, der die Achse hat, muss sie abgeben (#PUT AX; eine Spindel: PUTAX)",
         ),
     ),
     "axis": Reason(
@@ -248,7 +258,9 @@ def _found(machine: AssembledMachine, index: int, channel: ChannelRun) -> tuple[
     word, source, detail = machine.channels[index].waits.reason()
     condition = 0 if channel.feeder is None else channel.feeder.condition
     if not word and condition and not machine.channels[index].path.is_active:
-        return "condition", condition, 0
+        word, source, detail = "condition", condition, 0
+    if word == "condition" and channel.feeder is not None and channel.feeder.awaits_tools:
+        word = "tool manager"
     return word, source, detail
 
 

@@ -43,7 +43,7 @@ class ToolCommands:
             yield from self._life(command, number)
             return
         if name == "REFRESH":
-            tool.refresh(span)
+            yield from tool.refresh(span, number)
             yield from self._blocks.change_tool(span, number)
             return
         numbers = []
@@ -54,6 +54,7 @@ class ToolCommands:
         if name == "PREP":
             tool.prepare(identity, span)
             yield from self._blocks.tools.flush_before_t(span, number)
+            yield from tool.announce(identity, "#TOOL PREP", span, number)
             if selection.output is not None:
                 function = tool_function(self._values, span, identity[0], selection.output, number)
                 yield function.output
@@ -64,7 +65,7 @@ class ToolCommands:
         if selection.flushes:
             self._values.check_flush_allowed(f"#TOOL {name}", span)
             yield Flush(self._environment.source_id(span), number, True)
-        tool.select_identity(identity, f"#TOOL {name}", span)
+        yield from tool.select_identity(identity, f"#TOOL {name}", span, number)
         yield from tool.change_life(identity, span, number, by_d=True)
         yield from self._blocks.change_tool(span, number)
 

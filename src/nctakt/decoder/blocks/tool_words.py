@@ -35,17 +35,18 @@ class ToolWords:
         if word.name == "T":
             tool = self._values.tool.name(word, value)
             yield from self.flush_before_t(word.span, number)
+            identity = (tool, 0, 0)
+            yield from self._values.tool.announce(identity, f"T{tool}", word.span, number)
             output = self._selection.output
             if output is not None:
                 function = tool_function(self._values, word.span, tool, output, number)
                 content.functions.append(function)
-            identity = (tool, 0, 0)
             yield from self._values.tool.change_life(identity, word.span, number, by_d=False)
             if not self._selection.by_t or content.has_offset_word:
                 return
         if self._selection.flushes:
             yield self._flush(word.name, word.span, number, waits=True)
-        identity = self._values.tool.select(word, value)
+        identity = yield from self._values.tool.select(word, value, number)
         yield from self._values.tool.change_life(identity, word.span, number, by_d=True)
         content.updates_tool_offsets = content.selects_tool = True
 

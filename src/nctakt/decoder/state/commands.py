@@ -447,6 +447,11 @@ class NextTick(DecoderWait):
     """The decoder goes on when another tick has begun."""
 
 
+@dataclass(frozen=True, slots=True)
+class AwaitTools(NextTick):
+    """As ``NextTick``, for the answer of the tool manager of the PLC."""
+
+
 #: What the decoder gets back from a command that waits.
 Answer = float | tuple[float, ...] | None
 

@@ -60,6 +60,7 @@ class DecoderEnvironment:
     offsets: ActiveOffsets
     tools: Mapping[int, Tool]
     cells: memoryview[float]
+    tool_cells: int
     memory: memoryview
     cycle_time_us: int
     source_id: Callable[[Span], int]

@@ -9,17 +9,24 @@ move nothing by themselves.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import replace
 from typing import NoReturn, Protocol
 
 from nctakt.base.diagnostics import Message, Span
 from nctakt.decoder.state.arcs import PLANES
-from nctakt.decoder.state.commands import Command
+from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.spindle_commands import SpindleLimits
 from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
+from nctakt.decoder.state.tool_manager import (
+    ANSWER_LIMIT_S,
+    DATA,
+    PREPARATION,
+    Identity,
+    ToolManager,
+)
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import (
@@ -34,6 +41,7 @@ from nctakt.messages.tools import (
     INVALID_TOOL_NUMBER,
     INVALID_TOOL_VALUE,
     TOOL_LENGTH_WITHOUT_AXIS,
+    TOOL_NOT_ASKED_FOR,
     TOOL_NOT_IN_LIST,
     TOOL_NOT_VALID,
     TOOL_RADIUS_LOST,
@@ -64,9 +72,7 @@ _SPEED_UNITS = 1000.0
 MAX_TOOL_NUMBER = 999_999_999
 
 
-#: Basic, sister and variant number of a tool.
-Identity = tuple[int, int, int]
-#: Their names in variables.
+#: The names in variables of basic, sister and variant number of a tool.
 _PARTS = ("BASIC", "SISTER", "VARIANT")
 
 
@@ -85,6 +91,7 @@ class ActiveTool:
         self._fail = fail
         self._limiting_tool: Tool | None = None
         self._is_external = environment.parameters.tool_selection.is_external
+        self.manager = ToolManager(environment, state)
 
     def name(self, word: Word, value: float) -> int:
         """Process T, and return its number for the PLC; the tool list has it, if there is one."""
@@ -102,15 +109,46 @@ class ActiveTool:
             self._fail(TOOL_NOT_IN_LIST, span, tool=_shown(identity))
         self._state.tool.number = identity[0]
 
-    def select(self, word: Word, value: float) -> Identity:
-        """Select the data of a valid tool of the list, or none with the number 0; return its ID."""
-        number = self._number(word.name, word.span, value)
-        self.select_identity((number, 0, 0), f"{word.name}{number}", word.span)
-        return (number, 0, 0)
+    def announce(
+        self, identity: Identity, command: str, span: Span, number: int
+    ) -> Generator[Command, Answer]:
+        """Let the tool manager of the PLC get a tool ready, if it is told of T (P-CHAN-00087)."""
+        informs = self._environment.parameters.tool_selection.informs_of_t
+        if informs and any(identity) and self.manager.is_there:
+            wrong, _ = yield from self.manager.ask(PREPARATION, identity, span, number)
+            self._check_answer(wrong, identity, command, span)
 
-    def select_identity(self, identity: Identity, command: str, span: Span) -> None:
-        """Select the data of the valid tool with this ID, or none with 0."""
-        tool = self._with(identity) if any(identity) else NO_TOOL
+    def _managed(
+        self, identity: Identity, command: str, span: Span, number: int
+    ) -> Generator[Command, Answer, Tool | None]:
+        """Return the tool that the PLC answers, or that of the list; ``None``: there is none.
+
+        The manager is told of D0, too: the tool that goes may have worn.
+        """
+        if not self.manager.is_there:
+            return self._with(identity) if any(identity) else NO_TOOL
+        wrong, tool = yield from self.manager.ask(DATA, identity, span, number)
+        self._check_answer(wrong, identity, command, span)
+        return tool if any(identity) else NO_TOOL
+
+    def _check_answer(
+        self, wrong: Message | None, identity: Identity, command: str, span: Span
+    ) -> None:
+        if wrong is not None:
+            shown, limit = _shown(identity), ANSWER_LIMIT_S
+            self._fail(wrong, span, command=command, tool=shown, seconds=limit)
+
+    def select(self, word: Word, value: float, number: int) -> Generator[Command, Answer, Identity]:
+        """Select the data of a valid tool, or none with the number 0; return its ID."""
+        basic = self._number(word.name, word.span, value)
+        yield from self.select_identity((basic, 0, 0), f"{word.name}{basic}", word.span, number)
+        return (basic, 0, 0)
+
+    def select_identity(
+        self, identity: Identity, command: str, span: Span, block: int
+    ) -> Generator[Command, Answer]:
+        """Select the data of the valid tool with this ID, or none with 0; ``block``: N number."""
+        tool = yield from self._managed(identity, command, span, block)
         number = identity[0]
         if tool is None:
             message = UNKNOWN_TO_TOOL_MANAGEMENT if self._is_external else UNKNOWN_TOOL
@@ -122,9 +160,12 @@ class ActiveTool:
                 self._fail(message, span, tool=_shown(identity), **values)
         self._take(tool, number, command, span)
 
-    def refresh(self, span: Span) -> None:
-        """Take the data of the active tool from the list again (``#TOOL REFRESH``)."""
-        tool = self._listed(self._state.tool.tool.number)
+    def refresh(self, span: Span, number: int) -> Generator[Command, Answer]:
+        """Take the data of the active tool again, of the list or the PLC (``#TOOL REFRESH``)."""
+        active = self._state.tool.tool
+        tool = self._listed(active.number)
+        if self.manager.is_there and active is not NO_TOOL:
+            tool = yield from self._managed(active.identity, "#TOOL REFRESH", span, number)
         if tool is not None:
             self._take(tool, self._state.tool.record, "#TOOL REFRESH", span)
 
@@ -302,6 +343,10 @@ class ActiveTool:
         """Return the tool of V.G.WZ[5]; raises ``DecodeError``."""
         value = int(index(number))
         listed = NO_TOOL if value == 0 else self._with((value, 0, 0))
+        if value and self.manager.is_there:
+            listed = self.manager.known.get((value, 0, 0))
+            if listed is None:
+                self._fail(TOOL_NOT_ASKED_FOR, number.span, tool=value)
         if listed is None:
             self._fail(UNKNOWN_TOOL, number.span, tool=value)
         return listed

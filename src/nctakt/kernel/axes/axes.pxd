@@ -80,7 +80,7 @@ cdef class Axes:
     cdef double actual_position(self, Py_ssize_t i) noexcept nogil
     cdef void show_state(self, Py_ssize_t i, int state) noexcept nogil
     @cython.locals(k=Py_ssize_t)
-    cdef void place(self, Py_ssize_t index, double position) noexcept nogil
+    cdef void put_at(self, Py_ssize_t index, double position) noexcept nogil
     cdef void set_offset(self, Py_ssize_t axis, int kind, double value) noexcept nogil
     @cython.locals(
         i=Py_ssize_t, k=Py_ssize_t, command=double, actual=double, target=double,

@@ -439,10 +439,10 @@ class Axes:
     def set_position(self, index: int, position: float) -> None:
         """Set one axis to a position without a motion, before the first tick."""
         check_index(index, self.count, "axis")
-        self.place(index, position)
+        self.put_at(index, position)
         self.publish_all()
 
-    def place(self, index: int, position: float) -> None:
+    def put_at(self, index: int, position: float) -> None:
         """Set one axis, which is at rest, to a position without a motion."""
         self.command[index] = position
         self.followed[index] = position
@@ -452,4 +452,4 @@ class Axes:
         self.target[index] = position
         for k in range(self.couplings.fixed_count):
             if self.couplings.master[k] == index:
-                self.place(self.couplings.slave[k], self.couplings.follow(k, position))
+                self.put_at(self.couplings.slave[k], self.couplings.follow(k, position))

@@ -15,7 +15,8 @@ from nctakt.kernel.base.bounds import check_index
 class CAxis:
     """The axis and the spindle that are one; ``axis`` is -1 where no spindle can be an axis.
 
-    ``channel``: that of the spindle. ``is_active``: the spindle is an axis now. ``last``: the command that the spindle has followed.
+    ``channel``: that of the spindle. ``is_active``: the spindle is an axis now. ``last``: the
+    command that the spindle has followed.
     """
 
     def __init__(self, axes: Axes, spindles: Spindles) -> None:

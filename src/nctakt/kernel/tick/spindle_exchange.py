@@ -60,7 +60,7 @@ class SpindleExchange:
         axis = self.context.spindles.axis[spindle]
         if axis >= 0 and self.context.single_axes.in_channel[axis] == self.signals.number:
             position = self.context.spindles.position[spindle]
-            self.context.single_axes.axes.place(axis, position)
+            self.context.single_axes.axes.put_at(axis, position)
             self.context.single_axes.in_channel[axis] = 0
             self.context.single_axes.has_exchanged = True
             self.tell(row, spindle, axis, codes.AXIS_GIVEN)
@@ -89,7 +89,7 @@ class SpindleExchange:
         if axis < 0:
             return 0
         holder = self.context.single_axes.in_channel[axis]
-        return 1 if holder != 0 and holder != self.signals.number else 0
+        return 0 if holder in (0, self.signals.number) else 1
 
     def is_stuck(self) -> int:
         """Return whether the command at the head of the queue waits for an axis."""

@@ -43,7 +43,8 @@ class ToolSelection:
     is at rest before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
     ``keeps_length_axis``: the length acts along the third main axis in every plane.
     ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life. ``is_external``: an
-    external tool management has the tools, for which the tool list answers (P-CHAN-00016).
+    external tool management may have the tools (P-CHAN-00016), and is told of T if
+    ``informs_of_t`` (P-CHAN-00087).
     """
 
     by_t: bool
@@ -56,6 +57,7 @@ class ToolSelection:
     min_radius: float = 0.0
     life: ToolLifeRules = ToolLifeRules()
     is_external: bool = False
+    informs_of_t: bool = False
 
     def mistakes(self, tool: Tool) -> Iterator[tuple[Message, Mapping[str, float]]]:
         """Yield why D must not select a tool: too short, too thin; with the values of the message,
@@ -89,4 +91,5 @@ def tool_selection(values: Values, collector: Collector) -> ToolSelection:
             values.flag("tool_life_with_d"),
         ),
         values.flag("ext_wzv_vorhanden"),
+        is_managed,
     )

@@ -31,7 +31,6 @@ from nctakt.messages.realtime import CYCLE_ID_IN_USE
 from nctakt.messages.tools import (
     TOOL_NOT_IN_LIST,
     TOOL_NOT_VALID,
-    UNKNOWN_TO_TOOL_MANAGEMENT,
     UNKNOWN_TOOL,
 )
 from nctakt.nc.check.calls import may_call
@@ -515,26 +514,22 @@ class Linter:
             elif isinstance(word, BracketCommand):
                 check_overrides(word.items, self._findings)
 
-    def _unlisted(self, word: Word, number: int, *, is_selected: bool) -> None:
-        """Report a tool that the list lacks; an external tool management may know it (T)."""
-        if not self._selection.is_external:
-            message = UNKNOWN_TOOL if word.name == "D" else TOOL_NOT_IN_LIST
-            self._findings.report(message, word.span, tool=number)
-        elif is_selected:
-            self._findings.report(UNKNOWN_TO_TOOL_MANAGEMENT, word.span, tool=number)
-
     def _tool(self, word: Word, block: Block) -> None:
         """Check that D names a valid tool, or none (D0), and that T names a tool of the list.
 
-        T that selects offsets (P-CHAN-00014) is as D; beside a D it does not.
+        T that selects offsets (P-CHAN-00014) is as D; beside a D it does not. An external tool
+        management (P-CHAN-00016) has tools of its own.
         """
+        if self._selection.is_external:
+            return
         if not isinstance(word.value, Number) or not word.value.value.is_integer():
             return
         number = int(word.value.value)
         has_d = any(isinstance(other, Word) and other.name == "D" for other in block.words)
         is_selected = word.name == "D" or (self._selection.by_t and not has_d)
         if number > 0 and number not in self._tools:
-            self._unlisted(word, number, is_selected=is_selected)
+            message = UNKNOWN_TOOL if word.name == "D" else TOOL_NOT_IN_LIST
+            self._findings.report(message, word.span, tool=number)
         elif number > 0 and is_selected and not self._tools[number].valid:
             self._findings.report(TOOL_NOT_VALID, word.span, tool=number)
         elif number > 0 and is_selected:

@@ -17,6 +17,8 @@ WORDS = {
     "COMP": "X[COMP OFF]",
     "DYNAMIC": "X[DYNAMIC ON]",
     "SYNC": "X[SYNC IN]",
+    "CALLAX": "X[CALLAX]",
+    "PUTAX": "X[PUTAX]",
     "M7": "X[M7]",
     "FEED_LINK": "S[FEED_LINK ON]",
     "SLOPE_TYPE": "X[INDP_SYN G90 POS=1 SLOPE_TYPE=STEP]",

@@ -147,18 +147,18 @@ STRUCTURED = """
 PROGRAM MAIN VAR fbHli : MCV_HliInterface; END_VAR
 IF NOT fbHli.Initialized THEN fbHli(); RETURN; END_IF
 gpCh[0]^.head.plc_present_w := TRUE;
-gpCh[0]^.tool_mc_control.manager.enable_w := TRUE;
-gpCh[0]^.tool_mc_control.manager.command_w := TRUE;
-gpCh[0]^.tool_mc_control.answer.enable_w := TRUE;
-gpCh[0]^.tool_mc_control.gueltig.enable_w := TRUE;
-gpCh[0]^.tool_mc_control.laenge.enable_w := TRUE;
-gpCh[0]^.tool_mc_control.ax_versatz_1.enable_w := TRUE;
-IF gpCh[0]^.tool_state.serial_r <> gpCh[0]^.tool_mc_control.answer.command_w THEN
-  gpCh[0]^.tool_mc_control.gueltig.command_w := gpCh[0]^.tool_state.basic_r < 600;
-  gpCh[0]^.tool_mc_control.laenge.command_w :=
+gpCh[0]^.tool_mc_control.tool_manager.enable_w := TRUE;
+gpCh[0]^.tool_mc_control.tool_manager.command_w := TRUE;
+gpCh[0]^.tool_mc_control.tool_answer.enable_w := TRUE;
+gpCh[0]^.tool_mc_control.tool_valid.enable_w := TRUE;
+gpCh[0]^.tool_mc_control.tool_length.enable_w := TRUE;
+gpCh[0]^.tool_mc_control.tool_offset_1.enable_w := TRUE;
+IF gpCh[0]^.tool_state.serial_r <> gpCh[0]^.tool_mc_control.tool_answer.command_w THEN
+  gpCh[0]^.tool_mc_control.tool_valid.command_w := gpCh[0]^.tool_state.basic_r < 600;
+  gpCh[0]^.tool_mc_control.tool_length.command_w :=
     UDINT_TO_DINT(gpCh[0]^.tool_state.basic_r) * 10000;
-  gpCh[0]^.tool_mc_control.ax_versatz_1.command_w := -15000;
-  gpCh[0]^.tool_mc_control.answer.command_w := gpCh[0]^.tool_state.serial_r;
+  gpCh[0]^.tool_mc_control.tool_offset_1.command_w := -15000;
+  gpCh[0]^.tool_mc_control.tool_answer.command_w := gpCh[0]^.tool_state.serial_r;
 END_IF
 END_PROGRAM
 """

@@ -322,8 +322,8 @@ NO_PROGRAM_GIVES_AXIS = warning(
     de="keines der geprüften Programme gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
     remedy_en="Program #PUT AX, of a spindle PUTAX, in channel {channel}; check the programs of "
     "all channels together.",
-    remedy_de="#PUT AX, bei einer Spindel PUTAX, in Kanal {channel} programmieren; die Programme "
-    "aller Kanäle gemeinsam prüfen.",
+    remedy_de="#PUT AX, bei einer Spindel PUTAX, in Kanal {channel} programmieren; alle Kanäle "
+    "gemeinsam prüfen.",
     number=("the logical number", "die logische Nummer"),
     channel=("the channel that has it", "der Kanal, der sie hat"),
 )

@@ -35,7 +35,7 @@ TOOL_MANAGER_SILENT = error(
     de="{command}: die SPS hat für Werkzeug {tool} nicht binnen {seconds} s geantwortet",
     remedy_en="Let it answer each HLI.TOOL_REQUEST by that number in HLI.TOOL_ANSWER, or clear "
     "HLI.TOOL_MANAGER.",
-    remedy_de="Sie jede HLI.TOOL_REQUEST mit deren Nummer in HLI.TOOL_ANSWER beantworten lassen "
+    remedy_de="Jede HLI.TOOL_REQUEST mit deren Nummer in HLI.TOOL_ANSWER beantworten "
     "oder HLI.TOOL_MANAGER löschen.",
     cause_en="The PLC has set HLI.TOOL_MANAGER: it has the tools of this channel (P-CHAN-00016).",
     cause_de="Die SPS hat HLI.TOOL_MANAGER gesetzt: sie hat die Werkzeuge dieses Kanals "

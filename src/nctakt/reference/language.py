@@ -160,6 +160,8 @@ def entry_article(entry: Entry) -> Article:
     if entry.forms:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
     facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))
+    if entry.support is Support.REFUSED:
+        facts.append(fact("Instead", "Stattdessen", entry.advice))
     if isinstance(entry, GFunction) and entry.group is not None:
         others = ", ".join(
             other.name

@@ -100,7 +100,10 @@ from nctakt.nc.vocabulary.spindle_commands import split
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")
 _NUMBERED = ("G", "M", "H")
 #: Words of axis commands that are known and not simulated.
-_AXIS_FORMS = (*("DIST_CTRL", "LIFT", "LIFT_START", "LIFT_END", "POLY", "COMP", "DYNAMIC", "SYNC"),)
+_AXIS_FORMS = (
+    *("DIST_CTRL", "LIFT", "LIFT_START", "LIFT_END", "POLY", "COMP", "DYNAMIC", "SYNC"),
+    *("CALLAX", "PUTAX"),
+)
 
 
 #: The program that M17 or M30 ends: the main program, a subprogram, or a file that may be either.

@@ -306,6 +306,26 @@ FORMS = table(
             "G95 schreiben: Vorschub je Umdrehung der Hauptspindel.",
         ),
     ),
+    (
+        "X[CALLAX …]",
+        REFUSED,
+        "an axis of the path is fetched by the word of spindles",
+        "eine Bahnachse wird mit dem Wort für Spindeln geholt",
+        Text(
+            "Write #CALL AX for an axis of the path; S[CALLAX] is for spindles.",
+            "Für eine Bahnachse #CALL AX schreiben; S[CALLAX] ist für Spindeln.",
+        ),
+    ),
+    (
+        "X[PUTAX …]",
+        REFUSED,
+        "an axis of the path is given by the word of spindles",
+        "eine Bahnachse wird mit dem Wort für Spindeln abgegeben",
+        Text(
+            "Write #PUT AX for an axis of the path; S[PUTAX] is for spindles.",
+            "Für eine Bahnachse #PUT AX schreiben; S[PUTAX] ist für Spindeln.",
+        ),
+    ),
     ("X[…]", REFUSED, "command for one axis", "Befehl für eine Achse"),
     ("S2[…]", SIMULATED, "command for a spindle", "Befehl für eine Spindel"),
     ("S[CALLAX]", SIMULATED, "a spindle fetches its axis", "eine Spindel holt ihre Achse"),

@@ -104,8 +104,8 @@ def translate_single(
 
     ``pou``: the block whose variables the unit sees. Raises ``CannotRunError``.
     """
-    for node in _nodes(expression):
-        _check(node)
+    for part in _nodes(expression):
+        _check(part)
     body = Initialisation(_Alone(layout), unit, pou)
     found = value_type(expression)
     if is_real(found):

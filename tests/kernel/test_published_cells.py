@@ -77,6 +77,7 @@ def test_every_cell_of_the_channel_holds_what_its_name_says() -> None:
         "BLOCK": 10.0,
         "CYCLES.ACTIVE": 1.0,
         "PATH.RAPID": 0.0,
+        **dict.fromkeys(("TOOL.DIRECTION.X", "TOOL.DIRECTION.Y", "TOOL.DIRECTION.Z"), 0.0),
     }
     known = {name: machine.cells[cell] for name, (cell, *_) in machine.signals().items()}
     for name, value in expected.items():

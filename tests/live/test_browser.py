@@ -470,3 +470,48 @@ def test_all_conditions_have_lanes(browser: Any, tmp_path: Path) -> None:
         page.locator(".cm-line").nth(22).hover()
         page.wait_for_function(f"{first} === 2")
         page.close()
+
+
+def test_conditions_are_filtered(browser: Any, tmp_path: Path) -> None:
+    """By keyboard; the filter is still there when the page is loaded anew, not in another tab."""
+    branches = "".join(f"  $IF V.E.VALUE > {one}\n    M100\n  $ENDIF\n" for one in range(8))
+    text = f"#RT CYCLE [ID=1 SCOPE=PROG]\n{branches}#RT CYCLE END\nG01 X20 F6000\nM30\n"
+    with served(str(written(tmp_path, text))) as address:
+        page = opened(browser, address)
+        lanes = "nctaktRun.run.lanesShown.map((one) => nctaktRun.run.conditions[one]).join()"
+        page.wait_for_function(f"{lanes} === '2,5,8,11,14,17,20,23'")
+        page.keyboard.press("f")
+        expect(page.get_by_test_id("lanes-filter")).to_be_focused()
+        page.keyboard.type("5-14 value")
+        page.wait_for_function(f"{lanes} === '5,8,11,14'")
+        expect(page.get_by_test_id("lanes-fitting")).to_have_text("4/8")
+        page.keyboard.press("Escape")
+        expect(page.get_by_test_id("lanes-filter")).not_to_be_focused()
+        page.reload()
+        expect(page.get_by_test_id("lanes-filter")).to_have_value("5-14 value")
+        page.wait_for_function(f"{lanes} === '5,8,11,14'")
+        other = opened(browser, address)
+        other.wait_for_function("nctaktRun.run.lanesShown.length === 8")
+        other.close()
+        page.get_by_test_id("lanes-filter").fill("#2")
+        page.wait_for_function("nctaktRun.run.lanesShown.length === 0")
+        page.get_by_test_id("lanes-filter").fill("")
+        page.wait_for_function("nctaktRun.run.lanesShown.length === 8")
+        page.close()
+
+
+def test_lines_in_view_are_coloured(browser: Any, tmp_path: Path) -> None:
+    """As the language server colours them; also what is typed, and where one scrolls to."""
+    text = PROGRAM.replace("M7\n", "(first)\n" + "G01 X1\n" * 3000 + "(last)\n")
+    with served(str(written(tmp_path, text))) as address:
+        page = opened(browser, address)
+        expect(page.locator(".nc-t-macro").first).to_have_text("#RT CYCLE")
+        variable = page.locator(".cm-line .nc-t-variable.nc-t-realtime").first
+        expect(variable).to_have_text("V.E.VALUE")
+        expect(page.locator(".nc-t-comment")).to_have_text("(first)")
+        page.locator(".cm-content").click()
+        page.keyboard.press("Control+End")
+        expect(page.locator(".nc-t-comment", has_text="(last)")).to_be_visible()
+        page.keyboard.type("(typed)")
+        expect(page.locator(".nc-t-comment", has_text="(typed)")).to_be_visible()
+        page.close()

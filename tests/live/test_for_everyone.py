@@ -3,11 +3,13 @@
 
 from collections.abc import Iterator
 from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 import pytest
-from support.page_driving import BROWSER, PATIENCE_MS, chromium, served
+from support.page_driving import BROWSER, PATIENCE_MS, chromium, opened, served
 from support.published_model import installed
+from support.stepped_machine import DEMO5
 
 from nctakt.live.texts import WORDS
 
@@ -92,6 +94,36 @@ def test_axe_finds_nothing_serious(visit: Any, axe: str) -> None:
     page.wait_for_timeout(400)
     assert serious(page, axe) == []
     page.close()
+
+
+def test_axe_finds_nothing_in_colours_filter_and_path(axe: str, tmp_path: Path) -> None:
+    """Each kind of token on the backgrounds of lines, the filter, the switch; light and dark."""
+    conditions = "".join(f"  $IF V.RTA.ACS.ACT_POS.X > {one}\n  $ENDIF\n" for one in (-1, 900))
+    path = tmp_path / "part.nc"
+    path.write_text(
+        f"%part\nN1 T1 D1 (a comment)\nP1 = 3\n#RT CYCLE [ID=1]\n{conditions}#RT CYCLE END\n"
+        '#MSG ["text"]\n#TRAFO ON\nG01 X10 F6000\n#TRAFO OFF\nM30\n',
+        "utf-8",
+    )
+    words = ("--machine", str(DEMO5), "--acknowledge")
+    with chromium() as browser, served(str(path), *words) as address:
+        page = opened(browser, address)
+        for key in "...":
+            page.keyboard.press(key)
+        expect(page.locator(".nc-inline")).to_have_count(2)
+        kinds = ("class", "label", "comment", "parameter", "operator", "number", "macro", "keyword")
+        for kind in (*kinds, "variable", "property", "string", "function"):
+            expect(page.locator(f".nc-t-{kind}").first).to_be_visible()
+        expect(page.get_by_test_id("machine-axes")).to_be_visible()
+        page.keyboard.press("f")
+        page.keyboard.type("#1")
+        expect(page.get_by_test_id("lanes-fitting")).to_have_text("2/2")
+        assert serious(page, axe) == []
+        page.emulate_media(color_scheme="dark")
+        expect(page.locator("body.body--dark")).to_have_count(1)
+        expect(page.locator(".cm-editor")).to_have_css("background-color", "rgb(29, 33, 38)")
+        assert serious(page, axe) == []
+        page.close()
 
 
 def test_colours_that_somebody_has_chosen_stay(visit: Any) -> None:

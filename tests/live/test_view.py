@@ -11,6 +11,7 @@ from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.live import track, view
+from nctakt.live.conditions import conditions_of
 from nctakt.live.document import Checker, Document
 from nctakt.live.event_words import event_words
 from nctakt.live.keys import GROUPS, KEYS
@@ -222,7 +223,7 @@ def test_stops_of_lines() -> None:
     assert view.stop_for(FILE, 4, LINES[3]) == "line part.nc:4"
     stops = ["fires part.nc:2", "line 4", "line other.nc:1", "V.E.COUNT > 3"]
     assert view.stop_lines(stops, FILE) == [2, 4]
-    assert view.conditions_of(["$IF 1", *LINES]) == [3]
+    assert [one.line for one in conditions_of(["$IF 1", *LINES])] == [3]
 
 
 def test_events_in_words() -> None:

@@ -80,7 +80,7 @@ VARIABLE = Recipe(
             '    RealtimeVariable(\n        "TIMER",\n',
         ),
         Edit("src/nctakt/kernel/cells.py", "    CHANNEL_PATH_WAITING,\n", "    CHANNEL_TIMER,\n"),
-        Edit("src/nctakt/kernel/cells.py", ") = range(13)", ") = range(12)", replaces=True),
+        Edit("src/nctakt/kernel/cells.py", ") = range(16)", ") = range(15)", replaces=True),
         Edit(
             "src/nctakt/kernel/tick/channel.py",
             "        self.cells[self.first_cell + cells.CHANNEL_PATH_WAITING] = 7.0\n",

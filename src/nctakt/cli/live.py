@@ -183,6 +183,28 @@ def _check_tape(own: Words, access: FileAccess) -> None:
             pass
 
 
+def _share(
+    opener: Callable[[str | None, bool], Session],
+    documents: Mapping[int, list[Document]],
+    own: Words,
+    curves: Sequence[LoggedCurve],
+    plcs: Sequence[str],
+) -> SharedSession:
+    """Return the session for browsers, with the first program; raises ``Failure``."""
+    from nctakt.live.shared import SharedSession  # noqa: PLC0415 - as in ``show_page``
+
+    channel = next(iter(documents))
+    return SharedSession(
+        opener,
+        documents[channel][0].file,
+        acknowledges=not own.acknowledge,
+        channel=channel,
+        logged=curves,
+        plcs=[Path(one) for one in plcs],
+        transformed=documents[channel][0].checker.transformed,
+    )
+
+
 def show_page(options: Options, access: FileAccess, own: Words) -> int:
     """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
     from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
@@ -192,7 +214,6 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
         raise Failure(diagnostic(PAGE_NEEDS_FILES))
     choose_mode(options)
     from nctakt.live.document import Checker, Document  # noqa: PLC0415 - the mode is chosen before
-    from nctakt.live.shared import SharedSession  # noqa: PLC0415 - as above
     from nctakt.live.texts import Texts  # noqa: PLC0415
 
     request = read_request(options, access)
@@ -210,15 +231,8 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
 
     curves = [] if own.log is None else _laid_over(options, access, own.log)
     refused: Counter[Text] = Counter()
-    channel = next(iter(documents))
-    shared = SharedSession(
-        _session_opener(options, request, own, documents, folders),
-        documents[channel][0].file,
-        acknowledges=not own.acknowledge,
-        channel=channel,
-        logged=curves,
-        plcs=[Path(one) for one in options.plcs],
-    )
+    open_session = _session_opener(options, request, own, documents, folders)
+    shared = _share(open_session, documents, own, curves, options.plcs)
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)
         if own.debug_port is not None:

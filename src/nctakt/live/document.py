@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text, encode_text, split_lines
 from nctakt.checking.check import check_files
+from nctakt.editor.token_colours import synchronous_names
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
@@ -30,6 +31,8 @@ class Checker:
     """The machine that programs are checked with; raises ``Failure`` where it cannot be read.
 
     ``types``: name -> type of the machine's variables. ``limits``: axis -> software limits.
+    ``synchronous``: variables that realtime cycles read and write in each tick.
+    ``transformed``: numbers of the channels with kinematic transformations.
     """
 
     def __init__(self, machine: str | None, folders: Sequence[str | Path]) -> None:
@@ -38,7 +41,14 @@ class Checker:
             load_machine(machine, access=access), access, has_history=False
         )
         names = self._machine.assembled[0].names
+        self.synchronous = synchronous_names(names)
         self.types = [(name, kind) for name, _, kind in names.values()]
+        channels = self._machine.configuration.channels
+        self.transformed = frozenset(
+            number
+            for number, channel in enumerate(channels, 1)
+            if any(channel.parameters.transformations.steps)
+        )
         axes = self._machine.configuration.axes
         self.limits = {
             axis.name: [

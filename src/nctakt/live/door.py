@@ -66,9 +66,14 @@ class PageDoor:
         """Let the page share the session."""
         channel = next(iter(self._documents))
         file = self._documents[channel][0].file
+        transformed = self._documents[channel][0].checker.transformed
         self._shared = await asyncio.to_thread(
             lambda: SharedSession(
-                self._open_once(), file, acknowledges=self._acknowledges, channel=channel
+                self._open_once(),
+                file,
+                acknowledges=self._acknowledges,
+                channel=channel,
+                transformed=transformed,
             )
         )
 

@@ -19,6 +19,7 @@ from nicegui.element import Element
 from nctakt.base.failure import Failure
 from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
+from nctakt.live.conditions import MAX_FILTER, Condition, fitting
 from nctakt.live.naming import card, explained, named
 from nctakt.live.saving import Saving
 from nctakt.live.track import Seen
@@ -73,6 +74,7 @@ class Drawings:
                 ):
                     button = ui.button(icon=icon).props(f"flat dense size=sm data-testid={name}")
                     explained(button.on("click", js_handler=_ZOOMS[name]), texts[name])
+                self._build_filter()
                 Saving(self._commander)
                 self._signals = (
                     ui.select(
@@ -98,10 +100,22 @@ class Drawings:
             self._scope.props["name"] = texts["scope_name"]
             self._scope.on("travel", self._travel)
             self._scope.on("stretch", self._wish_stretch)
+            self._scope.on("kept", self._restore_filter)
+
+    def _build_filter(self) -> None:
+        """Build the field that filters the conditions; it is there where there are several."""
+        texts = self._texts
+        self._filter = ui.input(placeholder=texts["filter_short"], on_change=self._keep_filter)
+        self._filter.props(
+            f"dense borderless clearable debounce=150 maxlength={MAX_FILTER} "
+            "data-testid=lanes-filter"
+        )
+        explained(self._filter.classes("nc-filter"), texts["filter_lanes"])
+        self._fitting = ui.label().classes("nc-soft nc-clock")
+        self._fitting.props("data-testid=lanes-fitting role=status")
 
     def _build_path(self) -> None:
         texts = self._texts
-        signals = list(self._shared.path_signals)
         with card(texts["path"], "nc-path"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["path"]).classes("nc-title")
@@ -110,6 +124,9 @@ class Drawings:
                         ui.label(texts[name]).classes(f"nc-key {name}")
                     self._future = ui.label().classes("nc-soft ellipsis")
                     self._future.props("data-testid=future role=status")
+                self._axes = ui.switch(texts["machine_axes_short"], on_change=self._show_axes)
+                self._axes.props("dense size=sm data-testid=machine-axes").classes("nc-choose")
+                explained(self._axes, texts["machine_axes"])
                 self._views = ui.button(icon="view_in_ar")
                 explained(
                     self._views.props("flat dense size=sm data-testid=turn"), texts["turn_view"]
@@ -119,10 +136,8 @@ class Drawings:
                         item = ui.menu_item(texts[f"view_{name}"], partial(self._choose_view, name))
                         item.props(f"data-testid=view-{name}")
             self._path = PathView().props("data-testid=path")
-            self._path.props["axes"] = signals
             self._path.props["name"] = texts["path_name"]
-            self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
-            self._path.props["limits"] = [self._limits.get(axis) for axis in self._shared.axes[:3]]
+            self._name_columns()
             self._path.on("travel", self._travel)
 
     # --- following ------------------------------------------------------------------------------
@@ -135,7 +150,8 @@ class Drawings:
         now: dict[str, Any] = {
             "names": list(shown.signals),
             "units": list(shown.units),
-            "conditions": list(shown.conditions),
+            "conditions": [one.line for one in shown.conditions],
+            "lanesShown": self._lanes_shown(shown.conditions),
             "hidden": shown.hidden,
             "cycleUs": shared.cycle_time_us,
             "tick": snapshot.shown_tick,
@@ -164,6 +180,16 @@ class Drawings:
         if news:
             self._scope.run_method("take", news)
 
+    def _lanes_shown(self, conditions: Sequence[Condition]) -> list[int]:
+        """Return the places of the conditions that fit the filter, and say how many they are."""
+        wish = str(self._filter.value or "")
+        found = fitting(conditions, wish)
+        text = f"{len(found)}/{len(conditions)}" if wish.strip() else ""
+        if self._fitting.text != text:
+            self._fitting.set_text(text)
+        self._filter.set_visibility(len(conditions) > 1 or bool(wish))
+        return found
+
     def _show_future(self, future: dict[str, Any] | None) -> None:
         """Say why the path to come ends where it does, or that there is none to show."""
         text = "" if future is None else self._texts[f"future_{future['reason']}"]
@@ -176,10 +202,18 @@ class Drawings:
         self._signals.set_value(list(self._shared.scope))
         axes = list(self._shared.path_signals)
         if self._path.props["axes"] != axes:
-            self._path.props["axes"] = axes
-            self._path.props["rapid"] = f"{self._shared.prefix}PATH.RAPID"
-            self._path.props["limits"] = [self._limits.get(axis) for axis in self._shared.axes[:3]]
+            self._name_columns()
             self._path.update()
+
+    def _name_columns(self) -> None:
+        """Let the path know the columns of its positions, and the limits of its axes."""
+        shared = self._shared
+        self._path.props["axes"] = list(shared.path_signals)
+        self._path.props["tip"] = list(shared.tip_signals[:3])
+        self._path.props["direction"] = list(shared.tip_signals[3:])
+        self._path.props["rapid"] = f"{shared.prefix}PATH.RAPID"
+        self._path.props["limits"] = [self._limits.get(axis) for axis in shared.axes[:3]]
+        self._axes.set_visibility(bool(shared.tip_signals))
 
     # --- wishes ---------------------------------------------------------------------------------
 
@@ -223,6 +257,19 @@ class Drawings:
         """Show further conditions, or those before."""
         self._scope.run_method("scrollLanes", rows)
 
+    def focus_filter(self) -> None:
+        """Let a person type which conditions they look for."""
+        if self._filter.visible:
+            self._filter.run_method("focus")
+
+    def _keep_filter(self, event: Any) -> None:
+        """Let the browser keep the filter for when the page is loaded anew."""
+        self._scope.run_method("keepFilter", str(event.value or ""))
+
+    def _restore_filter(self, event: Any) -> None:
+        if isinstance(event.args, str):
+            self._filter.set_value(event.args[:MAX_FILTER])
+
     def mark(self) -> None:
         """Compare values with those of this tick from now on, or no more."""
         self._scope.run_method("mark")
@@ -234,6 +281,14 @@ class Drawings:
     def turn_view(self) -> None:
         """Show the path from the next side."""
         self._path.run_method("turnView")
+
+    def flip_axes(self) -> None:
+        """Draw the path of the axes, or again that of the tip."""
+        if self._axes.visible:
+            self._axes.set_value(not self._axes.value)
+
+    def _show_axes(self, event: Any) -> None:
+        self._path.run_method("showAxes", bool(event.value))
 
     def _choose_view(self, name: str) -> None:
         self._path.run_method("showFrom", name)

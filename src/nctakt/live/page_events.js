@@ -79,6 +79,52 @@
     look();
   };
 
+  // The lines in view have the colours of their tokens, which the server knows. Where somebody has
+  // typed meanwhile, it is asked again, some times only: it may never hear of a text.
+  const colourLines = async (view) => {
+    const { Decoration, EditorView, StateEffect, StateField } = await import("nicegui-codemirror");
+    const put = StateEffect.define(), known = new Map();
+    const marks = StateField.define({
+      create: () => Decoration.none,
+      update(now, change) {
+        const found = change.effects.find((effect) => effect.is(put));
+        return found ? found.value : now.map(change.changes);
+      },
+      provide: (field) => EditorView.decorations.from(field),
+    });
+    let timer = 0, tries = 0;
+    const ask = (after) => {
+      timer ||= setTimeout(() => {
+        timer = 0;
+        const { state: { doc }, viewport: { from, to } } = view;
+        emitEvent("nctakt_lines", { first: doc.lineAt(from).number, last: doc.lineAt(to).number });
+      }, after);
+    };
+    const look = EditorView.updateListener.of((update) => {
+      if (!update.docChanged && !update.viewportChanged) return;
+      tries = 0;
+      ask(60);
+    });
+    const markOf = (name) => {
+      if (!known.has(name)) known.set(name, Decoration.mark({ class: name }));
+      return known.get(name);
+    };
+    globalThis.nctaktEditor.colour = (first, lines) => {
+      const { doc } = view.state, found = [];
+      let isOther = false;
+      lines.forEach(([text, tokens], index) => {
+        const line = first + index <= doc.lines ? doc.line(first + index) : null;
+        isOther ||= !line || line.text !== text;
+        if (!line || line.text !== text) return;
+        for (const [start, end, name] of tokens) found.push(markOf(name).range(line.from + start, line.from + end));
+      });
+      view.dispatch({ effects: put.of(Decoration.set(found)) });
+      if (isOther && tries < 10) { tries += 1; ask(300); }
+    };
+    view.dispatch({ effects: StateEffect.appendConfig.of([marks, look]) });
+    ask(0);
+  };
+
   // The line under the pointer in the editor is marked in the scope.
   document.addEventListener("pointermove", (event) => {
     const { nctaktRun } = globalThis, view = editor();
@@ -126,6 +172,7 @@
     if (!nctaktRun || !view) { setTimeout(follow, 200); return; }
     dress(view);
     watchStops(view);
+    colourLines(view);
     nctaktRun.listen(() => {
       reveal(view, nctaktRun);
       const { run } = nctaktRun, block = run.cursor === null ? null : nctaktRun.blockAt(run.cursor);

@@ -10,7 +10,7 @@ const VIEWS = { space: null, top: [0, 1], front: [0, 2], side: [1, 2] };
 
 export default {
   template: '<div class="nc-drawing"><canvas role="img" :aria-label="name"></canvas></div>',
-  props: { axes: Array, rapid: String, name: String, limits: Array },
+  props: { axes: Array, tip: Array, direction: Array, rapid: String, name: String, limits: Array },
   mounted() {
     this.canvas = this.$el.firstChild;
     this.camera = { zoom: 1, x: 0, y: 0, turn: -0.55, tilt: 0.9, view: this.axes.length > 2 ? "space" : "top" };
@@ -46,6 +46,11 @@ export default {
       changed();
     },
 
+    // Under a transformation the tip is elsewhere than the axes.
+    showAxes(isWished) { this.showsAxes = isWished; changed(); },
+    shown() { return this.tip.length && !this.showsAxes ? this.tip : this.axes; },
+    showsTip() { return this.shown() === this.tip; },
+
     // --- pointer -----------------------------------------------------------------------------
     drag(event) {
       const dx = event.offsetX - this.grip.x, dy = event.offsetY - this.grip.y, { start } = this.grip;
@@ -77,7 +82,7 @@ export default {
     },
 
     // --- places ------------------------------------------------------------------------------
-    columns() { return this.axes.map((name) => run.columns[run.names.indexOf(name)]); },
+    columns() { return this.shown().map((name) => run.columns[run.names.indexOf(name)]); },
     pointAt(index) {
       return this.places.map((values) => (values && index < values.length ? values[index] : 0));
     },
@@ -92,15 +97,27 @@ export default {
     },
     // Where the tool is at the tick that is shown.
     pointNow() {
-      const found = this.axes.map((name) => run.now[run.names.indexOf(name)]);
+      const found = this.shown().map((name) => run.now[run.names.indexOf(name)]);
       return found.every(Number.isFinite) ? found : null;
     },
+    // Where the tool points from its tip, null where nothing says it: it is 0 0 0 there.
+    directionAt(index) {
+      const found = this.directions.map((values) => (values ? values[index] : 0));
+      return found.some((value) => value) ? found : null;
+    },
+    directionNow() {
+      const found = this.direction.map((name) => run.now[run.names.indexOf(name)]);
+      return this.showsTip() && found.every(Number.isFinite) && found.some((value) => value) ? found : null;
+    },
+    // A transformation comes or goes there: the positions are those of something else.
+    isOther(index) { return !this.directionAt(index - 1) !== !this.directionAt(index); },
     measure() {
+      this.directions = this.showsTip() ? this.direction.map((name) => run.columns[run.names.indexOf(name)]) : [];
       this.places = this.columns();
       this.bounds = [0, 1, 2].map((axis) => {
         const values = this.places[axis];
         let low = Infinity, high = -Infinity;
-        for (const value of [...(values || []), ...this.coming(this.axes[axis])]) { if (value < low) low = value; if (value > high) high = value; }
+        for (const value of [...(values || []), ...this.coming(this.shown()[axis])]) { if (value < low) low = value; if (value > high) high = value; }
         return low <= high ? [low, high] : [0, 0];
       });
     },
@@ -140,9 +157,12 @@ export default {
       this.drawFuture(pen, place);
       this.drawKind(pen, place, true);
       this.drawKind(pen, place, false);
+      this.drawDirections(pen, place);
       this.drawFired(pen, place);
       const here = this.pointNow();
-      if (here) this.drawTool(pen, place(here));
+      const leaning = this.directionNow();
+      if (here) this.drawTool(pen, place(here), this.onScreen(leaning));
+      run.drawn = { tick: run.tick, names: this.shown(), tool: here, direction: leaning }; // for tests
       const there = run.cursor === null ? null : this.pointOf(run.cursor);
       if (there) {
         const [x, y] = place(there);
@@ -151,6 +171,29 @@ export default {
       }
     },
     nameOf(axis) { return this.axes[axis].replace(/\.ACS\.ACT_POS$/, ""); },
+    // A direction in the plane of the picture, as parts of its length.
+    onScreen(vector) {
+      if (!vector) return null;
+      const middle = this.bounds.map(([low, high]) => (low + high) / 2);
+      return this.projected(vector.map((part, axis) => middle[axis] + part));
+    },
+    // The tool at places of the path, as many as can be told apart.
+    drawDirections(pen, place) {
+      if (!this.directions.length) return;
+      pen.strokeStyle = TOOL; pen.globalAlpha = 0.55; pen.lineWidth = 1;
+      pen.beginPath();
+      let last = null;
+      for (let i = 0; i < run.ticks.length; i += 1) {
+        const leaning = this.directionAt(i);
+        if (!leaning) continue;
+        const [x, y] = place(this.pointAt(i));
+        if (last && Math.hypot(x - last[0], y - last[1]) < 16) continue;
+        last = [x, y];
+        const [right, down] = this.onScreen(leaning);
+        pen.moveTo(x, y); pen.lineTo(x + 18 * right, y + 18 * down);
+      }
+      pen.stroke(); pen.globalAlpha = 1;
+    },
     // The columns of the future, from the first tick on that has not run.
     coming(name) {
       const { future } = run, column = future ? future.names.indexOf(name) : -1;
@@ -160,7 +203,9 @@ export default {
     // What comes if nobody writes: dimmed, on from where the branch ends, with its reactions.
     drawFuture(pen, place) {
       if (!run.future || !run.future.ticks.length) return;
-      const columns = this.axes.map((name) => this.coming(name)), rapid = this.coming(this.rapid);
+      const columns = this.shown().map((name) => this.coming(name)), rapid = this.coming(this.rapid);
+      const leaning = this.showsTip() ? this.direction.map((name) => this.coming(name)) : [];
+      const points = (index) => leaning.some((column) => column[index]);
       const pointAt = (index) => columns.map((column) => column[index]);
       const skipped = run.future.ticks.length - rapid.length;
       const last = run.ticks.length - 1;
@@ -170,14 +215,16 @@ export default {
         pen.setLineDash(isRapid ? [5, 4] : []);
         pen.beginPath();
         let before = last >= 0 && run.ticks[last] === run.latest ? this.pointAt(last) : null, isOpen = false;
+        let pointed = before ? this.directionAt(last) !== null : points(0);
         for (let i = 0; i < rapid.length; i += 1) {
           const point = pointAt(i);
-          if (before && rapid[i] > 0 === isRapid) {
+          if (before && rapid[i] > 0 === isRapid && points(i) === pointed) {
             if (!isOpen) pen.moveTo(...place(before));
             pen.lineTo(...place(point));
             isOpen = true;
           } else isOpen = false;
           before = point;
+          pointed = points(i);
         }
         pen.stroke();
       }
@@ -191,7 +238,8 @@ export default {
     // The software limits of the axes, as far as they have some.
     drawLimits(pen, place) {
       const limits = [0, 1, 2].map((axis) => (this.limits || [])[axis] || [null, null]);
-      const plane = VIEWS[this.camera.view], axes = plane || [0, 1, 2].slice(0, this.axes.length);
+      const plane = VIEWS[this.camera.view], axes = (plane || [0, 1, 2]).filter((axis) => axis < this.axes.length);
+      if (this.showsTip()) return; // they are those of the axes
       if (axes.some((axis) => limits[axis].includes(null))) return;
       const corner = (bits) => [0, 1, 2].map((axis) => (axes.includes(axis) ? limits[axis][(bits >> axis) & 1] : 0));
       pen.strokeStyle = LIMIT; pen.lineWidth = 1; pen.globalAlpha = 0.6; pen.setLineDash([8, 4]);
@@ -215,6 +263,10 @@ export default {
         pen.textAlign = "center"; pen.textBaseline = "bottom";
         if (x > 40 && x < width - 24) pen.fillText(value.toFixed(across.digits), x, height - 2);
       }
+      pen.fillStyle = colour("--nc-ink");
+      pen.textAlign = "right"; pen.textBaseline = "bottom"; pen.fillText(`${this.nameOf(right)} mm`, width - 4, height - 2);
+      if (upward >= this.axes.length) return; // one axis: a line with its scale
+      pen.fillStyle = colour("--nc-soft");
       const up = ticks((y0 - height) / scale, y0 / scale, height / 45);
       for (const value of up.result) {
         const y = y0 - value * scale;
@@ -223,7 +275,6 @@ export default {
         if (y > 24 && y < height - 16) pen.fillText(value.toFixed(up.digits), 3, y);
       }
       pen.fillStyle = colour("--nc-ink");
-      pen.textAlign = "right"; pen.textBaseline = "bottom"; pen.fillText(`${this.nameOf(right)} mm`, width - 4, height - 2);
       pen.textAlign = "left"; pen.textBaseline = "top"; pen.fillText(`${this.nameOf(upward)} mm`, 3, 3);
     },
     // The box around the path, with the lengths of its edges at their names.
@@ -260,7 +311,7 @@ export default {
       pen.beginPath();
       let isOpen = false;
       for (let i = 1; i < run.ticks.length; i += 1) {
-        if (rapid[i] > 0 !== isRapid) { isOpen = false; continue; }
+        if (rapid[i] > 0 !== isRapid || this.isOther(i)) { isOpen = false; continue; }
         if (!isOpen) pen.moveTo(...place(this.pointAt(i - 1)));
         pen.lineTo(...place(this.pointAt(i)));
         isOpen = true;
@@ -281,8 +332,18 @@ export default {
       pen.moveTo(x, y - size); pen.lineTo(x + size, y); pen.lineTo(x, y + size); pen.lineTo(x - size, y);
       pen.fill();
     },
-    drawTool(pen, [x, y]) {
+    drawTool(pen, [x, y], leaning) {
       pen.fillStyle = TOOL;
+      if (leaning) {
+        const [right, down] = leaning, across = [-down, right].map((part) => 5 * part / (Math.hypot(right, down) || 1));
+        const at = (far, side) => [x + far * right + side * across[0], y + far * down + side * across[1]];
+        pen.beginPath(); pen.moveTo(x, y); pen.lineTo(...at(11, 1)); pen.lineTo(...at(11, -1)); pen.fill();
+        pen.globalAlpha = 0.75;
+        pen.beginPath(); pen.moveTo(...at(11, 1)); pen.lineTo(...at(34, 1)); pen.lineTo(...at(34, -1)); pen.lineTo(...at(11, -1)); pen.fill();
+        pen.globalAlpha = 1;
+        pen.beginPath(); pen.arc(x, y, 2.5, 0, 7); pen.fill(); // seen along it there is nothing else
+        return;
+      }
       if (VIEWS[this.camera.view]) { pen.beginPath(); pen.arc(x, y, 5.5, 0, 7); pen.fill(); return; }
       pen.beginPath(); pen.moveTo(x, y); pen.lineTo(x - 5, y - 11); pen.lineTo(x + 5, y - 11); pen.fill();
       pen.globalAlpha = 0.75; pen.fillRect(x - 5, y - 24, 10, 13); pen.globalAlpha = 1;

@@ -19,6 +19,7 @@ from nctakt.live import view
 from nctakt.live.commander import Commander, Newest
 from nctakt.live.document import Document
 from nctakt.live.naming import card, named
+from nctakt.live.syntax import Syntax
 from nctakt.live.view import Snapshot
 
 #: How long the page waits for more typing, in seconds.
@@ -70,11 +71,13 @@ class ProgramCard:
         self._drafts: dict[str, tuple[str, str]] = {}
         self._typed = 0
         self._checks = Newest(self._check)
+        self._colours = Newest(self._send_colours)
         self._marks: list[dict[str, Any]] | None = None
         self.findings: list[Diagnostic] = []
         self._checked_lines: list[str] = []
         self.document = self._shown_document()
         self._begin = self.document.text
+        self._syntax = Syntax(self.document.checker.synchronous)
         self._build()
         self._check_later()
 
@@ -108,6 +111,7 @@ class ProgramCard:
                 on_change=self._changed,
             ).props("data-testid=editor")
             ui.on("nctakt_line", self._click)
+            ui.on("nctakt_lines", self._wish_colours)
 
     def _choices(self) -> dict[str, str]:
         many = len(self._documents) > 1
@@ -231,6 +235,18 @@ class ProgramCard:
             await self.toggle_stop(line)
         else:
             await self._ask_why(line)
+
+    async def _wish_colours(self, event: Any) -> None:
+        """Colour the lines that a browser has in view."""
+        words = event.args if isinstance(event.args, dict) else {}
+        first, last = words.get("first"), words.get("last")
+        if isinstance(first, int) and isinstance(last, int):
+            await self._colours.wish((first, last))
+
+    async def _send_colours(self, bounds: tuple[int, int]) -> None:
+        lines = await run.io_bound(self._syntax.shown, self._editor.value or "", *bounds)
+        found = json.dumps([max(bounds[0], 1), lines])
+        self._editor.client.run_javascript(f"nctaktEditor.colour(...{found})")
 
     async def toggle_stop(self, line: int) -> None:
         """Set a stop in a line, or take those in it away."""

@@ -4,6 +4,7 @@ import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
 import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, shownUnit, take, zoom } from "nctakt-store";
 
 const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6;
+const FILTER = "nctakt filter of conditions"; // kept when this page is loaded anew
 const LANES_TOP = LABEL * LABEL_ROWS + 3;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
   "#84a316", "#a16ae8", "#64748b", "#d97796"];
@@ -19,6 +20,8 @@ export default {
     this.observer = new ResizeObserver(changed);
     this.observer.observe(this.$el);
     this.pointers = new Map();
+    const kept = sessionStorage.getItem(FILTER);
+    if (kept) this.$emit("kept", kept);
     const on = (name, handler, options) => this.canvas.addEventListener(name, handler, options);
     on("pointermove", (event) => this.move(event));
     on("pointerdown", (event) => this.press(event));
@@ -34,14 +37,15 @@ export default {
     fit() { fit(); },
     zoomBy(factor) { zoom((run.from + run.to) / 2, factor); this.ask(); },
     mark() { mark(); },
+    keepFilter(text) { sessionStorage.setItem(FILTER, text); },
     panBy(share) { pan(share); this.ask(); },
     scrollLanes(rows) {
-      run.firstLane = clamp(run.firstLane + rows, 0, Math.max(0, run.conditions.length - MAX_LANES));
+      run.firstLane = clamp(run.firstLane + rows, 0, Math.max(0, run.lanesShown.length - MAX_LANES));
       changed();
     },
     // The condition under the editor's pointer comes into view.
     followLine() {
-      const row = run.line === this.line ? -1 : run.conditions.indexOf(run.line);
+      const row = run.line === this.line ? -1 : run.lanesShown.findIndex((index) => run.conditions[index] === run.line);
       this.line = run.line;
       if (row < 0) return;
       run.firstLane = clamp(run.firstLane, Math.max(0, row - MAX_LANES + 1), row);
@@ -106,7 +110,7 @@ export default {
     },
     wheel(event) {
       event.preventDefault();
-      const { length } = run.conditions, lanes = event.offsetY - LANES_TOP;
+      const { length } = run.lanesShown, lanes = event.offsetY - LANES_TOP;
       if (length > MAX_LANES && lanes >= 0 && lanes < MAX_LANES * LANE) {
         this.scrollLanes(Math.sign(event.deltaY));
         return;
@@ -128,24 +132,24 @@ export default {
     draw() {
       if (!this.$el.clientHeight) return;
       const { pen, width, height } = sized(this.canvas, this.$el.clientHeight);
-      const shown = curves(), { conditions } = run, units = new Map();
+      const shown = curves(), { lanesShown } = run, units = new Map();
       run.names.slice(0, run.names.length - run.hidden).forEach((_, index) => {
         const unit = run.units[index];
         const key = units.has(unit) || units.size < MAX_PANELS ? unit : [...units.keys()].pop();
         units.set(key, [...(units.get(key) || []), index]);
       });
       this.followLine();
-      run.firstLane = clamp(run.firstLane, 0, Math.max(0, conditions.length - MAX_LANES));
-      const lanesTop = LANES_TOP, rows = Math.min(conditions.length, MAX_LANES), top = lanesTop + rows * LANE + 4;
+      run.firstLane = clamp(run.firstLane, 0, Math.max(0, lanesShown.length - MAX_LANES));
+      const lanesTop = LANES_TOP, rows = Math.min(lanesShown.length, MAX_LANES), top = lanesTop + rows * LANE + 4;
       const bottom = height - AXIS, each = units.size ? (bottom - top) / units.size : bottom - top;
       this.drawTime(pen, width, lanesTop, bottom);
       this.drawLine(pen, lanesTop, bottom);
       for (let row = 0; row < rows; row += 1) {
-        const index = run.firstLane + row;
-        this.drawCondition(pen, conditions[index], index, lanesTop + row * LANE, width);
+        const index = lanesShown[run.firstLane + row];
+        this.drawCondition(pen, run.conditions[index], index, lanesTop + row * LANE, width);
       }
-      if (conditions.length > rows) { // which of them these are
-        const share = (rows * LANE) / conditions.length;
+      if (lanesShown.length > rows) { // which of them these are
+        const share = (rows * LANE) / lanesShown.length;
         pen.fillStyle = colour("--nc-soft");
         pen.fillRect(width - RIGHT + 3, lanesTop + run.firstLane * share, 3, rows * share);
       }

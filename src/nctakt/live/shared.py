@@ -11,7 +11,7 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +20,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.comparison.overlay import LoggedCurve
 from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
+from nctakt.live.conditions import conditions_of
 from nctakt.live.explaining import Explainer, Moment, why_text
 from nctakt.live.plc_files import PlcFiles
 from nctakt.live.run_log import RunLog
@@ -52,6 +53,7 @@ class SharedSession:
     command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
     those that persons have given to branches. ``logged``: curves of a machine's log.
     ``plcs``: the files of the session's PLCs, whose ``plc_files`` may be saved meanwhile.
+    ``transformed``: channels whose positions may be those of the tool's tip.
     """
 
     def __init__(
@@ -63,7 +65,9 @@ class SharedSession:
         channel: int = 1,
         logged: Sequence[LoggedCurve] = (),
         plcs: Sequence[Path] = (),
+        transformed: Collection[int] = (),
     ) -> None:
+        self._transformed = transformed
         self.logged = {
             one.signal: {
                 "ticks": one.ticks,
@@ -123,6 +127,7 @@ class SharedSession:
         self.snapshot = self.snapshot_of(None)
 
     def _set_axes(self) -> None:
+        self._conditions = tuple(conditions_of(self.lines))
         self.axes = view.axes_of(self.units, self.prefix)
         first = view.first_signals(self.units, self.lines, self.prefix)
         logged = (name for name in self.logged if name in self.units)
@@ -147,8 +152,7 @@ class SharedSession:
     @property
     def future_subject(self) -> FutureOf:
         """What the future that browsers draw depends on."""
-        rapid = f"{self.prefix}PATH.RAPID"
-        return FutureOf.of(self.session, self._serial, (*self.path_signals, rapid), self.file)
+        return FutureOf.of(self.session, self._serial, self._drawn_signals, self.file)
 
     # --- commands -------------------------------------------------------------------------------
 
@@ -364,19 +368,29 @@ class SharedSession:
 
     def _show(self) -> None:
         """Let the track have the columns of the scope and of the path."""
-        path = [*self.path_signals, f"{self.prefix}PATH.RAPID"]
+        path = dict.fromkeys(self._drawn_signals)
         hidden = [name for name in path if name in self.units and name not in self.scope]
-        conditions = tuple(view.conditions_of(self.lines))
         signals = (*self.scope, *hidden)
         units = tuple(self.units[name] for name in signals)
-        self.track.show(Shown(conditions, signals, units, len(hidden)))
+        self.track.show(Shown(self._conditions, signals, units, len(hidden)))
         self._looked_at = ()
 
     @property
     def path_signals(self) -> tuple[str, ...]:
-        """The positions of the first three axes; empty on a machine with fewer than two."""
-        axes = self.axes[:3]
-        return tuple(f"{self.prefix}{axis}.ACS.ACT_POS" for axis in axes) if len(axes) > 1 else ()
+        """The positions of the first three axes, as they are."""
+        return tuple(f"{self.prefix}{axis}.ACS.ACT_POS" for axis in self.axes[:3])
+
+    @property
+    def tip_signals(self) -> tuple[str, ...]:
+        """The tip's positions and the tool's direction; empty where no transformation can be."""
+        if self.channel not in self._transformed or len(self.axes) < 3:
+            return ()
+        tip = (f"{self.prefix}{axis}.MCS.ACT_POS" for axis in self.axes[:3])
+        return (*tip, *(f"{self.prefix}TOOL.DIRECTION.{letter}" for letter in "XYZ"))
+
+    @property
+    def _drawn_signals(self) -> tuple[str, ...]:
+        return (*self.path_signals, *self.tip_signals, f"{self.prefix}PATH.RAPID")
 
     def _past(
         self, session: Session, first: int, end: int
@@ -415,8 +429,8 @@ class SharedSession:
 
     def _append_truths(self, tick: int, truths: dict[int, bool | None]) -> None:
         """Add a sample of the lanes; a stretch that is explained replaces them."""
-        states = [None if (truth := truths.get(line)) is None else int(truth)
-                  for line in self.track.shown.conditions]  # fmt: skip
+        states = [None if (truth := truths.get(one.line)) is None else int(truth)
+                  for one in self.track.shown.conditions]  # fmt: skip
         _add_newer(self.track.lanes, (tick, *states))
 
 

@@ -133,6 +133,11 @@ WORDS: dict[str, tuple[str, str]] = {
     "scope_right": ("Scroll the scope forward", "Oszilloskop weiterschieben"),
     "lanes_up": ("The conditions before, in the scope", "Vorherige Bedingungen im Oszilloskop"),
     "lanes_down": ("Further conditions in the scope", "Weitere Bedingungen im Oszilloskop"),
+    "filter_lanes": (
+        'Filter the conditions: 12, 12-20 (lines), #3 (cycle), a text, "12" (a text)',
+        'Bedingungen filtern: 12, 12-20 (Zeilen), #3 (Zyklus), ein Text, "12" (ein Text)',
+    ),
+    "filter_short": ("Conditions", "Bedingungen"),
     "scope_mark": (
         "Compare with this tick (Shift and a click, Shift and drag in the scope)",
         "Mit diesem Takt vergleichen (Umschalt und Klick oder Ziehen im Oszilloskop)",
@@ -140,6 +145,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "scope_in": ("Zoom the scope in", "Oszilloskop vergrößern"),
     "scope_out": ("Zoom the scope out", "Oszilloskop verkleinern"),
     "turn_view": ("Another view of the path", "Andere Ansicht der Bahn"),
+    "machine_axes": ("Axes, not the tool's tip", "Achsen statt Werkzeugspitze"),
+    "machine_axes_short": ("axes", "Achsen"),
     "view_space": ("In space", "Räumlich"),
     "view_top": ("From above", "Von oben"),
     "view_front": ("From the front", "Von vorn"),

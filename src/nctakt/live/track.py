@@ -14,6 +14,7 @@ from itertools import islice
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
+from nctakt.live.conditions import Condition
 from nctakt.trace.events import Event
 
 #: Entries that are kept: of rows, of marks, of blocks, of samples of the lanes.
@@ -88,10 +89,10 @@ class Growing:
 class Shown:
     """The names of the columns of the rows, with their units; the last ``hidden`` are the path's.
 
-    ``conditions``: the lines of the lanes, whose samples are apart from the rows.
+    ``conditions``: those of the lanes, whose samples are apart from the rows.
     """
 
-    conditions: tuple[int, ...] = ()
+    conditions: tuple[Condition, ...] = ()
     signals: tuple[str, ...] = ()
     units: tuple[str, ...] = ()
     hidden: int = 0

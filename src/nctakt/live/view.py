@@ -15,6 +15,7 @@ from typing import Any
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
+from nctakt.live.conditions import is_condition
 from nctakt.live.event_words import event_words
 from nctakt.live.texts import Texts
 from nctakt.results.compared import Compared
@@ -24,9 +25,6 @@ from nctakt.session.statements import names_file
 from nctakt.trace.events import Event
 
 _AXIS = re.compile(r"((?:CH\d+\.)?)(\w+)\.ACS\.ACT_POS")
-_CYCLE_BEGIN = re.compile(r"\s*(?:N\d+\s*)?#RT\s*CYCLE\s*(?:DEF\b|\[|$)", re.IGNORECASE)
-_CYCLE_END = re.compile(r"\s*(?:N\d+\s*)?#RT\s*CYCLE\s*END\b", re.IGNORECASE)
-_CONDITION = re.compile(r"\s*(?:N\d+\s*)?\$(?:IF|ELSEIF)\b", re.IGNORECASE)
 _ELSE = re.compile(r"\s*(?:N\d+\s*)?\$ELSE\b(?!IF)", re.IGNORECASE)
 _OPERAND = re.compile(r"V\.(?:E|RTA|RTG|CH)\.[A-Z_0-9.]+(?:\[\d+\])?[A-Z_0-9.]*", re.IGNORECASE)
 
@@ -52,9 +50,6 @@ Entry = TechnologyEntry | SpindleEntry
 
 #: Characters of the compared values beside a condition at most.
 _MAX_COMPARED = 100
-
-#: Conditions that have a lane in the scope at most, the first ones: it shows six, and scrolls.
-MAX_CONDITIONS = 100
 
 #: V.E variables that the page shows at most, and signals of the scope.
 MAX_VARIABLES, MAX_SIGNALS = 400, 12
@@ -124,22 +119,6 @@ def choosable(signals: Mapping[str, str]) -> list[str]:
 def variables_read(signals: Mapping[str, str], prefix: str = "") -> list[str]:
     """Return the V.E variables of a channel that are read in each look."""
     return [name for name in signals if name.startswith(f"{prefix}V.E.")][:MAX_VARIABLES]
-
-
-def conditions_of(lines: Sequence[str]) -> list[int]:
-    """Return the lines of the first conditions in realtime cycles."""
-    found = []
-    is_inside = False
-    for number_of_line, line in enumerate(lines, 1):
-        if _CYCLE_END.match(line):
-            is_inside = False
-        elif _CYCLE_BEGIN.match(line):
-            is_inside = True
-        elif is_inside and _CONDITION.match(line):
-            found.append(number_of_line)
-            if len(found) == MAX_CONDITIONS:
-                break
-    return found
 
 
 def branches_in(
@@ -381,7 +360,7 @@ def function_text(entry: Entry) -> str:
 
 def stop_for(file: str, line: int, text: str) -> str:
     """Return the stop that a person means by a line: its branch fires, or its block comes up."""
-    word = "fires" if _CONDITION.match(text) else "line"
+    word = "fires" if is_condition(text) else "line"
     return f"{word} {file}:{line}"
 
 

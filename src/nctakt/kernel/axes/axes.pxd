@@ -86,7 +86,7 @@ cdef class Axes:
         i=Py_ssize_t, k=Py_ssize_t, command=double, actual=double, target=double,
         cell=Py_ssize_t, rest=double, shift=double
     )
-    cdef void publish_tip(self, Py_ssize_t number) noexcept nogil
+    cdef void publish_tip(self, Py_ssize_t number, Py_ssize_t slot) noexcept nogil
     cdef void transform(self, Py_ssize_t slot, long long number) noexcept nogil
     @cython.locals(j=Py_ssize_t, k=Py_ssize_t, cell=int, x=double, y=double, z=double)
     cdef void publish_turned(self, Py_ssize_t i) noexcept nogil

@@ -171,7 +171,7 @@ class Axes:
         if self.transformations.active_count > 0:
             for i in range(self.count):
                 if self.transformations.active[i] > 0:
-                    self.publish_tip(self.transformations.active[i])
+                    self.publish_tip(self.transformations.active[i], i)
         if self.turns.active > 0:
             for i in range(self.count):
                 if self.turns.second[i] > 0:
@@ -200,9 +200,10 @@ class Axes:
         cell += cells.AXIS_PCS_ACT_POS
         self.publish_system(cell, command - shift, actual - shift, target - shift, distance_to_go)
 
-    def publish_tip(self, number: int) -> None:
+    def publish_tip(self, number: int, slot: int) -> None:
         """Write the positions of the axes of map ``number`` in MCS, IPO and PCS."""
         self.transformations.map_forward(number, self.command, codes.TIP_OF_COMMAND)
+        self.transformations.keep_direction(number, slot)
         self.transformations.map_targets(number, self.target)
         if self.has_lag or self.has_stops:
             for i in range(self.count):

@@ -14,6 +14,7 @@ cdef class Transformations:
     cdef double[::1] mapped
     cdef double[::1] near
     cdef double[::1] tips
+    cdef double[::1] directions
     cdef long long named
     cdef Py_ssize_t joint_count
     cdef long long[::1] joint_axes
@@ -22,7 +23,7 @@ cdef class Transformations:
     cdef long long target_number
     cdef double[::1] mapped_targets
 
-    @cython.locals(before=int)
+    @cython.locals(before=int, first=Py_ssize_t, i=Py_ssize_t)
     cdef void activate(self, Py_ssize_t slot, long long number) noexcept nogil
     cpdef bint has_axis(self, Py_ssize_t number, Py_ssize_t axis) except *
     @cython.locals(second=Py_ssize_t)
@@ -36,6 +37,8 @@ cdef class Transformations:
     cdef void map_forward(
         self, Py_ssize_t number, double[::1] machine, Py_ssize_t tip
     ) noexcept nogil
+    @cython.locals(row=Py_ssize_t, first=Py_ssize_t)
+    cdef void keep_direction(self, Py_ssize_t number, Py_ssize_t slot) noexcept nogil
     @cython.locals(k=Py_ssize_t, is_kept=bint, target=double)
     cdef void map_targets(self, Py_ssize_t number, double[::1] machine) noexcept nogil
     @cython.locals(k=Py_ssize_t)

@@ -19,7 +19,8 @@ class Transformations:
 
     ``maps``: all maps of the machine. ``joint_axes``, ``joint_members``, ``joint_mapped``: of the
     ``joint_count`` joints of map ``named``, since a map never changes. ``mapped_targets``: the
-    targets that are kept under map ``target_number``.
+    targets that are kept under map ``target_number``. ``directions``: of the tools, three numbers a
+    channel, all 0 where no map says it; the last three are of a place without an axis.
     """
 
     def __init__(self, axis_count: int) -> None:
@@ -31,6 +32,7 @@ class Transformations:
         self.mapped = memoryview(bytearray(8 * axis_count)).cast("d")
         self.near = memoryview(bytearray(8 * axis_count)).cast("d")
         self.tips = memoryview(bytearray(8 * codes.TIPS * codes.TIP_AXES)).cast("d")
+        self.directions = memoryview(bytearray(8 * 3 * (axis_count + 1))).cast("d")
         self.named = 0
         self.joint_count = 0
         self.joint_axes = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
@@ -44,6 +46,9 @@ class Transformations:
         before = 1 if self.active[slot] else 0
         self.active[slot] = number
         self.active_count += (1 if number else 0) - before
+        first = 3 * slot
+        for i in range(3):
+            self.directions[first + i] = 0.0
 
     def has_axis(self, number: int, axis: int) -> bool:
         """Return whether an axis of the channel belongs to map ``number``."""
@@ -87,6 +92,22 @@ class Transformations:
         self.maps.forward(number, self.gathered, self.near, self.mapped)
         for k in range(self.joint_count):
             self.tips[codes.TIP_AXES * tip + k] = self.mapped[self.joint_axes[k]]
+
+    def keep_direction(self, number: int, slot: int) -> None:
+        """Keep where the tool points, from its tip to the clamp, of what was gathered last.
+
+        A second step and a plane that turns have no direction in what they show.
+        """
+        row = number * map_rows.MAP_WIDTH
+        if self.second_step(row) or self.maps.values[row + map_rows.PROGRAMMING] >= (
+            map_rows.FACE_PLANE
+        ):
+            return
+        self.maps.point_tool(row, self.gathered)
+        first = 3 * slot
+        self.directions[first] = self.maps.orientation.x
+        self.directions[first + map_rows.Y] = self.maps.orientation.y
+        self.directions[first + map_rows.Z] = self.maps.orientation.z
 
     def map_targets(self, number: int, machine: memoryview[float]) -> None:
         """Keep what is shown of the targets; they change from block to block only."""

@@ -29,6 +29,8 @@ cdef class PathAxes:
     @cython.locals(number=Py_ssize_t)
     cdef void transform(self, double[::1] queue, Py_ssize_t row) noexcept nogil
     cdef long long shown_map(self) noexcept nogil
+    @cython.locals(first=Py_ssize_t, i=Py_ssize_t)
+    cdef void publish_direction(self, double[::1] memory, Py_ssize_t cell) noexcept nogil
     cdef void show_map(self, long long number) noexcept nogil
     @cython.locals(i=Py_ssize_t, message=int)
     cdef int refusal(self, Py_ssize_t queue_row, double[::1] queue) noexcept nogil

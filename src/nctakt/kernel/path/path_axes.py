@@ -76,6 +76,12 @@ class PathAxes:
         """Return the number of the map that the channel's positions are shown by, 0 for none."""
         return int(self.axes.transformations.active[self.slot])
 
+    def publish_direction(self, memory: memoryview[float], cell: int) -> None:
+        """Write where the channel's tool points under a transformation, all 0 elsewhere."""
+        first = 3 * (self.slot if self.count > 0 else self.axes.count)
+        for i in range(3):
+            memory[cell + i] = self.axes.transformations.directions[first + i]
+
     def show_map(self, number: int) -> None:
         """Show the channel's positions by a map, as when a segment of the history was moved."""
         if number != self.axes.transformations.active[self.slot]:

@@ -421,6 +421,7 @@ class Channel:
         self.cells[self.first_cell + cells.CHANNEL_PATH_SPEED] = self.path.speed_v
         self.cells[self.first_cell + cells.CHANNEL_CYCLES_ACTIVE] = self.manager.running_count
         self.cells[self.first_cell + cells.CHANNEL_PATH_DIST_TO_GO] = self.path.distance_to_go()
+        self.path.publish_direction(self.cells, self.first_cell + cells.CHANNEL_TOOL_DIRECTION_X)
 
     def report_axes(self) -> None:
         """Enter the error state if an independent motion of the channel's axes has failed."""

@@ -6,12 +6,12 @@ const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 500
 
 export const run = {
   names: [], units: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],
-  conditions: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
+  conditions: [], lanesShown: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
   block: 0, tick: -1, latest: -1, // the last tick that has run: all values are those after it
   logged: {}, // by the signal's name: a machine's log in ticks of this run
   isPlaying: false, future: null, cycleUs: 1000, detail: null, words: {},
   cursor: null, anchor: null, head: null, line: 0, // between anchor and head: what a person compares
-  firstLane: 0, // of the conditions: the one that the scope shows first
+  firstLane: 0, // of the conditions that fit the filter: the one that the scope shows first
   from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
@@ -28,7 +28,7 @@ const trim = (list, size) => { if (list.length > size) list.splice(0, list.lengt
 
 // Adds what the server sends: each part is new as a whole or goes on behind what is here.
 export const take = (news) => {
-  for (const name of ["names", "units", "hidden", "now", "block", "conditions", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future", "logged"]) {
+  for (const name of ["names", "units", "hidden", "now", "block", "conditions", "lanesShown", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future", "logged"]) {
     if (news[name] !== undefined) run[name] = news[name];
   }
   if (news.rows) {

@@ -119,6 +119,7 @@ CHANNEL_VARIABLES = (
     _state("CYCLES.ACTIVE", "UNS32", ""),
     _state("PATH.DIST_TO_GO", "REAL64", "mm"),
     _state("PATH.RAPID", "UNS32", ""),
+    *(_state(f"TOOL.DIRECTION.{axis}", "REAL64", "") for axis in "XYZ"),
     RealtimeVariable(
         "TIMER",
         "UNS32",

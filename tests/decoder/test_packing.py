@@ -426,6 +426,7 @@ _NOT_QUEUED = {
     commands.Segment,
     commands.DecoderWait,
     commands.DecoderSignal,
+    commands.AwaitTools,
     commands.NextTick,
     commands.Pause,
 }

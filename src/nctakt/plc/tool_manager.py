@@ -26,6 +26,9 @@ class ToolRequest:
     for D0. ``is_preparation``: T or ``#TOOL PREP`` only has it got ready (P-CHAN-00087).
     ``last_t``, ``last_d``: the numbers in force, ``parameters`` the free values of the tool that
     goes: V.G.WZ_AKT.P[0] …
+
+    >>> ToolRequest(channel=1, basic=7).sister
+    0
     """
 
     channel: int
@@ -45,6 +48,9 @@ class ToolData:
     ``offsets`` of the first axes, at most 6; ``parameters`` V.G.WZ_AKT.P[0] …, at most 10.
     ``cutter``: orientation of the cutter (P-TOOL-00002), ``spindle``: logical number of its
     spindle, ``kinematic``: ID of its kinematic, 0 for none.
+
+    >>> ToolData(length=120.5, radius=5.0).offsets
+    ()
     """
 
     length: float = 0.0

@@ -19,11 +19,11 @@ from hypothesis import strategies
 
 from nctakt.base.dataclass import dataclass
 from nctakt.run.controller import NcText
-from nctakt.studies.branch_distance import distances
-from nctakt.studies.coordinates import Coordinates, PlanCoordinates
-from nctakt.studies.cover import covered, reach
-from nctakt.studies.dimension import chance
-from nctakt.studies.search_runs import SearchRuns
+from nctakt.studies.plans.coordinates import Coordinates, PlanCoordinates
+from nctakt.studies.plans.dimension import chance
+from nctakt.studies.searching.branch_distance import distances
+from nctakt.studies.searching.cover import covered, reach
+from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.study import Study
 
 RUNS = 2_000

@@ -35,8 +35,8 @@ from pathlib import Path
 
 from nctakt.base.mode import is_compiled
 from nctakt.decoder.fast.handover import PlainRun
-from nctakt.decoder.state.commands import Segment, waits
-from nctakt.decoder.state.packing import pack
+from nctakt.decoder.state.queued.commands import Segment, waits
+from nctakt.decoder.state.queued.packing import pack
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.run import program_loader
 from nctakt.run.controller import Controller

@@ -23,8 +23,8 @@ from pathlib import Path
 
 from benchmarks.live_page import measure_page
 from nctakt import Controller, NcText, Plc
-from nctakt.run.plc_view import PlcView
-from nctakt.run.tape import TapeWriter
+from nctakt.run.access.tape import TapeWriter
+from nctakt.run.plcs.plc_view import PlcView
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.story import Story

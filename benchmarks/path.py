@@ -19,8 +19,8 @@ from benchmarks.tick import LAWS, REPEATS, program
 from nctakt.base.mode import is_compiled
 from nctakt.kernel import rows
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 #: Blocks that are put into the queue at once.
 CHUNK = 180

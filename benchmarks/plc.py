@@ -22,9 +22,9 @@ import nctakt.plc
 from benchmarks.tick import LAWS, program
 from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
-from nctakt.studies.bench import Bench
-from nctakt.studies.blocks import make_runs
-from nctakt.studies.shared_beginning import maker_of
+from nctakt.studies.runs.bench import Bench
+from nctakt.studies.runs.blocks import make_runs
+from nctakt.studies.runs.shared_beginning import maker_of
 from nctakt.studies.study import Study
 
 SLICES = 200

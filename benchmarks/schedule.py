@@ -20,8 +20,8 @@ from typing import Any
 
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Task, TaskClass, Train
-from nctakt.schedule.results import Simulation
-from nctakt.schedule.simulate import simulate
+from nctakt.schedule.simulation.results import Simulation
+from nctakt.schedule.simulation.simulate import simulate
 
 US = 1000
 REPEATS = 3

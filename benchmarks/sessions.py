@@ -30,8 +30,8 @@ from typing import Any
 
 from nctakt import Controller
 from nctakt.base.dataclass import dataclass
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
-from nctakt.session.workshop import RemoteEngine
 
 LINES = (2_000, 20_000, 200_000, 1_000_000)
 PLACES = 12

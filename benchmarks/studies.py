@@ -22,14 +22,14 @@ from collections.abc import Callable
 from pathlib import Path
 
 from nctakt.run.controller import Controller
-from nctakt.studies.bench import Bench, Row
-from nctakt.studies.blocks import make_runs
-from nctakt.studies.folder_store import FolderStore
-from nctakt.studies.part_folder import PartFolder
-from nctakt.studies.processes import rows_of_processes
-from nctakt.studies.results import write_rows
-from nctakt.studies.shared_beginning import maker_of
+from nctakt.studies.rows.folder_store import FolderStore
+from nctakt.studies.rows.part_folder import PartFolder
+from nctakt.studies.rows.results import write_rows
+from nctakt.studies.runs.bench import Bench, Row
+from nctakt.studies.runs.blocks import make_runs
+from nctakt.studies.runs.shared_beginning import maker_of
 from nctakt.studies.study import Study
+from nctakt.studies.workers.processes import rows_of_processes
 
 PROGRAM = Path(__file__).parent.parent / "examples" / "crossing.nc"
 RUNS = 600
@@ -178,7 +178,7 @@ def main() -> int:
     if "--dask" in sys.argv:
         import distributed  # noqa: PLC0415 - an extra
 
-        from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415
+        from nctakt.studies.workers.cluster import rows_of_cluster  # noqa: PLC0415
 
         with distributed.LocalCluster(n_workers=2, threads_per_worker=1) as cluster:
             client = distributed.Client(cluster)

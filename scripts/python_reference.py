@@ -16,7 +16,7 @@ from nctakt.hli.operator_panel import OperatorPanel
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.hli.plc_side import PlcSide
 from nctakt.results.run import CycleResult, ProgramMessage, ReactionResult, TechnologyOutput
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 

@@ -20,8 +20,8 @@ from support.program_generator import program
 from support.trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
 
 from nctakt.kernel.base.record import Record
-from nctakt.run import realtime_part
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime import realtime_part
 from nctakt.trace.sinks import CsvSink
 
 pytestmark = pytest.mark.slow

@@ -360,11 +360,11 @@ def test_the_list_of_packages_is_complete() -> None:
     """The tree of ``docs/architecture.md`` has each package and subpackage, and no other one."""
     (tree,) = fences("docs/architecture.md", "")
     named: list[str] = []
-    package = ""
+    around: list[str] = []
     for line in tree.splitlines()[1:]:
-        name = line.split()[0]
-        package = name if line.startswith("  " + name) else package
-        named.append(name if name == package else package + name)
+        depth = (len(line) - len(line.lstrip())) // 2
+        around = [*around[: depth - 1], line.split()[0]]
+        named.append("".join(around))
     packages = {path.parent for path in PACKAGE.rglob("__init__.py")} - {PACKAGE}
     assert sorted(named) == sorted(f"{path.relative_to(PACKAGE).as_posix()}/" for path in packages)
 

@@ -15,7 +15,7 @@ import pytest
 
 import nctakt
 from nctakt.base.mode import is_compiled
-from nctakt.schedule.results import Simulation
+from nctakt.schedule.simulation.results import Simulation
 
 SOURCE = Path(nctakt.__file__)
 EXAMPLES = Path(__file__).parent.parent / "examples"
@@ -38,7 +38,7 @@ NOT_FOR_A_PLAIN_RUN = {
     "csv", "decimal", "difflib", "hashlib", "html", "importlib.resources", "json", "matplotlib",
     "multiprocessing", "numpy", "rich", "shutil", "tempfile", "tomllib", "traceback", "xml",
     "nctakt.nc.lint", "nctakt.plc.script", "nctakt.plots", "nctakt.results.coverage",
-    "nctakt.results.why", "nctakt.schedule", "nctakt.testing", "nctakt.trace.reading",
+    "nctakt.results.explained.why", "nctakt.schedule", "nctakt.testing", "nctakt.trace.reading",
 }  # fmt: skip
 
 

@@ -17,6 +17,7 @@ from nctakt.debugger.launch import read_configuration
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time
 from nctakt.project.project_file import find_project
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.option_kinds import Whole
 from nctakt.run.options import (
@@ -29,7 +30,6 @@ from nctakt.run.options import (
     RunKeywords,
     RunOption,
 )
-from nctakt.run.stimuli import Stimulus
 from nctakt.run.tape_words import KEPT, options_of_words, words_of_run
 from nctakt.session.session import Session
 from nctakt.studies.study import Study

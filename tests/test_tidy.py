@@ -12,6 +12,7 @@ import ast
 import functools
 import re
 import runpy
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -31,7 +32,7 @@ NUMBERS = (
     "kernel/codes",
     "kernel/kinematics/map_rows",
     "kernel/rows",
-    "kernel/st/characters",
+    "kernel/st/text/characters",
     "kernel/st/kinds",
 )
 #: What copies the realtime part's state between ticks: made from the types of all others.
@@ -296,7 +297,7 @@ def test_delicate_arithmetic_stands_in_one_module(module: str) -> None:
 def test_the_compilers_directives_stand_in_one_place() -> None:
     """Only ``setup.py`` says how modules are translated, but for those that hold Python objects."""
     saying = {path.parent.name for path in SOURCES if "\n# cython:" in path.read_text("utf-8")}
-    assert saying == {"schedule"}
+    assert saying == {"simulation"}
 
 
 #: A line of a ``.pxd`` that declares one field.
@@ -403,15 +404,16 @@ def imports(path: Path) -> tuple[str, ...]:
 
 #: The files of a session that pace and show what others decide; none of them makes a result.
 PACING = (
-    "session/session.py", "session/thread.py", "session/listening.py", "session/workshop.py",
-    "session/trail.py",  # where ticks are marked to be compared, which changes none of them
-    "session/worker.py",  # how long a request took, by which slices get their length
+    "session/session.py", "session/process/thread.py", "session/listening.py",
+    "session/process/workshop.py",
+    "session/history/trail.py",  # where ticks are marked to be compared, which changes none of them
+    "session/process/worker.py",  # how long a request took, by which slices get their length
 )  # fmt: skip
 
 #: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
 HANDING_OUT = (
-    "studies/blocks.py", "studies/cluster.py", "studies/processes.py",
-    "studies/shared_beginning.py", "studies/worker_process.py",
+    "studies/runs/blocks.py", "studies/workers/cluster.py", "studies/workers/processes.py",
+    "studies/runs/shared_beginning.py", "studies/workers/worker_process.py",
 )  # fmt: skip
 
 
@@ -528,19 +530,16 @@ def layers() -> list[str]:
     text = (ROOT / "docs" / "architecture.md").read_text("utf-8")
     tree = text.split("```\nsrc/nctakt/\n")[1].split("```")[0]
     found: list[str] = []
-    package = ""
+    around: list[str] = []
     for line in tree.splitlines():
-        name = line.split()[0].rstrip("/")
-        if len(line) - len(line.lstrip()) == TOP:
-            package = name
-            found.append(name)
-        else:
-            found.append(f"{package}/{name}")
+        depth = (len(line) - len(line.lstrip())) // STEP
+        around = [*around[: depth - 1], line.split()[0].rstrip("/")]
+        found.append("/".join(around))
     return found
 
 
-#: How far packages are indented in the list of ``docs/architecture.md``; subpackages further.
-TOP = 2
+#: How much further a package inside another one is indented in ``docs/architecture.md``.
+STEP = 2
 
 LAYERS = layers()
 
@@ -559,10 +558,9 @@ def may_import(importer: str, module: str) -> bool:
     The modules of a divided package that are in none of its subpackages are below some of them
     and above others: that no files import each other is all that holds for them.
     """
-    below, above = layer_of(module), layer_of(importer)
-    if "/" not in below or "/" not in above:
-        below, above = below.split("/")[0], above.split("/")[0]
-    return LAYERS.index(below) <= LAYERS.index(above)
+    below, above = layer_of(module).split("/"), layer_of(importer).split("/")
+    common = min(len(below), len(above))
+    return LAYERS.index("/".join(below[:common])) <= LAYERS.index("/".join(above[:common]))
 
 
 def module_of(name: str) -> str | None:
@@ -685,6 +683,21 @@ def test_functions_stay_short() -> None:
         if length > LONGEST_FUNCTION
     ]
     assert long == []
+
+
+#: A folder with more modules has no subject that one line says.
+MOST_MODULES = 20
+
+
+def test_folders_stay_small() -> None:
+    """No folder has more than 20 modules beside ``__init__``."""
+    modules = Counter(path.parent for path in SOURCES if path.stem != "__init__")
+    large = [
+        f"{folder.relative_to(PACKAGE).as_posix()}: {count}"
+        for folder, count in modules.items()
+        if count > MOST_MODULES
+    ]
+    assert large == []
 
 
 def test_lines_of_types_and_scripts_stay_short() -> None:

@@ -74,9 +74,9 @@ if TYPE_CHECKING:
     from nctakt.plc.script import Plc, at, on, when
     from nctakt.plc.tool_manager import ToolData, ToolRequest
     from nctakt.results.run import Run
+    from nctakt.run.access.stimuli import Stimulus
     from nctakt.run.controller import Controller
     from nctakt.run.program_loader import NcText
-    from nctakt.run.stimuli import Stimulus
     from nctakt.schedule.open_schedule import open_schedule, simulate_schedule
     from nctakt.session.session import Session
     from nctakt.studies.fixture import RunStudy
@@ -132,7 +132,7 @@ _MODULES = {
     "RunStudy": "nctakt.studies.fixture",
     "Session": "nctakt.session.session",
     "SpindleJob": "nctakt.plc.public_types",
-    "Stimulus": "nctakt.run.stimuli",
+    "Stimulus": "nctakt.run.access.stimuli",
     "Study": "nctakt.studies.study",
     "ToolData": "nctakt.plc.tool_manager",
     "ToolRequest": "nctakt.plc.tool_manager",

@@ -180,7 +180,7 @@ def test_no_module_uses_those_of_the_standard_library() -> None:
         for node in ast.walk(ast.parse(path.read_text("utf-8")))
         if "dataclass" in names(node) and getattr(node, "module", "") == "dataclasses"
     }
-    assert found == {"base/dataclass.py", "servers/opcua/position.py"}
+    assert found == {"base/dataclass.py", "servers/opcua/model/position.py"}
 
 
 def names(node: ast.AST) -> list[str]:

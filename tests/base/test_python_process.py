@@ -17,7 +17,7 @@ import pytest
 from nctakt.base.python_process import python_command, python_environment
 from nctakt.session.session import Session
 from nctakt.studies.study import Study
-from nctakt.studies.worker_process import WorkerProcess
+from nctakt.studies.workers.worker_process import WorkerProcess
 
 PART = (
     "#RT CYCLE [ID = 1 SCOPE = PROG]\n$IF V.E.VALUE == 0\nV.E.COUNT += 1\n$ENDIF\n#RT CYCLE END\n"
@@ -42,7 +42,7 @@ def trap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def count_branches(folder: Path) -> None:
     """As the language server does for *Count branches*."""
     pytest.importorskip("pygls")
-    from nctakt.editor.presentation import _counted  # noqa: PLC0415 - a library may be missing
+    from nctakt.editor.display.presentation import _counted  # noqa: PLC0415 - a library may be missing
 
     assert asyncio.run(_counted(folder / "part.nc")) == {2: 10}
 

@@ -22,9 +22,9 @@ from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.lists.machine.machine import load_machine
 from nctakt.nc import outline
 from nctakt.results.run import Run
-from nctakt.results.timeline_events import timeline_of
+from nctakt.results.timelines.timeline_events import timeline_of
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.snapshot import Snapshot
+from nctakt.run.realtime.snapshot import Snapshot
 
 #: Channel 1 has X (1), Y (2), Z (3), C (5), channel 2 has X (4); axis 6 belongs to none.
 MACHINE = load_machine(Path(__file__).parent / "exchange_machine")

@@ -22,8 +22,8 @@ from nctakt.messages import Collector
 from nctakt.nc.parse.parser import parse
 from nctakt.nc.parse.printer import print_statement
 from nctakt.nc.source import Source
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 # --- what follows, and how ------------------------------------------------------------------------
 

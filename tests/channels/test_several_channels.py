@@ -12,7 +12,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 from nctakt.trace.reading import read_trace
 from nctakt.trace.sinks import file_sink
 

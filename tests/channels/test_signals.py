@@ -20,9 +20,9 @@ from nctakt.kernel import codes
 from nctakt.lists.machine.machine import load_machine
 from nctakt.nc.meaning.signals import MAX_CHANNEL, SIGNAL_VALUES
 from nctakt.results.run import Run
-from nctakt.results.timeline_events import timeline_of
+from nctakt.results.timelines.timeline_events import timeline_of
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.snapshot import Snapshot
+from nctakt.run.realtime.snapshot import Snapshot
 
 MACHINE = load_machine(Path(__file__).parent.parent / "runs" / "two_channels" / "machine")
 

@@ -16,8 +16,8 @@ from nctakt.checking.path_checker import MAX_LINES
 from nctakt.checking.program_pass import ProgramPass
 from nctakt.lists.machine.machine import load_machine
 from nctakt.nc import inspection
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 EDITS = 30
 

@@ -9,7 +9,7 @@ import pytest
 
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.realtime.assembly import AssembledMachine
 
 DEF = "#RT CYCLE DEF [ID=7 SCOPE=PROG]\n  V.E.COUNT = 1\n#RT CYCLE END\n"
 START = "#RT CYCLE START [ID=7]\n"

@@ -12,8 +12,8 @@ from nctakt.base.diagnostics import Severity
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 #: Programs with one mistake each: its line and number, in a check and in a run.
 WRONG = {

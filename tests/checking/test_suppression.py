@@ -10,8 +10,8 @@ import pytest
 from nctakt.base.text import split_lines
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 CYCLE = """\
 #RT CYCLE [ID=1 SCOPE=PROG]

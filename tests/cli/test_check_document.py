@@ -11,8 +11,8 @@ import pytest
 from nctakt.base.diagnostics import Message
 from nctakt.checking.inputs import PROGRAM_SUFFIXES
 from nctakt.cli import main
-from nctakt.messages import lints
 from nctakt.messages.catalogue import messages_of
+from nctakt.messages.programs import lints
 
 DOCUMENTS = Path(__file__).parents[2] / "docs"
 TEXT = "".join(

@@ -13,7 +13,7 @@ import pytest
 from support.sarif_schema import faults
 
 from nctakt.cli import main
-from nctakt.messages.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
+from nctakt.messages.programs.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
 
 PART = """\
 #RT CYCLE [ID=1 SCOPE=PROG]

@@ -273,7 +273,7 @@ def test_ctrl_c_before_the_command_has_begun(tmp_path: Path) -> None:
 def test_a_controller_whose_session_has_ended_says_nothing(tmp_path: Path) -> None:
     """The command was interrupted while its controller started: there is nothing to connect to."""
     done = subprocess.run(
-        [sys.executable, "-P", "-m", "nctakt.session.worker", str(tmp_path / "gone"), "1"],
+        [sys.executable, "-P", "-m", "nctakt.session.process.worker", str(tmp_path / "gone"), "1"],
         input=bytes(32),
         capture_output=True,
         env={**ENVIRONMENT, "PYTHONPATH": str(SOURCES)},

@@ -13,7 +13,7 @@ from nctakt.reference.concepts import find_concepts
 from nctakt.reference.layout import WIDTH
 from nctakt.reference.messages import MESSAGES
 from nctakt.reference.topics import TOPICS, nearest_word
-from nctakt.studies.measures import read_expectation
+from nctakt.studies.measuring.measures import read_expectation
 from nctakt.testing.expectations import read_script
 
 pytestmark = pytest.mark.slow

@@ -13,7 +13,7 @@ from typing import Any, cast
 import pytest
 
 from nctakt import Controller, hli
-from nctakt.cli import hli_partner
+from nctakt.cli.common import hli_partner
 from nctakt.hli.shared_file import FOLDER
 from nctakt.plc import PartnerPlc, PlcError
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.cli.ci_files import CI_FILES
+from nctakt.cli.common.ci_files import CI_FILES
 from nctakt.files.access import FileAccess
 from nctakt.project.project_file import find_project
 

@@ -10,7 +10,7 @@ import pytest
 from nctakt.plc import PlcError, load_plc
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView
+    from nctakt.run.plcs.plc_view import PlcView
 
 GOOD = """
 from __future__ import annotations

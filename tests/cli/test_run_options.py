@@ -22,13 +22,13 @@ from nctakt.cli import main
 from nctakt.lists.format.times import Time
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import RUNNING_UNCOMPILED
+from nctakt.messages.commands.command_line import RUNNING_UNCOMPILED
+from nctakt.messages.commands.inputs import NOT_AN_ASSIGNMENT
 from nctakt.messages.files import STDIN_NAMED_TWICE
-from nctakt.messages.inputs import NOT_AN_ASSIGNMENT
-from nctakt.messages.plc import PLC_FAILED
+from nctakt.messages.plcs.plc import PLC_FAILED
 from nctakt.plc import PlcError
 from nctakt.results.run import ProgramMessage, Run
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal, TraceHeader
 

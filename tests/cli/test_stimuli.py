@@ -8,7 +8,7 @@ import pytest
 import nctakt
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
-from nctakt.run.stimuli import Stimulus, parse_assignment, parse_stimulus, read_stimulus
+from nctakt.run.access.stimuli import Stimulus, parse_assignment, parse_stimulus, read_stimulus
 
 
 def test_a_number_alone_means_seconds() -> None:

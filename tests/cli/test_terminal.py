@@ -6,8 +6,8 @@ import os
 
 import pytest
 
-from nctakt.cli import terminal
-from nctakt.cli.terminal import ProgressBar, show_at_the_end
+from nctakt.cli.common import terminal
+from nctakt.cli.common.terminal import ProgressBar, show_at_the_end
 from nctakt.run.option_kinds import split_names
 
 

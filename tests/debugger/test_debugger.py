@@ -13,10 +13,10 @@ from support.debug_client import DebugClient, Refused
 
 from nctakt.debugger import report
 from nctakt.debugger.debuggee import Debuggee
-from nctakt.session import timeline
 from nctakt.session.engine import Found
+from nctakt.session.history import timeline
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
-from nctakt.session.workshop import RemoteEngine
 
 pytestmark = pytest.mark.slow
 

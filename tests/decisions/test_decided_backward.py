@@ -16,10 +16,10 @@ from nctakt.decoder.axis_limits import history_blocks
 from nctakt.lists.declared.startup import MAX_BACKWARD_MEMORY, MIN_BACKWARD_MEMORY
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
+from nctakt.run.realtime.assembly import AssembledMachine
 
 SIGNALS = ("X.ACS.ACT_POS", "Y.ACS.ACT_POS", "BLOCK", "HLI.RETRACE")
 

@@ -9,8 +9,8 @@ import pytest
 from support.decided import machine, numbers, perform, told
 
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 CYCLE = "#RT CYCLE [ID=1 SCOPE=BLOCK]\nV.E.COUNT += 1\n#RT CYCLE END\n"
 

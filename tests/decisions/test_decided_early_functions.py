@@ -17,10 +17,10 @@ from support.decided import machine, numbers, perform, told
 
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.lists.machine.machine import load_machine
-from nctakt.messages.lists import LEAD_WITHOUT_EARLY_TYPE
+from nctakt.messages.machines.lists import LEAD_WITHOUT_EARLY_TYPE
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 #: Added to the number of an H function.
 H = 1000

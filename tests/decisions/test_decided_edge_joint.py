@@ -8,8 +8,8 @@ from dataclasses import replace
 from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.machine import load_machine
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 PROBE = [Stimulus("500 ms", "HLI.PROBE", 1.0)]
 BLOCK = "G108\nG01 X100 F6000 M116\n"

@@ -16,7 +16,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.decided import left, numbers, perform
 
-from nctakt.decoder.state.contour_frame import ContourFrame
+from nctakt.decoder.state.geometry.contour_frame import ContourFrame
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller
 

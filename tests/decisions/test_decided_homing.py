@@ -12,10 +12,10 @@ from support.insides import machine_of
 
 from nctakt.lists.machine.homing import AxisHoming
 from nctakt.lists.machine.machine import load_machine
-from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
-from nctakt.messages.offsets import COMMAND_WITHOUT_AXIS
+from nctakt.messages.programs.checked_blocks import EXCLUSIVE_WORDS
+from nctakt.messages.programs.offsets import COMMAND_WITHOUT_AXIS
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 
 def machine(*homing: AxisHoming, keeps_listed_limits: bool = False) -> Controller:

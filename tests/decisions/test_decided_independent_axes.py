@@ -18,9 +18,9 @@ from support.decided import numbers, perform, told
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import MC_MoveAbsolute, Plc
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
 
 #: Z to 10 in 125 ticks.
 TO_10 = "G90 G01 FEED=6000 POS=10"

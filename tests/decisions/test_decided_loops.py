@@ -10,8 +10,8 @@ import pytest
 from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.machine import load_machine
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 #: Ends the loop when so many passes are counted.
 COUNTED = """\

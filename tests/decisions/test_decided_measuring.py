@@ -14,10 +14,10 @@ from support.decided import numbers, perform, told
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.measuring import AxisMeasuring
-from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
+from nctakt.messages.programs.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.plc.loading import load_plc
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 #: 100 mm with 10 mm/s from 0 at 4000 mm/s²: 2.5 ms to the speed, 12.5 µm behind it.
 BLOCK = "G100 X100 F600\n"

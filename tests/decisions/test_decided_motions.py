@@ -13,8 +13,8 @@ import pytest
 from support.decided import numbers, perform, told
 
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 SIGNALS = ["Z.ACS.ACT_POS", "X.ACS.ACT_POS"]
 

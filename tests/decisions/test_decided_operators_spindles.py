@@ -16,11 +16,11 @@ from support.decided import numbers, perform, told
 from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.spindles import NOT_A_SPINDLE_WORD, SPINDLE_WORD_COUNT
+from nctakt.messages.axes.spindles import NOT_A_SPINDLE_WORD, SPINDLE_WORD_COUNT
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 
 def run_of(*lines: str, at: Mapping[int, float] | None = None, spindle: str = "S") -> Run:

@@ -18,8 +18,8 @@ from support.random_seeds import each_seed
 
 from nctakt.plc import MC_MoveAbsolute, Plc
 from nctakt.results.run import Run
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.access.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
 
 BETWEEN = "1ST_POS=-5 2ND_POS=5"
 ON = f"Z[OSC ON {BETWEEN} FEED=6000]"

@@ -12,7 +12,7 @@ from support.insides import machine_of
 
 import nctakt
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

@@ -13,8 +13,8 @@ import pytest
 from support.decided import machine, numbers, perform, told
 
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.realtime_part import INSTRUCTION_COST_NS
+from nctakt.run.plcs.plc_view import PlcView
+from nctakt.run.realtime.realtime_part import INSTRUCTION_COST_NS
 
 
 def test_a_program_with_a_static_mistake_does_not_begin() -> None:

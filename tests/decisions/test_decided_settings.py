@@ -10,7 +10,7 @@ import pytest
 
 import nctakt
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 ACCEPTED, REFUSED, NO_FORM, NOT_SIMULATED, MISSPELT = 900201, 900200, 900233, 900706, 21220
 SIMPLIFIED = 901551

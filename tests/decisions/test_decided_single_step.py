@@ -11,14 +11,14 @@ from support.decided import perform, told
 
 from nctakt.lists.machine.channel_configuration import ALL_LINES, EFFECTIVE_BLOCKS, ONLY_MOTIONS
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.messages.checked_blocks import (
+from nctakt.messages.programs.checked_blocks import (
     INVALID_COMMAND_FORM,
     UNKNOWN_COMMAND_OPTION,
     WORD_VALUE_MISSING,
 )
-from nctakt.messages.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
+from nctakt.messages.programs.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 PROGRAM = """G00 X1
 #SINGLE STEP [DISABLE]

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from support.decided import perform, told
 
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 
 def test_m00_waits_behind_the_functions_of_its_block() -> None:

@@ -14,10 +14,10 @@ from support.decided import numbers, perform, told
 from support.run_folders import changed_machine
 
 from nctakt.lists.machine.machine import load_machine
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.tools import NEGATIVE_TOOL_LIFE
+from nctakt.messages.path.tools import NEGATIVE_TOOL_LIFE
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
-from nctakt.run.stimuli import Stimulus
 
 
 def controller_with(folder: Path, *entries: str) -> Controller:

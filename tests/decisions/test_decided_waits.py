@@ -11,8 +11,8 @@ from support.decided import numbers, perform, told
 
 import nctakt
 from nctakt.cli import main
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

@@ -17,9 +17,9 @@ from support.axis_plans import FASTEST, Plan
 from support.random_seeds import each_seed
 
 from nctakt.plc import MC_MoveAbsolute, Plc
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
 
 AXES = "XYZ"
 

@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Severity
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.snapshot import Snapshot
+from nctakt.run.realtime.snapshot import Snapshot
 
 SIGNALS = ["X.ACS.ACT_POS", "S.SPEED", "S.POSITION", "BLOCK"]
 LISTS = """

@@ -15,8 +15,8 @@ import pytest
 from support.compensated import decoded, distance, way
 
 from nctakt.cli import main
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 START = "D1 G01 F9000\n"
 

@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 
 from nctakt.lists.machine.machine import load_machine
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
 
 
 def events(text: str) -> list[str]:

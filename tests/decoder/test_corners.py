@@ -16,7 +16,7 @@ from hypothesis import strategies as st
 from support.compensated import decoded, way
 
 from nctakt.decoder.shapes import corners
-from nctakt.decoder.state.commands import Segment
+from nctakt.decoder.state.queued.commands import Segment
 from nctakt.kernel import rows
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText

@@ -14,8 +14,8 @@ from nctakt.base.diagnostics import Severity
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 SIGNALS = ("X.ACS.ACT_POS", "Z.ACS.ACT_POS", "S.SPEED", "BLOCK", "PATH.SPEED")
 

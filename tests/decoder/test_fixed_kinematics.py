@@ -12,7 +12,7 @@ from support.kinematic_chains import Map
 
 from nctakt.decoder.kinematics.fixed_types import FIXED_TYPES, fixed_chain
 from nctakt.decoder.kinematics.universal import universal_chain
-from nctakt.lists.machine.kinematics import KinematicAxis, UniversalKinematic
+from nctakt.lists.machine.transformations.kinematics import KinematicAxis, UniversalKinematic
 
 LENGTH = 120.0
 UNITS = 10_000.0

@@ -10,15 +10,15 @@ import pytest
 
 import nctakt
 from nctakt.base.diagnostics import Message
-from nctakt.messages.checked_blocks import NOT_SIMULATED
-from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
-from nctakt.messages.transformations import (
+from nctakt.messages.path.transformations import (
     KINEMATIC_NOT_POSSIBLE,
     NOT_OF_KINEMATIC,
     PARAMETER_DURING_TRANSFORMATION,
     PARAMETER_NOT_PUBLIC,
     UNKNOWN_KINEMATIC,
 )
+from nctakt.messages.programs.checked_blocks import NOT_SIMULATED
+from nctakt.messages.programs.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 

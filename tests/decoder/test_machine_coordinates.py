@@ -8,13 +8,12 @@ from pathlib import Path
 import pytest
 from support.stepped_machine import machine_with_steps, numbers, run
 
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.coordinate_systems import (
+from nctakt.messages.path.coordinate_systems import (
     COORDINATE_SYSTEM_NOT_STORED,
     MACHINE_SYSTEM_MISSING,
 )
-from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
-from nctakt.messages.transformations import (
+from nctakt.messages.path.motion import COMMAND_WORD_NOT_SIMULATED
+from nctakt.messages.path.transformations import (
     CONVERSION_DURING_TRANSFORMATION,
     COORDINATE_SYSTEM_DURING_PTP,
     KIN_ID_DURING_TRANSFORMATION,
@@ -24,6 +23,7 @@ from nctakt.messages.transformations import (
     NOT_IN_MACHINE_COORDINATES,
     TRANSFORMATION_DURING_COMPENSATION,
 )
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
 
 SAY = '#MSG ["%.6f %.6f %.6f", V.A.ABS.X, V.A.ABS.Y, V.A.ABS.Z]\n'
 SHOW = (

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.decoder.state import commands
-from nctakt.decoder.state.axis_commands import (
+from nctakt.decoder.state.queued import commands
+from nctakt.decoder.state.queued.axis_commands import (
     EndOscillation,
     Home,
     MoveAlone,
@@ -14,18 +14,18 @@ from nctakt.decoder.state.axis_commands import (
     Refer,
     SetSoftwareLimits,
 )
-from nctakt.decoder.state.commands import Command
-from nctakt.decoder.state.packing import pack
-from nctakt.decoder.state.probe_commands import Touch, TouchEnd
-from nctakt.decoder.state.spindle_commands import (
+from nctakt.decoder.state.queued.commands import Command
+from nctakt.decoder.state.queued.packing import pack
+from nctakt.decoder.state.queued.probe_commands import Touch, TouchEnd
+from nctakt.decoder.state.queued.spindle_commands import (
     AwaitSpindle,
     CuttingSpeed,
     SpindleAxis,
     SpindleJob,
     SpindleLimits,
 )
-from nctakt.decoder.state.start_block import SingleStep
-from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
+from nctakt.decoder.state.queued.start_block import SingleStep
+from nctakt.decoder.state.queued.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.kernel import codes, rows
 
 SOURCE, NUMBER, REFERENCE = 901, 902, 903

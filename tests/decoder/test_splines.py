@@ -14,7 +14,7 @@ from scipy.interpolate import Akima1DInterpolator, BSpline
 
 from nctakt.decoder.shapes.akima import AkimaCurve
 from nctakt.decoder.shapes.bspline import BsplineCurve
-from nctakt.decoder.state import cubics
+from nctakt.decoder.state.geometry import cubics
 from nctakt.run.controller import Controller, NcText
 
 NUMBER = st.floats(-500, 500)

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 
-from nctakt.nc.vocabulary.system_names import ROWS, SystemRow
+from nctakt.nc.vocabulary.variables.system_names import ROWS, SystemRow
 from nctakt.results.run import ProgramMessage, Run
 from nctakt.run.controller import Controller, NcText
 

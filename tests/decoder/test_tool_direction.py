@@ -10,15 +10,15 @@ from pathlib import Path
 import pytest
 from support.stepped_machine import machine_with_steps, numbers, run
 
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_WORD
-from nctakt.messages.kinematics import ORIENTATION_MODE_WITHOUT_EFFECT
-from nctakt.messages.transformations import (
+from nctakt.messages.machines.kinematics import ORIENTATION_MODE_WITHOUT_EFFECT
+from nctakt.messages.path.transformations import (
     NO_KINEMATIC_SELECTED,
     NO_TOOL_ORIENTATION,
     NOT_IN_MACHINE_COORDINATES,
     POSITION_NOT_REACHED,
     TRANSFORMATION_DURING_COMPENSATION,
 )
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_WORD
 
 SAY = (
     '#MSG ["%.6f %.6f %.6f %.6f %.6f", V.RTA.ACS.ACT_POS.C, V.RTA.ACS.ACT_POS.A,'

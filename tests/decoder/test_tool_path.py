@@ -20,7 +20,7 @@ from support.compensated import Point, Way, distance, places
 
 from nctakt.decoder.contour.rows import ARC, GAP, NOTHING, REACH
 from nctakt.decoder.contour.tool_path import ToolPath
-from nctakt.decoder.state.arcs import arc_of_radius
+from nctakt.decoder.state.geometry.arcs import arc_of_radius
 
 pytestmark = pytest.mark.slow
 

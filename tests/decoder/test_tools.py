@@ -18,8 +18,8 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.policies import after, only
 from nctakt.plc.script import Plc
 from nctakt.results.run import ProgramMessage, Run
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
 

@@ -9,8 +9,7 @@ from pathlib import Path
 import pytest
 from support.stepped_machine import machine_with_steps, numbers, run
 
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.transformations import (
+from nctakt.messages.path.transformations import (
     ARC_DURING_PTP,
     KIN_ID_DURING_TRANSFORMATION,
     KINEMATIC_NOT_POSSIBLE,
@@ -23,6 +22,7 @@ from nctakt.messages.transformations import (
     TRANSFORMATION_DURING_PTP,
     UNKNOWN_KINEMATIC,
 )
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
 
 #: The tip as the decoder has it, and as the realtime part shows it.
 SAY = (

@@ -17,18 +17,11 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 from lsprotocol.types import Position
 
 from nctakt.base.failure import Failure
-from nctakt.editor import (
-    colours,
-    completion,
-    formatting,
-    hints,
-    hover,
-    list_lines,
-    navigation,
-    outline,
-    remedies,
-)
+from nctakt.editor import formatting, list_lines, navigation
+from nctakt.editor.completing import completion
+from nctakt.editor.display import colours, hints, hover, outline
 from nctakt.editor.document import Document, split_text
+from nctakt.editor.edits import remedies
 from nctakt.editor.server import Server
 
 PROGRAM = (

@@ -12,7 +12,7 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 from lsprotocol.types import CompletionItem, InsertTextFormat, Position
 
 from nctakt.base.diagnostics import Severity
-from nctakt.editor.completion import complete
+from nctakt.editor.completing.completion import complete
 from nctakt.editor.document import Document
 from nctakt.editor.workspace import Workspace
 

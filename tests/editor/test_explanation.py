@@ -9,9 +9,9 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 
 from lsprotocol.types import MarkupContent, Position
 
+from nctakt.editor.display.hints import inlay_hints
+from nctakt.editor.display.hover import hover
 from nctakt.editor.document import Document
-from nctakt.editor.hints import inlay_hints
-from nctakt.editor.hover import hover
 from nctakt.editor.workspace import Workspace
 
 PROGRAM = """\

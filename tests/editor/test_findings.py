@@ -15,8 +15,8 @@ from support.random_seeds import FIRST, MANY
 from nctakt.checking.check import check_files
 from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 pytestmark = pytest.mark.slow
 

@@ -24,7 +24,7 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 from lsprotocol.types import ErrorCodes
 from pygls.io_ import run_async
 
-from nctakt.editor import presentation
+from nctakt.editor.display import presentation
 from nctakt.editor.server import Server
 
 INTERNAL = ErrorCodes.InternalError.value

@@ -9,7 +9,7 @@ import pytest
 from lsprotocol import types
 from support.editor_client import Editor
 
-from nctakt.editor.legend import MODIFIERS, TYPES
+from nctakt.editor.display.legend import MODIFIERS, TYPES
 
 pytestmark = pytest.mark.slow
 

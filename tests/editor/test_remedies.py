@@ -14,7 +14,7 @@ from lsprotocol.types import Diagnostic, Range, TextEdit
 
 from nctakt.base.diagnostics import Severity
 from nctakt.editor.document import Document, uri_of
-from nctakt.editor.remedies import actions
+from nctakt.editor.edits.remedies import actions
 from nctakt.editor.workspace import Workspace
 from nctakt.lists.machine.files import DEMO_FOLDER
 

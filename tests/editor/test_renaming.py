@@ -16,10 +16,10 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 from lsprotocol.types import Position
 
 from nctakt.base.failure import Failure
+from nctakt.editor.display.hover import hover
+from nctakt.editor.display.outline import document_symbols
 from nctakt.editor.document import Document, split_text
-from nctakt.editor.hover import hover
 from nctakt.editor.navigation import definition, rename
-from nctakt.editor.outline import document_symbols
 from nctakt.editor.server import Server
 
 

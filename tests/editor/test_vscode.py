@@ -12,7 +12,7 @@ import pytest
 
 pytestmark = pytest.mark.slow
 
-legend = pytest.importorskip("nctakt.editor.legend", reason="pygls is not installed")
+legend = pytest.importorskip("nctakt.editor.display.legend", reason="pygls is not installed")
 document = pytest.importorskip("nctakt.editor.document")
 
 FOLDER = Path(__file__).parents[2] / "editors" / "vscode"

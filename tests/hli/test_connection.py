@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import pytest
 
 from nctakt import Controller, Failure, NcText, hli
-from nctakt.cli.waiting import waiter
+from nctakt.cli.common.waiting import waiter
 from nctakt.hli.connection import PlcConnection
 from nctakt.hli.image_access import ImageAccess
 from nctakt.hli.layout import COMMAND, HEADER, LINK
@@ -20,8 +20,8 @@ from nctakt.hli.places import entry, size_of
 from nctakt.hli.plc_side import PlcSide
 from nctakt.hli.shared_file import FOLDER
 from nctakt.plc import AnyPlc, PartnerPlc
-from nctakt.run.plc_view import PlcView
-from nctakt.run.shared_image import SharedImage
+from nctakt.run.access.shared_image import SharedImage
+from nctakt.run.plcs.plc_view import PlcView
 
 pytestmark = pytest.mark.skipif(not FOLDER.is_dir(), reason="shared memory without files")
 

@@ -10,9 +10,9 @@ import pytest
 from nctakt import Controller, Failure, NcText
 from nctakt.hli.layout import CHANNEL, COMMAND, UNIT
 from nctakt.hli.places import entry, unit_offset
-from nctakt.run.inputs import Cells, Input, unpack
-from nctakt.run.plc_view import PlcView
-from nctakt.run.tape import Tape
+from nctakt.run.access.inputs import Cells, Input, unpack
+from nctakt.run.access.tape import Tape
+from nctakt.run.plcs.plc_view import PlcView
 
 
 def test_what_a_plc_writes_into_the_image_stands_on_the_tape_by_name() -> None:

@@ -33,8 +33,8 @@ from nctakt.hli.layout import (
 from nctakt.hli.places import ImageLayout, entries, entry, image_layout, size_of, unit_offset
 from nctakt.hli.process_watch import ProcessWatch
 from nctakt.plc import PartnerPlc, PlcError
+from nctakt.run.access.shared_image import SharedImage
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.shared_image import SharedImage
 
 ROOT = Path(__file__).parent.parent.parent
 EXAMPLES = ROOT / "examples"

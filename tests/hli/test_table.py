@@ -9,7 +9,7 @@ from nctakt.base.failure import Failure
 from nctakt.hli import table
 from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.machine_names import names_of_machine
+from nctakt.run.access.machine_names import names_of_machine
 
 
 def test_a_path_is_found_with_and_without_the_name_of_its_list() -> None:

@@ -8,7 +8,7 @@ import random
 from support.motion_checks import assert_smooth, run_of
 from support.random_seeds import seeds_in_parts
 
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.access.stimuli import Stimulus
 
 #: What the operator uses in one program: single block, hold, override, backward motion.
 HABITS = (

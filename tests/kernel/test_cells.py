@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from nctakt.hli.layout import LAMPS, PANEL, PANEL_CELLS, SPINDLE, TOOLS, UNIT
 from nctakt.hli.places import entry, size_of
 from nctakt.kernel import cells
-from nctakt.nc.vocabulary.realtime_variables import (
+from nctakt.nc.vocabulary.variables.realtime_variables import (
     AXIS_VARIABLES,
     CHANNEL_VARIABLES,
     SPINDLE_VALUES,

@@ -15,10 +15,10 @@ from support.random_seeds import each_seed
 
 from nctakt.decoder.shapes import contour_curve
 from nctakt.decoder.shapes.contour_curve import End
-from nctakt.decoder.state import cubics
+from nctakt.decoder.state.geometry import cubics
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 SIGNALS = [f"{name}.ACS.ACT_POS" for name in AXES]
 MAX_JERK_MM = 8e-5

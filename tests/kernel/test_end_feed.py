@@ -12,7 +12,7 @@ from support.kernel_rig import DEMO
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 
 def run(text: str) -> Run:

@@ -21,8 +21,8 @@ from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.kernel.cycles.expressions import Constant, Index, Load, LoadElement
 from nctakt.kernel.cycles.instructions import AssignElement, AssignReal
-from nctakt.kernel.path.edge_probe import EdgeProbe
 from nctakt.kernel.path.path import Path as KernelPath
+from nctakt.kernel.path.probing.edge_probe import EdgeProbe
 from nctakt.kernel.plc.image_slots import SectionUnits, SpindleUnits, Units
 from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.plc.technology_slots import Hli, Section

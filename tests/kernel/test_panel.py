@@ -8,9 +8,9 @@ from support.kernel_rig import DEMO, RAPID, Rig, assert_within_limits
 
 from nctakt.base.failure import Failure
 from nctakt.kernel import cells
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
 
 MOVES = NcText("p.nc", "N10 G00 X10\nN20 G00 X20\nM30")
 

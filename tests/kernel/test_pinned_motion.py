@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from support.motion_checks import assert_smooth, blocks, positions, run_of
 
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.access.stimuli import Stimulus
 
 
 def test_a_corner_takes_of_each_axis_of_an_arc_what_it_uses_of_it() -> None:

@@ -19,7 +19,7 @@ from nctakt.base.mode import is_compiled
 COUNTING = """
 import math, sys
 from nctakt.kernel import rows
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.lists.machine.machine import load_machine
 
 kind, blocks = sys.argv[1], int(sys.argv[2])

@@ -10,7 +10,7 @@ from support.insides import machine_of
 from support.kernel_rig import DEMO
 
 from nctakt.kernel import cells
-from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.nc.vocabulary.variables.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.run.controller import Controller, NcText
 
 PROGRAM = """#RT CYCLE [SCOPE=PROG]

@@ -21,10 +21,10 @@ from support.random_seeds import MANY, all_seeds
 
 from nctakt.base.mode import is_compiled
 from nctakt.lists.machine.machine import Machine, load_machine
+from nctakt.run.access.machine_names import names_of_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.machine_names import names_of_machine
-from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.snapshot import Snapshot
+from nctakt.run.realtime.realtime_part import RealtimePart
+from nctakt.run.realtime.snapshot import Snapshot
 
 #: Of so many run folders one is taken, unless ``NCTAKT_SEEDS`` asks for all.
 EACH = 1 if MANY else 24

@@ -22,7 +22,7 @@ from support.kinematic_chains import (
 from support.random_seeds import all_seeds
 
 from nctakt.kernel.kinematics import map_rows
-from nctakt.lists.machine.kinematics import CLASSIC_MODES
+from nctakt.lists.machine.transformations.kinematics import CLASSIC_MODES
 
 TOLERANCE_MM = 1e-9
 

@@ -11,8 +11,8 @@ from support.motion_machines import machine
 from support.motion_programs import MotionProgram
 from support.random_seeds import seeds_in_parts
 
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 #: So many ticks behind the stop everything stands.
 BRAKING_TICKS = 1500

@@ -16,7 +16,7 @@ from support.random_seeds import seeds_in_parts
 
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 #: The operator lets go behind so many ticks.
 PLAY_TICKS = 4000

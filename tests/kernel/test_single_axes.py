@@ -15,7 +15,7 @@ import pytest
 from support.kernel_rig import DEMO, Rig
 
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.trace.events import EventDecoder
 
 X, Y, Z, A = range(4)

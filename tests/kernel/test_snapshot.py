@@ -19,12 +19,12 @@ from nctakt.decoder.state.kept_trees import KeptTrees
 from nctakt.kernel.cycles.cycles import CycleManager
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.plc import load_plc
+from nctakt.run.access.machine_names import names_of_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.machine_names import names_of_machine
 from nctakt.run.program_loader import LoadedProgram
-from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.snapshot import Snapshot
-from nctakt.studies.bench import Digest
+from nctakt.run.realtime.realtime_part import RealtimePart
+from nctakt.run.realtime.snapshot import Snapshot
+from nctakt.studies.runs.bench import Digest
 
 RUNS = Path(__file__).parent.parent / "runs"
 

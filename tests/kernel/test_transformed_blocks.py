@@ -16,8 +16,8 @@ from support.random_seeds import seeds_in_parts
 from support.transformed_programs import machine, tip, transformed_program
 
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 SIGNALS = [
     *(f"{name}.ACS.ACT_POS" for name in NAMES),

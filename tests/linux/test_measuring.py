@@ -24,9 +24,9 @@ from nctakt.linux.measure import Measurement, late_wakes, measure
 from nctakt.linux.plan import Plan, crowded_cpus, make_plan
 from nctakt.linux.run import RunLog
 from nctakt.schedule.model import Model, TaskClass
-from nctakt.schedule.results import Event, EventKind, Record, Simulation
-from nctakt.schedule.simulate import simulate
-from nctakt.schedule.tracebits import calls_of
+from nctakt.schedule.simulation.results import Event, EventKind, Record, Simulation
+from nctakt.schedule.simulation.simulate import simulate
+from nctakt.schedule.simulation.tracebits import calls_of
 
 _Row = tuple[int, int, int, int, int, int]
 

@@ -23,16 +23,16 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.files.access import FileAccess
 from nctakt.hli.plc_entries import TechnologyEntry
 from nctakt.lists.machine.machine import load_machine
-from nctakt.messages.linux_run import SCHED_FIFO_NOT_PERMITTED
+from nctakt.messages.scheduling.linux_run import SCHED_FIFO_NOT_PERMITTED
 from nctakt.results.run import ProgramMessage
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.inputs import DECODED, LOST, OVERFLOWED, SCHEDULE, Cells, Input, unpack
+from nctakt.run.access.inputs import DECODED, LOST, OVERFLOWED, SCHEDULE, Cells, Input, unpack
+from nctakt.run.access.tape import Tape, read_tape
 from nctakt.run.options import RunKeywords, completed
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 from nctakt.run.program_run import ProgramRun
-from nctakt.run.real_schedule import RealSchedule, _plan
-from nctakt.run.scheduled_run import scheduled
-from nctakt.run.tape import Tape, read_tape
+from nctakt.run.realtime.assembly import AssembledMachine
+from nctakt.run.scheduled.real_schedule import RealSchedule, _plan
+from nctakt.run.scheduled.scheduled_run import scheduled
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup

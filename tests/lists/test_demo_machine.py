@@ -12,8 +12,8 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.axis_configuration import AxisType
+from nctakt.lists.machine.external.variables import AccessRights, Leaf
 from nctakt.lists.machine.machine import BUILT_IN_MACHINES, Machine, load_machine
-from nctakt.lists.machine.variables import AccessRights, Leaf
 from nctakt.run.controller import Controller, NcText
 
 

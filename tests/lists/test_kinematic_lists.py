@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.lists.machine.kinematics import Transformations
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.messages import kinematics
+from nctakt.lists.machine.transformations.kinematics import Transformations
+from nctakt.messages.machines import kinematics
 
 KINEMATIC_MESSAGES = [
     message for name, message in vars(kinematics).items() if name.startswith("KINEMATIC")

@@ -23,8 +23,8 @@ from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 DEMO = {
     path.name: decode_text(path.read_bytes()).text

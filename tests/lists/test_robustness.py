@@ -14,8 +14,8 @@ from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.machine.axis_configuration import axis_configuration
 from nctakt.lists.machine.channel_configuration import channel_parameters
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.variables import variables_configuration
+from nctakt.lists.machine.external.variables import variables_configuration
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
 from nctakt.messages import Collector
 
 WORDS = ["0", "1", "-1", "7", "0x10", "99999999999", "TRUE", "MOS", "MOS | PLC_INFO", '"A', "A B"]

@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from nctakt.lists.declared.rtconf import InterruptSource, RtconfConfiguration
-from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
 from nctakt.messages import Collector
 
 GEO = """\

@@ -7,10 +7,10 @@ import pytest
 
 from nctakt.base.diagnostics import Severity
 from nctakt.lists.declared.rtconf import InterruptSource, RtconfConfiguration
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_checks import check_contexts
-from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
-from nctakt.lists.machine.scheduling_source import read_source
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_checks import check_contexts
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling_source import read_source
 from nctakt.messages import Collector
 
 HARDWARE, TIMER = InterruptSource.HARDWARE, InterruptSource.TIMER

@@ -8,7 +8,7 @@ import pytest
 from nctakt.lists.declared.schemas import VARIABLES
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.format.list_check import load_list
-from nctakt.lists.machine.variables import (
+from nctakt.lists.machine.external.variables import (
     MANAGEMENT_BYTES,
     MAX_LEAVES,
     AccessRights,

@@ -15,8 +15,8 @@ from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.parameter import shown
 from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 FOLDER = Path(__file__).parent.parent / "machines" / "workshop"
 COUNT = 300

@@ -11,7 +11,7 @@ import pytest
 
 uvicorn = pytest.importorskip("uvicorn", reason="the live page needs NiceGUI")
 
-from nctakt.live import connections  # noqa: E402 - behind the library that it needs
+from nctakt.live.access import connections  # noqa: E402 - behind the library that it needs
 
 GET = b"GET / HTTP/1.1\r\nHost: a\r\n\r\n"
 

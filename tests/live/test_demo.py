@@ -12,8 +12,8 @@ from support.page_driving import BROWSER, chromium, opened, served
 from nctakt.base.diagnostics import Language
 from nctakt.cli import main
 from nctakt.cli.demo import AREA, CELL, MACHINE, STIMULI
+from nctakt.live.parts.tour import brought
 from nctakt.live.texts import Texts
-from nctakt.live.tour import brought
 from nctakt.session.session import Session
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page needs it

@@ -6,7 +6,7 @@ import socket
 import pytest
 
 from nctakt.base.failure import Failure
-from nctakt.live.guard import Access
+from nctakt.live.access.guard import Access
 from nctakt.live.server import usable_port
 
 LOCAL = {"host": "127.0.0.1:8765"}

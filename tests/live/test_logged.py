@@ -12,7 +12,7 @@ import pytest
 from support.page_driving import BROWSER, chromium, opened, served
 
 from nctakt.run.controller import Controller
-from nctakt.studies.faults import FaultyPlc, PlcFaults
+from nctakt.studies.plans.faults import FaultyPlc, PlcFaults
 
 if find_spec("nicegui") is None:
     pytest.skip("the live page needs NiceGUI", allow_module_level=True)

@@ -16,7 +16,7 @@ from support.page_driving import BROWSER, chromium, opened, served
 
 from nctakt import Session
 from nctakt.live import view
-from nctakt.live.explaining import bars_of
+from nctakt.live.parts.explaining import bars_of
 from nctakt.live.texts import Texts
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it

@@ -14,12 +14,12 @@ from nctakt.live import track, view
 from nctakt.live.conditions import conditions_of
 from nctakt.live.document import Checker, Document
 from nctakt.live.event_words import event_words
-from nctakt.live.keys import GROUPS, KEYS
+from nctakt.live.parts.keys import GROUPS, KEYS
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import LogRow, Snapshot
 from nctakt.messages import diagnostic
-from nctakt.messages.decoder import NO_FEED_ACTIVE
+from nctakt.messages.programs.decoder import NO_FEED_ACTIVE
 from nctakt.results.compared import Compared
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.listening import MAX_NOTICES

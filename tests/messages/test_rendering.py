@@ -8,10 +8,10 @@ import pytest
 from nctakt.base.diagnostics import NOTHING, Span, number_text
 from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
-from nctakt.messages.checked_blocks import UNKNOWN_COMMAND, UNKNOWN_WORD
-from nctakt.messages.checked_values import UNKNOWN_VARIABLE
-from nctakt.messages.motion import INVALID_CONTOUR_DEVIATION
-from nctakt.messages.nc_text import VALUE_EXPECTED
+from nctakt.messages.path.motion import INVALID_CONTOUR_DEVIATION
+from nctakt.messages.programs.checked_blocks import UNKNOWN_COMMAND, UNKNOWN_WORD
+from nctakt.messages.programs.checked_values import UNKNOWN_VARIABLE
+from nctakt.messages.programs.nc_text import VALUE_EXPECTED
 from nctakt.nc.parse.expressions import END_OF_BLOCK
 
 

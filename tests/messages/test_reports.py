@@ -6,6 +6,7 @@ from __future__ import annotations
 import ast
 import functools
 import importlib
+import pkgutil
 import re
 from collections import Counter
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from pathlib import Path
 
 import pytest
 
-import nctakt
+import nctakt.messages
 from nctakt.base.diagnostics import Message
 from nctakt.messages.catalogue import catalogue, is_own
 from nctakt.messages.unreached import UNREACHED
@@ -25,8 +26,8 @@ KERNEL = SOURCES / "kernel"
 
 NAMES = {
     name: message
-    for module in sorted(MESSAGES.glob("*.py"))
-    for name, message in vars(importlib.import_module(f"nctakt.messages.{module.stem}")).items()
+    for module in pkgutil.walk_packages(nctakt.messages.__path__, "nctakt.messages.")
+    for name, message in vars(importlib.import_module(module.name)).items()
     if isinstance(message, Message)
 }
 
@@ -37,7 +38,7 @@ def trees() -> dict[str, ast.Module]:
     return {
         path.relative_to(SOURCES).as_posix(): ast.parse(path.read_text("utf-8"))
         for path in sorted(SOURCES.rglob("*.py"))
-        if path.parent != MESSAGES
+        if MESSAGES not in path.parents
     }
 
 

@@ -15,7 +15,13 @@ from support.nc_chunks import FOLDER, expected_messages, read_chunks
 
 from nctakt.base.diagnostics import Message
 from nctakt.base.text import decode_text, split_lines
-from nctakt.messages import checked_axes, checked_blocks, checked_cycles, checked_values, lints
+from nctakt.messages.programs import (
+    checked_axes,
+    checked_blocks,
+    checked_cycles,
+    checked_values,
+    lints,
+)
 
 CORPUS = Path(os.environ.get("NCTAKT_CORPUS", FOLDER.parents[2] / "corpus"))
 

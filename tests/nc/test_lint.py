@@ -19,12 +19,12 @@ from nctakt.checking.program import check_program
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
-from nctakt.messages import lints as lint_messages
-from nctakt.messages.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
-from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
-from nctakt.messages.extensions import EXTENSION_USED
-from nctakt.messages.feed import FEED_NOT_POSITIVE, INVALID_PROGRAM_OVERRIDE
-from nctakt.messages.realtime import CYCLE_ID_IN_USE, CYCLE_VALUE_OUT_OF_RANGE
+from nctakt.messages.axes.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
+from nctakt.messages.path.feed import FEED_NOT_POSITIVE, INVALID_PROGRAM_OVERRIDE
+from nctakt.messages.programs import lints as lint_messages
+from nctakt.messages.programs.decoder import VALUE_OUTSIDE_TYPE_RANGE
+from nctakt.messages.programs.extensions import EXTENSION_USED
+from nctakt.messages.programs.realtime import CYCLE_ID_IN_USE, CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc.lint.linter import never_deleted
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.source import Source

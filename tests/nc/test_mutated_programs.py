@@ -17,8 +17,8 @@ from support.random_seeds import seeds_in_parts
 from nctakt.base.text import decode_text
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 ROOT = Path(__file__).parent.parent.parent
 DEMO = load_machine(None)

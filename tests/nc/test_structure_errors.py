@@ -8,8 +8,8 @@ import pytest
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 #: Each line but those of M30 and the structures has a finding.
 REST = """\

@@ -32,7 +32,7 @@ from nctakt.plc import (
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 WAIT = "G04 X0.500\nM30"
 STANDSTILL, DISCRETE, CONTINUOUS, STOPPING, ERROR_STOP, SYNCHRONIZED = 1, 2, 3, 4, 5, 6

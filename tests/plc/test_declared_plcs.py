@@ -16,10 +16,10 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.plc import ALL, NONE, Plc, after, at, load_plc, on, only, run_up, when
 from nctakt.results.run import Run
+from nctakt.run.access.input_words import API
+from nctakt.run.access.inputs import Cells, Input, unpack
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.input_words import API
-from nctakt.run.inputs import Cells, Input, unpack
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 PROGRAM = """
 #RT CYCLE [SCOPE=PROG]

@@ -10,8 +10,8 @@ import pytest
 
 from nctakt import Controller, Failure, NcText
 from nctakt.hli.plc_entries import AXIS_ALIASES, AXIS_NAMES, CHANNEL_ALIASES, CHANNEL_NAMES
-from nctakt.run import hli_values
-from nctakt.run.plc_view import PlcView
+from nctakt.run.access import hli_values
+from nctakt.run.plcs.plc_view import PlcView
 
 MOVE = NcText("move.nc", "N10 G01 X100 F6000\nN20 M30\n")
 OVERRIDE = "gpCh[0]^.bahn_mc_control.override"

@@ -16,7 +16,7 @@ from nctakt.plc import MC_MoveAbsolute, MC_MoveVelocity, Plc
 from nctakt.plc.axes import AxisBlock
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 #: A cycle that sends Z to -5 as soon as V.E.TRIGGER is 1.
 CYCLE = """#RT CYCLE [ID=1 SCOPE=PROG]

@@ -35,7 +35,7 @@ from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.kernel import codes
 from nctakt.lists.machine.machine import load_machine
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 DEMO = load_machine(None)
 #: Rules of one PLC.

@@ -27,7 +27,7 @@ from nctakt.plc import (
 )
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 FOUR = "#RT CYCLE\n$IF ONCE TRUE\nM100\nM101\nH100\n$ENDIF\n#RT CYCLE END\nM102\nG04 X0.020\nM30"
 

@@ -12,8 +12,8 @@ from nctakt.base.failure import Failure
 from nctakt.hli.variables_memory import describe
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.structured_text import load_structured
-from nctakt.results.plc_histories import Fact, PlcHistory
-from nctakt.results.why import WhyReport
+from nctakt.results.explained.plc_histories import Fact, PlcHistory
+from nctakt.results.explained.why import WhyReport
 
 TASK = """\
 CONFIGURATION Cell

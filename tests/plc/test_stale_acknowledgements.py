@@ -11,7 +11,7 @@ import pytest
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.plc import NONE, Plc, load_plc
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 REALISTIC = Path(__file__).parent.parent / "machines" / "centre"
 WAITING = "M100\nG04 X0.005\nM101\nG04 X0.005\nM102\nG04 X0.005\nM30"

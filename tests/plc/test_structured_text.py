@@ -22,12 +22,12 @@ from nctakt.plc import Plc, on
 from nctakt.plc.error import PlcError
 from nctakt.plc.structured_text import StructuredPlc, load_structured
 from nctakt.results.run import Run
+from nctakt.run.access.inputs import unpack
+from nctakt.run.access.stimuli import Stimulus, StimulusLike, parse_stimulus
+from nctakt.run.access.tape import Tape
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.inputs import unpack
-from nctakt.run.plc_view import AnyPlc, PlcView
-from nctakt.run.realtime_plc import PlcGroup
-from nctakt.run.stimuli import Stimulus, StimulusLike, parse_stimulus
-from nctakt.run.tape import Tape
+from nctakt.run.plcs.plc_view import AnyPlc, PlcView
+from nctakt.run.plcs.realtime_plc import PlcGroup
 from nctakt.testing.expectations import read_expectation
 from nctakt.testing.queries import NcRun
 from nctakt.testing.verdict import differences

@@ -24,7 +24,7 @@ from support.runs_to_draw import PART, drawn
 
 from nctakt import Plc, after
 from nctakt.results.run import Run
-from nctakt.results.timeline_branches import branch_tracks
+from nctakt.results.timelines.timeline_branches import branch_tracks
 
 pytestmark = pytest.mark.slow
 

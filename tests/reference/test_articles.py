@@ -9,11 +9,11 @@ import pytest
 
 from nctakt.base.diagnostics import Text
 from nctakt.nc import tree
-from nctakt.nc.check import realtime_cycles
+from nctakt.nc.check.cycles import realtime_cycles
 from nctakt.nc.parse import hash_commands
-from nctakt.nc.vocabulary import axis_commands
 from nctakt.nc.vocabulary.keywords import KEYWORDS
-from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.nc.vocabulary.single_axes import axis_commands
+from nctakt.nc.vocabulary.variables.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
 from nctakt.reference.article import Article, Topic
 from nctakt.reference.topics import TOPICS, explain, nearest_word
 

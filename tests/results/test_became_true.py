@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 #: Cycle 17 lives in ticks 0 … 99. V.E.CONDITION is 1 in ticks 10 … 19 and 50 … 79.
 PROGRAM = """\

@@ -10,7 +10,7 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 PART = NcText("p.nc", "G04 X0.010\nM30\n")
 

@@ -5,8 +5,8 @@ import pytest
 
 from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import INVALID_TIME
-from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
+from nctakt.messages.commands.inputs import INVALID_TIME
+from nctakt.messages.programs.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader

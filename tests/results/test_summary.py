@@ -5,7 +5,7 @@ import io
 
 from nctakt.base.diagnostics import Span
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import RUNNING_UNCOMPILED
+from nctakt.messages.commands.command_line import RUNNING_UNCOMPILED
 from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.results.run import CycleResult, OutputCount, ReactionResult, Run
 from nctakt.results.summary import print_summary

@@ -11,8 +11,8 @@ import pytest
 from support.runs_to_draw import drawn, timeline
 
 from nctakt import Plc, after
-from nctakt.results.timeline import KINDS, Slice, Track, rows_of
-from nctakt.results.timeline_events import timeline_of
+from nctakt.results.timelines.timeline import KINDS, Slice, Track, rows_of
+from nctakt.results.timelines.timeline_events import timeline_of
 from nctakt.run.controller import Controller
 from nctakt.schedule.open_schedule import open_schedule
 

@@ -7,9 +7,9 @@ import pytest
 from support.why_runs import TOGGLE, why
 
 from nctakt.results.branch_log import CHANGES_KEPT, SERIES_KEPT
+from nctakt.results.explained.reasons import truth_at, why_branch_idle
 from nctakt.results.histories import Reason
 from nctakt.results.probe_log import CYCLES_KEPT
-from nctakt.results.reasons import truth_at, why_branch_idle
 
 
 @pytest.mark.parametrize("over", [-1, 0, 1])

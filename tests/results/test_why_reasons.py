@@ -6,8 +6,8 @@ from __future__ import annotations
 import pytest
 from support.why_runs import EDGE, NESTED, NESTED_AT, ONCE, never, series, why
 
+from nctakt.results.explained.reasons import why_branch_idle, why_cycle_idle, why_cycle_never
 from nctakt.results.histories import Reason
-from nctakt.results.reasons import why_branch_idle, why_cycle_idle, why_cycle_never
 from nctakt.run.controller import Controller, NcText
 
 

@@ -7,7 +7,7 @@ import pytest
 from support.why_runs import NESTED, NESTED_AT, ONCE, TOGGLE, why
 
 from nctakt.base.failure import Failure
-from nctakt.results.why_words import ENDS_SHOWN
+from nctakt.results.explained.why_words import ENDS_SHOWN
 
 ENGLISH = """\
 realtime cycle 17  part.nc:1  PROG

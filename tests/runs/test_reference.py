@@ -28,8 +28,8 @@ from support.reference_runs import (
 from support.slow_expressions import FUNCTIONS, NUMBERS, PRECEDENCE, Tree, element, text_of
 
 from nctakt.lists.machine.machine import load_machine
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 DEMO = load_machine(None)
 

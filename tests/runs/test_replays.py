@@ -11,7 +11,7 @@ import pytest
 from support.run_folders import FOLDERS, HERE, perform, settings
 
 from nctakt.files.access import FileAccess
-from nctakt.run.tape import TapeComparison, TapeWriter, read_tape
+from nctakt.run.access.tape import TapeComparison, TapeWriter, read_tape
 from nctakt.trace.sinks import JsonlSink
 
 pytestmark = pytest.mark.slow

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nctakt.run.input_words import API, WRITE
-from nctakt.run.inputs import ACKNOWLEDGE, AXIS, PLC, Cells, Input
-from nctakt.run.tape_lines import InputLines, inputs_of
+from nctakt.run.access.input_words import API, WRITE
+from nctakt.run.access.inputs import ACKNOWLEDGE, AXIS, PLC, Cells, Input
+from nctakt.run.access.tape_lines import InputLines, inputs_of
 
 
 def cells_of(inputs: list[Input]) -> Cells:

@@ -9,16 +9,16 @@ from pathlib import Path
 import pytest
 from support.run_folders import FOLDERS, HERE, perform
 
-from nctakt.results.histories import BranchHistory, CycleHistory
-from nctakt.results.reasons import (
+from nctakt.results.explained.reasons import (
     truth_at,
     why_branch_idle,
     why_branch_never,
     why_cycle_idle,
     why_cycle_never,
 )
+from nctakt.results.explained.why import WhyReport
+from nctakt.results.histories import BranchHistory, CycleHistory
 from nctakt.results.run import Run
-from nctakt.results.why import WhyReport
 from nctakt.run.controller import Controller
 
 pytestmark = pytest.mark.slow

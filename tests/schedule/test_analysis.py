@@ -19,12 +19,12 @@ from support.schedule_examples import (
 )
 from support.schedule_models import models
 
-from nctakt.schedule.analyse import Analysis, analyse
-from nctakt.schedule.findings import analysis_findings, simulation_findings
-from nctakt.schedule.margins import find_margins, with_cycle, with_time, with_windows
+from nctakt.schedule.analysis.analyse import Analysis, analyse
+from nctakt.schedule.analysis.findings import analysis_findings, simulation_findings
+from nctakt.schedule.analysis.margins import find_margins, with_cycle, with_time, with_windows
+from nctakt.schedule.analysis.self_check import contradictions
 from nctakt.schedule.model import Execution, Model, Rules
-from nctakt.schedule.self_check import contradictions
-from nctakt.schedule.simulate import hyperperiod, simulate
+from nctakt.schedule.simulation.simulate import hyperperiod, simulate
 
 pytestmark = pytest.mark.slow
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 from support.random_models import phases, random_model
 from support.random_seeds import seeds_in_parts
 
-from nctakt.schedule.analyse import analyse
+from nctakt.schedule.analysis.analyse import analyse
+from nctakt.schedule.analysis.self_check import contradictions
 from nctakt.schedule.model import Model
-from nctakt.schedule.self_check import contradictions
-from nctakt.schedule.simulate import hyperperiod, simulate
+from nctakt.schedule.simulation.simulate import hyperperiod, simulate
 
 
 def simulated(model: Model) -> int:

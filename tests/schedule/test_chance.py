@@ -8,7 +8,7 @@ import random
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from nctakt.schedule.chance import Chance
+from nctakt.schedule.simulation.chance import Chance
 
 RANGES = st.tuples(st.integers(-(2**40), 2**40), st.integers(0, 2**43))
 

@@ -12,18 +12,18 @@ from support.random_models import random_model
 from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make
 
 from nctakt.cli import main
-from nctakt.schedule.drawn_cycles import (
+from nctakt.schedule.model import Model
+from nctakt.schedule.pictures.drawn_cycles import (
     MAX_DRAWN,
     first_overflow,
     shown_cycles,
     shown_together,
     simulate_shown,
 )
-from nctakt.schedule.interpolation_steps import parts_of
-from nctakt.schedule.model import Model
-from nctakt.schedule.results import EventKind, Simulation
-from nctakt.schedule.simulate import simulate
-from nctakt.schedule.tracebits import Ran, calls_of
+from nctakt.schedule.simulation.interpolation_steps import parts_of
+from nctakt.schedule.simulation.results import EventKind, Simulation
+from nctakt.schedule.simulation.simulate import simulate
+from nctakt.schedule.simulation.tracebits import Ran, calls_of
 
 LIST = """\
 cycle_time 2000

@@ -17,9 +17,9 @@ from nctakt.messages import Collector
 from nctakt.schedule.learn import learn
 from nctakt.schedule.load import read_load
 from nctakt.schedule.model import Model
-from nctakt.schedule.simulate import simulate
+from nctakt.schedule.simulation.simulate import simulate
+from nctakt.schedule.simulation.tracebits import trace_bits
 from nctakt.schedule.trace_reader import Recording, read_recording
-from nctakt.schedule.tracebits import trace_bits
 
 Capture = pytest.CaptureFixture[str]
 US = 1000

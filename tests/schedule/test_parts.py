@@ -10,9 +10,9 @@ import pytest
 from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make, with_line
 
 from nctakt.cli import main
-from nctakt.schedule.interpolation_steps import dead_times, parts_of
 from nctakt.schedule.model import PARTS, Model
-from nctakt.schedule.simulate import simulate
+from nctakt.schedule.simulation.interpolation_steps import dead_times, parts_of
+from nctakt.schedule.simulation.simulate import simulate
 
 Capture = pytest.CaptureFixture[str]
 GIVEN = "task_int = { input = 50, interpolation = 310, output = 40 }"

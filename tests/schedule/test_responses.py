@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.schedule_examples import EXAMPLE_1, TIGHT, load_text, make
 
-from nctakt.schedule.counters import Counters
-from nctakt.schedule.responses import PERCENTILES_PER_MILLE, ResponseCounts
-from nctakt.schedule.simulate import simulate
+from nctakt.schedule.simulation.counters import Counters
+from nctakt.schedule.simulation.responses import PERCENTILES_PER_MILLE, ResponseCounts
+from nctakt.schedule.simulation.simulate import simulate
 
 US = 1000
 

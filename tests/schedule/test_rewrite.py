@@ -10,8 +10,8 @@ from support.schedule_examples import EXAMPLE_1, EXAMPLE_2, with_line
 from support.scheduling_entries import KEYS, VALUES
 
 from nctakt.lists.declared.rtconf import RtconfConfiguration
-from nctakt.lists.machine.scheduling import read_rtconf
-from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling import read_rtconf
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.rewrite import RewrittenList, rewrite
 

@@ -16,9 +16,9 @@ from support.schedule_examples import (
 )
 
 from nctakt.schedule.model import Model, Rules
-from nctakt.schedule.results import EventKind, Simulation
-from nctakt.schedule.simulate import simulate
-from nctakt.schedule.tracebits import trace_bits
+from nctakt.schedule.simulation.results import EventKind, Simulation
+from nctakt.schedule.simulation.simulate import simulate
+from nctakt.schedule.simulation.tracebits import trace_bits
 
 US = 1000
 GEO, BG, MMI, COM = "GEO", "BACKGROUND_", "MMI_DRIVER", "COM"

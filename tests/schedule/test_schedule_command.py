@@ -11,7 +11,7 @@ import pytest
 from support.schedule_examples import EXAMPLE_1, EXAMPLE_2, TIGHT, german, load_text, with_line
 
 from nctakt.cli import main
-from nctakt.lists.machine.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
 from nctakt.messages import Collector
 
 Capture = pytest.CaptureFixture[str]
@@ -277,7 +277,9 @@ def test_analysis_that_contradicts_the_simulation(
     folder: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A response above its bound is an internal error that names the thread."""
-    monkeypatch.setattr("nctakt.schedule.response._BusyTime.longest_response", lambda busy: 1)
+    monkeypatch.setattr(
+        "nctakt.schedule.analysis.response._BusyTime.longest_response", lambda busy: 1
+    )
     assert run("analyse", folder / "rtconf.lis", "--load", folder / "load.toml") == 3
     assert "GEO: response 400000 ns, bound 1 ns" in capsys.readouterr().err
 

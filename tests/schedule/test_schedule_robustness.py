@@ -11,21 +11,21 @@ from support.scheduling_entries import KEYS, VALUES
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.mode import is_compiled
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
-from nctakt.schedule.analyse import analyse
+from nctakt.schedule.analysis.analyse import analyse
+from nctakt.schedule.analysis.findings import analysis_findings, simulation_findings
+from nctakt.schedule.analysis.margins import find_margins
+from nctakt.schedule.analysis.worst_phase import simulate_worst_phases
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.effective_table import effective_rows
-from nctakt.schedule.figure import svg
-from nctakt.schedule.findings import analysis_findings, simulation_findings
-from nctakt.schedule.gantt import PictureTitle, gantt
 from nctakt.schedule.load import ASSUMED, read_load
-from nctakt.schedule.margins import find_margins
 from nctakt.schedule.model import Rules
-from nctakt.schedule.report import analysis_report, simulation_report
-from nctakt.schedule.simulate import simulate
-from nctakt.schedule.worst_phase import simulate_worst_phases
+from nctakt.schedule.pictures.figure import svg
+from nctakt.schedule.pictures.gantt import PictureTitle, gantt
+from nctakt.schedule.reports.report import analysis_report, simulation_report
+from nctakt.schedule.simulation.simulate import simulate
 
 LOADS = (
     None,

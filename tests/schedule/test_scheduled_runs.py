@@ -12,12 +12,12 @@ import pytest
 import nctakt
 from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.results.run import Run
 from nctakt.results.summary import print_summary
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.plc_view import PlcView
-from nctakt.run.stimuli import Stimulus
+from nctakt.run.plcs.plc_view import PlcView
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 
 pytestmark = pytest.mark.slow

@@ -19,8 +19,8 @@ from support.random_seeds import each_seed
 
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.schedule.model import Call, Execution, Model, Rules, Task, TaskClass, Train
-from nctakt.schedule.results import EventKind
-from nctakt.schedule.simulate import simulate
+from nctakt.schedule.simulation.results import EventKind
+from nctakt.schedule.simulation.simulate import simulate
 
 pytestmark = [
     pytest.mark.skipif(sys.version_info >= (3, 12), reason="SimSo does not run with this Python"),

@@ -24,8 +24,8 @@ from nctakt.schedule.model import (
     TaskClass,
     Train,
 )
-from nctakt.schedule.results import EventKind
-from nctakt.schedule.simulate import hyperperiod, simulate
+from nctakt.schedule.simulation.results import EventKind
+from nctakt.schedule.simulation.simulate import hyperperiod, simulate
 
 pytestmark = pytest.mark.slow
 

@@ -21,14 +21,14 @@ from support.schedule_examples import (
 
 from nctakt.cli import main
 from nctakt.lists.declared.rtconf import RtconfConfiguration
-from nctakt.lists.machine.scheduling_profile import PROFILES
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES
 from nctakt.messages import Collector
+from nctakt.schedule.analysis.self_check import contradictions
+from nctakt.schedule.analysis.suggest import VARIABLES, Slacks, Suggestions, suggest
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import read_load
 from nctakt.schedule.model import Model
-from nctakt.schedule.self_check import contradictions
-from nctakt.schedule.simulate import hyperperiod, simulate
-from nctakt.schedule.suggest import VARIABLES, Slacks, Suggestions, suggest
+from nctakt.schedule.simulation.simulate import hyperperiod, simulate
 
 Capture = pytest.CaptureFixture[str]
 NOMINAL = TIGHT | {"task_int": 300, "task_rnd": 600, "task_mmi_driver": 200, "task_com": 200}

@@ -11,12 +11,12 @@ from typing import Any
 
 import pytest
 
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import read_load
-from nctakt.schedule.ticks import Share, ThreadRoles, TickSchedule
+from nctakt.schedule.simulation.ticks import Share, ThreadRoles, TickSchedule
 
 LIST = """\
 interrupt_source 3

@@ -15,15 +15,15 @@ from hypothesis import strategies as st
 from support.random_models import random_model
 from support.schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make, with_line
 
-from nctakt.schedule.figure import Box, Label, Stroke, label_left, text_width
-from nctakt.schedule.gantt import PictureTitle, gantt
-from nctakt.schedule.gantt_layout import rows_of, strips_of
 from nctakt.schedule.model import Model
-from nctakt.schedule.results import EventKind, Simulation
-from nctakt.schedule.simulate import simulate
-from nctakt.schedule.timeline import tick_times, windows_times
-from nctakt.schedule.tracebits import calls_of, trace_bits
-from nctakt.schedule.traces import write_csv, write_perfetto, write_vcd
+from nctakt.schedule.pictures.figure import Box, Label, Stroke, label_left, text_width
+from nctakt.schedule.pictures.gantt import PictureTitle, gantt
+from nctakt.schedule.pictures.gantt_layout import rows_of, strips_of
+from nctakt.schedule.pictures.traces import write_csv, write_perfetto, write_vcd
+from nctakt.schedule.simulation.results import EventKind, Simulation
+from nctakt.schedule.simulation.simulate import simulate
+from nctakt.schedule.simulation.timeline import tick_times, windows_times
+from nctakt.schedule.simulation.tracebits import calls_of, trace_bits
 
 US = 1000
 

@@ -18,7 +18,7 @@ from support.insides import queue_line
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import ProgramMessage
-from nctakt.run.machine_names import names_of_machine
+from nctakt.run.access.machine_names import names_of_machine
 from nctakt.run.program_loader import NcText
 from nctakt.servers.catalogue import Catalogue
 from nctakt.servers.host import Host

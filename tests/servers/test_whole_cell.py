@@ -22,7 +22,7 @@ from support.opcua_client import patient_client
 from support.page_driving import BROWSER, chromium, opened
 
 from nctakt.files.access import FileAccess
-from nctakt.run.tape import read_tape
+from nctakt.run.access.tape import read_tape
 
 pytestmark = BROWSER
 

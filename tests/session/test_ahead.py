@@ -9,7 +9,7 @@ from typing import Any, cast
 import pytest
 
 from nctakt import NcText, Session
-from nctakt.session.comparing import first_difference
+from nctakt.session.history.comparing import first_difference
 
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.RTA.ACS.ACT_POS.X > 5

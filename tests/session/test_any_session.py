@@ -29,12 +29,12 @@ from hypothesis.stateful import (
 from support.random_seeds import FIRST, all_seeds
 
 from nctakt.base.long_text import SHORT_FILE_BYTES
+from nctakt.run.access.tape import Tape
 from nctakt.run.controller import Controller
-from nctakt.run.tape import Tape
+from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
 from nctakt.session.story import Story
-from nctakt.session.worker import can_fork
 
 #: Rules of one session.
 STEPS = 22

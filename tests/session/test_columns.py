@@ -14,14 +14,14 @@ from support.random_seeds import each_seed
 
 from nctakt import NcText
 from nctakt.kernel import rows
-from nctakt.session import columns
-from nctakt.session.branch import Branch
-from nctakt.session.columns import ColumnRecord, ColumnTrail, Necessary
+from nctakt.session.history import columns
+from nctakt.session.history.branch import Branch
+from nctakt.session.history.columns import ColumnRecord, ColumnTrail, Necessary
+from nctakt.session.process.worker import can_fork
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Setup
 from nctakt.session.stops import EventFilter, StopAt, read_stop
 from nctakt.session.story import Story
-from nctakt.session.worker import can_fork
-from nctakt.session.workshop import RemoteEngine
 
 OPERATORS: dict[str, Callable[[float, float], bool]] = {
     "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "==": operator.eq,

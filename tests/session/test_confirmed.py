@@ -8,13 +8,13 @@ from collections.abc import Iterator
 import pytest
 
 from nctakt import Controller, NcText
-from nctakt.session.confirmed import Confirmed
+from nctakt.session.history.confirmed import Confirmed
+from nctakt.session.history.trail import Mark
+from nctakt.session.process.worker import can_fork
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
 from nctakt.session.story import NEXT_BLOCK, Story
-from nctakt.session.trail import Mark
-from nctakt.session.worker import can_fork
-from nctakt.session.workshop import RemoteEngine
 
 needs_copies = pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")
 

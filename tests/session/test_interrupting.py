@@ -13,10 +13,10 @@ import pytest
 
 from nctakt import NcText
 from nctakt.base.failure import Failure
-from nctakt.session import timeline
+from nctakt.session.history import timeline
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
 from nctakt.session.story import Story
-from nctakt.session.workshop import RemoteEngine
 
 pytestmark = pytest.mark.slow
 

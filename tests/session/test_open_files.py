@@ -10,10 +10,10 @@ import pytest
 
 from nctakt import NcText
 from nctakt.base.failure import Failure
-from nctakt.session.open_files import check_open_files, open_again
+from nctakt.session.process.open_files import check_open_files, open_again
+from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup
 from nctakt.session.story import Story
-from nctakt.session.worker import can_fork
 
 pytestmark = pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")
 

@@ -16,10 +16,9 @@ import pytest
 from nctakt import NcText
 from nctakt.base.failure import Failure
 from nctakt.kernel import rows
-from nctakt.session import record
 from nctakt.session.engine import Engine, Slice
-from nctakt.session.listening import Notice
-from nctakt.session.parking import (
+from nctakt.session.history import record
+from nctakt.session.history.parking import (
     DENSE_US,
     MAX_PARKED,
     SPARSE_US,
@@ -28,14 +27,15 @@ from nctakt.session.parking import (
     first_gap,
     surplus,
 )
-from nctakt.session.record import BranchRecord, PastMark
+from nctakt.session.history.record import BranchRecord, PastMark
+from nctakt.session.history.trail import MARK_US, Mark
+from nctakt.session.listening import Notice
+from nctakt.session.process.worker import can_fork
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.stops import EventFilter, StopAt, read_stop
 from nctakt.session.story import Story
-from nctakt.session.trail import MARK_US, Mark
-from nctakt.session.worker import can_fork
-from nctakt.session.workshop import RemoteEngine
 
 pytestmark = pytest.mark.slow
 

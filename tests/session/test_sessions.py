@@ -15,13 +15,13 @@ import pytest
 from support.insides import lose_controller, story_of
 
 from nctakt import Controller, Failure, NcText
-from nctakt.run.inputs import Input
+from nctakt.run.access.inputs import Input
 from nctakt.session import Session
 from nctakt.session.engine import Engine
+from nctakt.session.process.worker import can_fork
+from nctakt.session.process.workshop import ProcessPool
 from nctakt.session.setup import Setup
 from nctakt.session.stops import StopAt, read_stop
-from nctakt.session.worker import can_fork
-from nctakt.session.workshop import ProcessPool
 
 pytestmark = pytest.mark.slow
 

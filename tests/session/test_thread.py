@@ -15,10 +15,10 @@ from support.insides import exchange_queue
 
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
-from nctakt.messages.session import CONTROLLER_LOST
-from nctakt.session import thread as thread_module
+from nctakt.messages.connections.session import CONTROLLER_LOST
+from nctakt.session.process import thread as thread_module
+from nctakt.session.process.thread import SessionThread
 from nctakt.session.story import Story
-from nctakt.session.thread import SessionThread
 
 #: How long a test waits, in seconds.
 PATIENCE_S = 20.0

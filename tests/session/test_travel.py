@@ -12,12 +12,12 @@ from support.random_seeds import MANY, each_seed
 from nctakt import Controller, NcText
 from nctakt.plc.loading import load_plc
 from nctakt.results.run import Run
-from nctakt.run.inputs import PLC as PLC_SOURCE
-from nctakt.run.tape import Tape
+from nctakt.run.access.inputs import PLC as PLC_SOURCE
+from nctakt.run.access.tape import Tape
+from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
 from nctakt.session.story import Story
-from nctakt.session.worker import can_fork
 
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]

@@ -14,8 +14,8 @@ from nctakt.base.failure import Failure
 from nctakt.results.run import Run
 from nctakt.run.beginning import Beginning
 from nctakt.run.kept_objects import KeptObjects, NotKeptError
-from nctakt.run.realtime_parts import RealtimeParts
-from nctakt.studies.bench import Bench
+from nctakt.run.realtime.realtime_parts import RealtimeParts
+from nctakt.studies.runs.bench import Bench
 from nctakt.studies.study import Study
 
 RUNS = Path(__file__).parent.parent / "runs"

@@ -10,11 +10,11 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.run.controller import NcText
-from nctakt.studies.branch_distance import distances
-from nctakt.studies.corpus import MAX_POINTS, Corpus
-from nctakt.studies.cover import covered
+from nctakt.studies.searching.branch_distance import distances
+from nctakt.studies.searching.corpus import MAX_POINTS, Corpus
+from nctakt.studies.searching.cover import covered
+from nctakt.studies.searching.unreachable import unreachable
 from nctakt.studies.study import Study
-from nctakt.studies.unreachable import unreachable
 
 Captured = pytest.CaptureFixture[str]
 

@@ -11,7 +11,7 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.run.controller import NcText
-from nctakt.studies.distribution import Normal, Samples, Triangular
+from nctakt.studies.plans.distribution import Normal, Samples, Triangular
 from nctakt.studies.study import Study
 
 

@@ -14,14 +14,15 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
-from nctakt.cli import main, study_progress
-from nctakt.studies import processes, worker_process
-from nctakt.studies.blocks import Blocks
-from nctakt.studies.results import read_rows
-from nctakt.studies.row_block import RowBlock
-from nctakt.studies.row_store import RowStore
+from nctakt.cli import main
+from nctakt.cli.results import study_progress
+from nctakt.studies.rows.results import read_rows
+from nctakt.studies.rows.row_store import RowStore
+from nctakt.studies.runs.blocks import Blocks
+from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.study import Study
-from nctakt.studies.worker_process import WorkerProcess
+from nctakt.studies.workers import processes, worker_process
+from nctakt.studies.workers.worker_process import WorkerProcess
 
 pytestmark = pytest.mark.slow
 
@@ -209,7 +210,7 @@ def schedule(folder: Path) -> Study:
 def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> None:
     """Dask workers on this machine, one of them killed: the rows of one process, byte for byte."""
     distributed = pytest.importorskip("distributed")
-    from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
 
     plan = study(tmp_path, count=200)
     plan.run().save(tmp_path / "one.csv")
@@ -238,7 +239,7 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
 def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Nobody would make the runs: 901316 after a time, instead of waiting for ever."""
     distributed = pytest.importorskip("distributed")
-    from nctakt.studies import cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers import cluster  # noqa: PLC0415 - an extra
 
     monkeypatch.setattr(cluster, "WORKER_S", 0.5)
     with (
@@ -259,7 +260,7 @@ def test_a_killed_scheduler_keeps_what_is_finished(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     """The message names it, a note how many runs are kept; ``--resume`` makes the others."""
-    from nctakt.studies import cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers import cluster  # noqa: PLC0415 - an extra
 
     study(tmp_path)
     (tmp_path / "plan.toml").write_text(
@@ -296,7 +297,7 @@ def test_a_worker_of_another_version_makes_no_runs(
 ) -> None:
     """Its rows could be others: 901485 with both versions, for a study and for a search."""
     distributed = pytest.importorskip("distributed")
-    from nctakt.studies import cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers import cluster  # noqa: PLC0415 - an extra
 
     part = tmp_path / "part.nc"
     part.write_text("G01 X1 F6000\nM30\n")

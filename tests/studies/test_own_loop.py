@@ -17,7 +17,7 @@ from support.random_seeds import examples
 
 from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
-from nctakt.studies.begun_run import Digest
+from nctakt.studies.runs.begun_run import Digest
 from nctakt.studies.study import Study
 
 #: X goes to V.E.VALUE, then M8, then Y; V.E.TRIGGER holds the path as long as it is set.

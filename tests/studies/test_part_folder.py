@@ -15,10 +15,10 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.studies.blocks import make_runs
-from nctakt.studies.folder_store import FolderStore
-from nctakt.studies.part_folder import Part, PartFolder, RowsOfFolder
-from nctakt.studies.row_block import RowBlock
+from nctakt.studies.rows.folder_store import FolderStore
+from nctakt.studies.rows.part_folder import Part, PartFolder, RowsOfFolder
+from nctakt.studies.runs.blocks import make_runs
+from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.study import Study
 
 Captured = pytest.CaptureFixture[str]

@@ -9,7 +9,7 @@ import pytest
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
-from nctakt.studies.plan_file import read_plan
+from nctakt.studies.plans.plan_file import read_plan
 from nctakt.studies.study import Study
 
 

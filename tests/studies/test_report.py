@@ -14,11 +14,11 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.messages.files import NOT_A_REGULAR_FILE
-from nctakt.studies.bench import Row
+from nctakt.studies.plans.verdicts import limits_of, wilson
 from nctakt.studies.report import sensitivities
-from nctakt.studies.results import StreamedRows, read_rows, write_rows
+from nctakt.studies.rows.results import StreamedRows, read_rows, write_rows
+from nctakt.studies.runs.bench import Row
 from nctakt.studies.study import Study
-from nctakt.studies.verdicts import limits_of, wilson
 
 pytest_plugins = ["pytester"]
 

@@ -13,11 +13,11 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.studies import row_store
-from nctakt.studies.bench import Row
-from nctakt.studies.results import write_rows
-from nctakt.studies.row_block import RowBlock
-from nctakt.studies.row_store import RowStore, RunNumbers
+from nctakt.studies.rows import row_store
+from nctakt.studies.rows.results import write_rows
+from nctakt.studies.rows.row_store import RowStore, RunNumbers
+from nctakt.studies.runs.bench import Row
+from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.study import Study, StudyResult
 
 PLAN = (

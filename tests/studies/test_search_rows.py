@@ -11,10 +11,10 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.studies.bench import Bench, Row
-from nctakt.studies.dimension import Value
-from nctakt.studies.row_store import RowStore
-from nctakt.studies.search_runs import Point, SearchRuns
+from nctakt.studies.plans.dimension import Value
+from nctakt.studies.rows.row_store import RowStore
+from nctakt.studies.runs.bench import Bench, Row
+from nctakt.studies.searching.search_runs import Point, SearchRuns
 from nctakt.studies.study import Study
 
 Captured = pytest.CaptureFixture[str]
@@ -97,7 +97,7 @@ def test_another_maker_gives_the_same_answers(plan: Path) -> None:
 def test_a_cluster_makes_the_runs_of_a_search(plan: Path) -> None:
     """The same answers as here; and no scheduler is told (901316)."""
     distributed = pytest.importorskip("distributed")
-    from nctakt.studies.cluster import points_of_cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers.cluster import points_of_cluster  # noqa: PLC0415 - an extra
 
     study = Study(plan)
     with (
@@ -209,7 +209,7 @@ def test_what_a_search_for_branches_cannot_do(cover: Path, option: str, capsys: 
 def test_a_cluster_makes_the_runs_of_a_search_for_branches(cover: Path) -> None:
     """Those that do not depend on each other at once; the same rows and answers as here."""
     distributed = pytest.importorskip("distributed")
-    from nctakt.studies.cluster import points_of_cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers.cluster import points_of_cluster  # noqa: PLC0415 - an extra
 
     study = Study(cover)
     here = SearchRuns(study.bench, covers=True)

@@ -17,11 +17,11 @@ import pytest
 from support.insides import let_copy
 
 from nctakt.run.controller import Controller, NcText
-from nctakt.studies.bench import Digest
-from nctakt.studies.plan import Goal
-from nctakt.studies.search import search
-from nctakt.studies.search_runs import SearchRuns
-from nctakt.studies.shared_beginning import SharedBeginning
+from nctakt.studies.plans.plan import Goal
+from nctakt.studies.runs.bench import Digest
+from nctakt.studies.runs.shared_beginning import SharedBeginning
+from nctakt.studies.searching.search import search
+from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.study import Study
 
 pytestmark = pytest.mark.slow

@@ -8,9 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from nctakt.cli import main, study_progress
-from nctakt.studies.bench import Row
-from nctakt.studies.row_block import RowBlock
+from nctakt.cli import main
+from nctakt.cli.results import study_progress
+from nctakt.studies.runs.bench import Row
+from nctakt.studies.runs.row_block import RowBlock
 
 Captured = pytest.CaptureFixture[str]
 
@@ -125,7 +126,7 @@ def test_ctrl_c_keeps_what_is_finished(
             yield list(rows)[:2]
             raise KeyboardInterrupt
 
-        patch.setattr("nctakt.studies.results.in_groups", interrupt_writing)
+        patch.setattr("nctakt.studies.rows.results.in_groups", interrupt_writing)
         assert main([*words, "--resume"]) == 1
     assert "rows.partial.jsonl" in capsys.readouterr().err  # as of each file that is cut off
     out.with_name("rows.partial.jsonl").unlink()

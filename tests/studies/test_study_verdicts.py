@@ -14,8 +14,8 @@ from typing import Any
 import pytest
 
 from nctakt.cli import main
-from nctakt.studies.effects import without_effect
-from nctakt.studies.plan import Plan
+from nctakt.studies.plans.plan import Plan
+from nctakt.studies.runs.effects import without_effect
 from nctakt.studies.study import Study
 
 PROGRAM = """\

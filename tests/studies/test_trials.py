@@ -12,11 +12,11 @@ from support.random_seeds import all_seeds
 
 from nctakt.lists.format.times import Time
 from nctakt.run.controller import NcText
-from nctakt.studies.measure_nodes import Condition, Reaction
-from nctakt.studies.shared_beginning import SharedBeginning
+from nctakt.studies.measuring.measure_nodes import Condition, Reaction
+from nctakt.studies.measuring.window import LOOK_TICKS, Injection, ValuesFrom
+from nctakt.studies.runs.shared_beginning import SharedBeginning
+from nctakt.studies.runs.trial import Trials
 from nctakt.studies.study import Study
-from nctakt.studies.trial import Trials
-from nctakt.studies.window import LOOK_TICKS, Injection, ValuesFrom
 
 MOVE = 'G01 X10 F6000\nG04 X0.2\nX0 Y5\n#MSG ["at %f", V.E.VALUE]\nX20\nM30\n'
 WAITING = """#RT CYCLE [SCOPE = PROG]

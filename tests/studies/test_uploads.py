@@ -13,8 +13,8 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.cli import main
-from nctakt.studies.bundle import bundle
-from nctakt.studies.row_store import RowStore
+from nctakt.studies.rows.row_store import RowStore
+from nctakt.studies.runs.bundle import bundle
 from nctakt.studies.study import Study
 
 GAUGE = """\
@@ -122,7 +122,7 @@ def test_a_worker_in_another_folder_makes_the_same_rows(
     tmp_path: Path, scheduler: tuple[str, int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """With modules, a wheel, and later with a module that has changed."""
-    from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
+    from nctakt.studies.workers.cluster import rows_of_cluster  # noqa: PLC0415 - an extra
 
     address, _ = scheduler
     study(tmp_path)

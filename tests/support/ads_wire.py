@@ -12,8 +12,8 @@ from typing import Any, cast
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.run.interface_access import InterfaceAccess
-from nctakt.run.variable_access import is_path
+from nctakt.run.access.interface_access import InterfaceAccess
+from nctakt.run.access.variable_access import is_path
 from nctakt.servers.ads.codes import Command, Group
 from nctakt.servers.ads.frames import REQUEST, Frame, FrameReader
 from nctakt.servers.ads.server import AdsDoor, Connection

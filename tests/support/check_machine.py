@@ -15,7 +15,7 @@ from nctakt.messages import Collector
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.inspection import inspect
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout, NameTable
+from nctakt.nc.vocabulary.variables.variable_table import ChannelNames, Layout, NameTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ import pytest
 
 from nctakt.base.diagnostics import Severity
 from nctakt.decoder.program import ProgramDecoder
-from nctakt.decoder.state.commands import Answer, Command, Segment
+from nctakt.decoder.state.queued.commands import Answer, Command, Segment
 from nctakt.nc.outline import ProgramText
 from nctakt.run import queue_feeder
 from nctakt.run.controller import Controller, NcText

@@ -10,8 +10,8 @@ import numpy as np
 
 from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 FOLDER = Path(__file__).parent.parent / "channels" / "coupled_machine"
 

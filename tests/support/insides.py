@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterable, Sequence
 from subprocess import Popen
 from typing import TYPE_CHECKING, Any
 
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.session import Session
 from nctakt.session.story import Story
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from nctakt.files.output import OutputFile
     from nctakt.nc.fast.templates import Templates
-    from nctakt.session.thread import SessionThread
-    from nctakt.studies.shared_beginning import SharedBeginning
+    from nctakt.session.process.thread import SessionThread
+    from nctakt.studies.runs.shared_beginning import SharedBeginning
 
 
 def machine_of(controller: Controller) -> AssembledMachine:

@@ -15,8 +15,8 @@ from nctakt.kernel import rows
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller
+from nctakt.run.realtime.assembly import AssembledMachine
 
 DEMO = load_machine(None)
 TICK_T = 0.001

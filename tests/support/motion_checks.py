@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 from support.motion_machines import AXES, DrawnMachine, machine
 from support.motion_programs import MotionProgram
 

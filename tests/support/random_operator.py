@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import random
 
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 #: The operator lets go behind so many ticks.
 PLAY_TICKS = 4000

@@ -68,7 +68,7 @@ VARIABLE = Recipe(
     "A V variable: 4 files",
     (
         Edit(
-            "src/nctakt/nc/vocabulary/realtime_variables.py",
+            "src/nctakt/nc/vocabulary/variables/realtime_variables.py",
             "    RealtimeVariable(\n"
             '        "PATH.WAITING",\n'
             '        "UNS32",\n'
@@ -100,7 +100,7 @@ MESSAGE = Recipe(
     "A message: 3 files",
     (
         Edit(
-            "src/nctakt/messages/checked_blocks.py",
+            "src/nctakt/messages/programs/checked_blocks.py",
             "LONG_DWELL = note(\n"
             "    909999,\n"
             '    en="a dwell of {time} s is very long",\n'
@@ -111,9 +111,11 @@ MESSAGE = Recipe(
             ")\n\n",
             "G04_WITH_TWO_TIMES = ",
         ),
-        Edit("src/nctakt/nc/check/dwells.py", "    LONG_DWELL,\n", ")\nfrom nctakt.nc.check.exp"),
         Edit(
-            "src/nctakt/nc/check/dwells.py",
+            "src/nctakt/nc/check/path/dwells.py", "    LONG_DWELL,\n", ")\nfrom nctakt.nc.check.exp"
+        ),
+        Edit(
+            "src/nctakt/nc/check/path/dwells.py",
             "        if isinstance(time, Number) and time.value > 86400.0:\n"
             '            findings.report(LONG_DWELL, dwell.span, time=f"{time.value:g}")\n',
             "        values.value(time)\n",
@@ -173,7 +175,7 @@ SUBCOMMAND = Recipe(
             "src/nctakt/cli/example.py",
             '"""The subcommand ``nctakt example``."""\n\n'
             "from nctakt.base.diagnostics import Text\n"
-            "from nctakt.cli.help import described\n\n\n"
+            "from nctakt.cli.common.help import described\n\n\n"
             '@described("example", summary=Text("Do nothing.", "Nichts tun."), '
             'text=Text("Do nothing.", "Nichts tun."))\n'
             "def command() -> int:\n"

@@ -12,9 +12,9 @@ from typing import Any
 import nctakt
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
+from nctakt.run.access.inputs import InputListener
+from nctakt.run.access.tape import Tape
 from nctakt.run.controller import Controller
-from nctakt.run.inputs import InputListener
-from nctakt.run.tape import Tape
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
 from nctakt.trace.sinks import Sink
 

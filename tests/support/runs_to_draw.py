@@ -7,8 +7,8 @@ from typing import Any
 
 from nctakt.plots.motion import signals
 from nctakt.results.run import Run
-from nctakt.results.timeline import Timeline
-from nctakt.results.timeline_events import timeline_of
+from nctakt.results.timelines.timeline import Timeline
+from nctakt.results.timelines.timeline_events import timeline_of
 from nctakt.run.controller import Controller, NcText
 
 PART = """\

@@ -4,8 +4,8 @@
 from __future__ import annotations
 
 from nctakt.lists.declared.rtconf import RtconfConfiguration
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions
 from nctakt.messages import Collector
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import ASSUMED, read_load

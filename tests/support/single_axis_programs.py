@@ -12,7 +12,7 @@ from random import Random
 
 from nctakt.plc import MC_Halt, MC_MoveAbsolute, MC_MoveRelative, MC_MoveVelocity, MC_Reset, Plc
 from nctakt.plc.axes import AxisBlock
-from nctakt.run.plc_view import PlcView
+from nctakt.run.plcs.plc_view import PlcView
 
 AXES = ("X", "Y", "Z", "A")
 

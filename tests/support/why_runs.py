@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
+from nctakt.results.explained.reasons import why_branch_never
+from nctakt.results.explained.why import WhyReport
 from nctakt.results.histories import BranchHistory, CycleHistory, Reason, Times
-from nctakt.results.reasons import why_branch_never
-from nctakt.results.why import WhyReport
 from nctakt.run.controller import Controller, NcText
 
 ONCE = """\

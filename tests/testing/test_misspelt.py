@@ -9,8 +9,8 @@ from nctakt.base.comment_keywords import has_expectation, keyword_near
 from nctakt.base.failure import Failure
 from nctakt.checking.check import check_files
 from nctakt.lists.machine.machine import load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.controller import Controller, NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.testing.expectations import read_script
 from nctakt.testing.queries import run_program
 from nctakt.testing.verdict import differences

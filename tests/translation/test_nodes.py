@@ -11,10 +11,10 @@ from support.random_seeds import each_seed
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.blocks_of_bytes import FillBytes, MoveBytes
 from nctakt.kernel.st.context import PlcContext
-from nctakt.kernel.st.conversions import RealOfString, StringOfReal
 from nctakt.kernel.st.reals import RealConstant, WholeOfReal
 from nctakt.kernel.st.steps import CopyBytes, StoreAt
-from nctakt.kernel.st.texts import ChangeString, FindString, PartOfString, StringPart
+from nctakt.kernel.st.text.conversions import RealOfString, StringOfReal
+from nctakt.kernel.st.text.texts import ChangeString, FindString, PartOfString, StringPart
 from nctakt.kernel.st.wholes import (
     AddWhole,
     CompareUnsigned,

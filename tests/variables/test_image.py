@@ -20,8 +20,8 @@ from support.variable_machines import DEMO, NESTED, folder_with, machine_with
 
 from nctakt.base.failure import Failure
 from nctakt.hli.variables_memory import describe, sections
+from nctakt.run.access.shared_image import SharedImage
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.shared_image import SharedImage
 
 pytestmark = pytest.mark.slow
 

@@ -13,8 +13,8 @@ from support.variable_machines import NESTED, folder_with, machine_with
 
 from nctakt.hli.variables_c_header import describe_c
 from nctakt.hli.variables_memory import describe, image_bytes, sections
+from nctakt.lists.machine.external.variables_layout import Field
 from nctakt.lists.machine.machine import load_machine
-from nctakt.lists.machine.variables_layout import Field
 
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
 

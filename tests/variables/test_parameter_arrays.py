@@ -8,7 +8,7 @@ from support.nc_trees import read, shape
 
 from nctakt import NcText
 from nctakt.cli import main
-from nctakt.editor.line_tokens import tokens
+from nctakt.editor.display.line_tokens import tokens
 from nctakt.nc.parse.printer import print_program
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller

@@ -10,8 +10,8 @@ import pytest
 from support.variable_programs import Machine, demo, errors, machine, messages
 
 from nctakt.base.failure import Failure
+from nctakt.run.access.stimuli import Stimulus, parse_assignment
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus, parse_assignment
 
 TEXTS = """
 number_used_variables 6

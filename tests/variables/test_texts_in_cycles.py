@@ -15,11 +15,11 @@ from nctakt.files.access import FileAccess
 from nctakt.messages import Collector
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.variable_table import ChannelNames, Layout
+from nctakt.nc.vocabulary.variables.variable_table import ChannelNames, Layout
 from nctakt.results.instruction_tree import list_cycle
 from nctakt.results.run import Run
+from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
-from nctakt.run.stimuli import Stimulus
 
 LISTS = """
 struct[0].name CELL

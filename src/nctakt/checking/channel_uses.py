@@ -13,7 +13,7 @@ from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.messages import Collector
-from nctakt.messages.lints import NO_PROGRAM_GIVES_AXIS, NO_PROGRAM_SENDS_SIGNAL
+from nctakt.messages.programs.lints import NO_PROGRAM_GIVES_AXIS, NO_PROGRAM_SENDS_SIGNAL
 from nctakt.nc.outline import AxisUse, SignalUse
 
 

@@ -32,9 +32,9 @@ from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, kind_of
 from nctakt.lists.machine.machine import Machine, load_machine, load_startup
-from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.checking import (
+from nctakt.messages.commands.checking import (
     FILE_ENCRYPTED,
     LIST_CHECKED_ALONE,
     LIST_KIND_NOT_RECOGNISED,
@@ -46,8 +46,8 @@ from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
 from nctakt.project.machine_choice import MachineChoice, choose_machine
 from nctakt.project.project_file import find_project
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.st.inspection import inspect_paths
 
 #: The kind of a program; lists have the kinds of their schemas (``channel``, ``axis``, …).

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
 from nctakt.checking.path_facts import CommandedAxis, Facts
-from nctakt.messages.axis_exchange import AXIS_NOT_IN_CHANNEL
-from nctakt.messages.axis_motions import AXIS_MOVED_BY_PATH
+from nctakt.messages.axes.axis_exchange import AXIS_NOT_IN_CHANNEL
+from nctakt.messages.axes.axis_motions import AXIS_MOVED_BY_PATH
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.meaning.axes import GIVING, exchange_command, is_c_axis, is_exchange
 from nctakt.nc.tree import (
@@ -24,7 +24,7 @@ from nctakt.nc.tree import (
     RealtimeCycle,
     Unary,
 )
-from nctakt.nc.vocabulary.axis_commands import (
+from nctakt.nc.vocabulary.single_axes.axis_commands import (
     AxisCommand,
     axis_commands_in,
     is_axis_command,

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.messages import Collector
-from nctakt.messages.lints import CYCLE_NEVER_STARTED, STARTED_CYCLE_NOT_DEFINED
+from nctakt.messages.programs.lints import CYCLE_NEVER_STARTED, STARTED_CYCLE_NOT_DEFINED
 from nctakt.nc.lint.cycle_uses import CycleUse
 
 

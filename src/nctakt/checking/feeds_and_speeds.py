@@ -12,8 +12,8 @@ from collections.abc import Collection, Mapping
 from nctakt.base.diagnostics import Span
 from nctakt.checking.path_facts import Facts
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.messages.decoder import NO_FEED_ACTIVE
-from nctakt.messages.spindles import SPINDLE_SPEED_LIMITED
+from nctakt.messages.axes.spindles import SPINDLE_SPEED_LIMITED
+from nctakt.messages.programs.decoder import NO_FEED_ACTIVE
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Block, Number, Word
 from nctakt.nc.vocabulary.function_rows import Group

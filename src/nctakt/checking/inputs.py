@@ -22,7 +22,7 @@ from nctakt.lists.format.xml_reader import is_xml
 from nctakt.lists.machine.files import is_startup_name
 from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.messages import diagnostic
-from nctakt.messages.checking import NOTHING_TO_CHECK
+from nctakt.messages.commands.checking import NOTHING_TO_CHECK
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_READABLE
 from nctakt.st.files.project import project_around
 from nctakt.st.files.suffixes import (

@@ -31,8 +31,15 @@ from nctakt.checking.feeds_and_speeds import (
     note_feed,
 )
 from nctakt.checking.path_facts import Facts
-from nctakt.decoder.blocks.path_motion import CENTRE_WORDS
-from nctakt.decoder.state.arcs import PLANES, Arc, ArcError, arc_about, arc_of_radius, extremes
+from nctakt.decoder.blocks.path.path_motion import CENTRE_WORDS
+from nctakt.decoder.state.geometry.arcs import (
+    PLANES,
+    Arc,
+    ArcError,
+    arc_about,
+    arc_of_radius,
+    extremes,
+)
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import (
     CENTRE_GROUP,
@@ -42,13 +49,13 @@ from nctakt.lists.machine.channel_configuration import (
     UNIT_GROUP,
     ChannelParameters,
 )
-from nctakt.messages.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
-from nctakt.messages.decoder import TARGET_OUTSIDE_LIMITS
-from nctakt.messages.motion import ARC_OUTSIDE_LIMITS
+from nctakt.messages.axes.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
+from nctakt.messages.path.motion import ARC_OUTSIDE_LIMITS
+from nctakt.messages.programs.decoder import TARGET_OUTSIDE_LIMITS
+from nctakt.nc.check.axes.main_spindle import is_main_spindle
 from nctakt.nc.check.calls import may_call
-from nctakt.nc.check.dwells import dwell_of
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.main_spindle import is_main_spindle
+from nctakt.nc.check.path.dwells import dwell_of
 from nctakt.nc.meaning.axes import fixed_targets
 from nctakt.nc.tree import (
     Assignment,
@@ -80,7 +87,6 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.axis_commands import blocks_in
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
@@ -104,6 +110,7 @@ from nctakt.nc.vocabulary.functions import (
     SUBPROGRAM_ENDS,
     group_of,
 )
+from nctakt.nc.vocabulary.single_axes.axis_commands import blocks_in
 
 #: Programs up to this length are followed block by block; others only where a block is new.
 MAX_LINES = 5000

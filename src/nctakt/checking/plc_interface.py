@@ -18,7 +18,7 @@ from nctakt.checking.plc_variables import Pointed, differing, pointed
 from nctakt.hli.table import LIST_NAME
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import Collector
-from nctakt.messages.plc_interface import (
+from nctakt.messages.plcs.plc_interface import (
     CODE_KNOWS_UNLISTED_FUNCTION,
     FUNCTION_NOT_ACKNOWLEDGED,
     INTERFACE_INDEX_OUTSIDE,

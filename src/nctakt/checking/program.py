@@ -21,7 +21,7 @@ from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.program_structure import PROGRAM_ENDS_AS_SUBPROGRAM
+from nctakt.messages.programs.program_structure import PROGRAM_ENDS_AS_SUBPROGRAM
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import polled
@@ -30,7 +30,7 @@ from nctakt.nc.lint.linter import GlobalCycles
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.outline import AxisUse, SignalUse
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.program_loader import find_program, missing, search_folders
 from nctakt.testing.expectations import impossible_firings, parse_script
 

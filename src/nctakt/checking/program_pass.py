@@ -21,7 +21,7 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
 from nctakt.nc.check.blocks import Role
-from nctakt.nc.check.branches import branch_outlines, realtime_cycles
+from nctakt.nc.check.cycles.branches import branch_outlines, realtime_cycles
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import Inspection, InspectionState
 from nctakt.nc.lint.cycle_uses import CycleUse
@@ -31,7 +31,7 @@ from nctakt.nc.outline import AxisUse, Call, SignalUse
 from nctakt.nc.plain_shapes import PlainShapes
 from nctakt.nc.source import Source
 from nctakt.nc.tree import Statement
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,8 +9,8 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.checking.check import check_files
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 
 def check(

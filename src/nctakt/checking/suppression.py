@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span
 from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import messages_of
-from nctakt.messages.checking import (
+from nctakt.messages.commands.checking import (
     INVALID_SUPPRESSION,
     SUPPRESSED_ERROR,
     SUPPRESSION_UNUSED,

@@ -12,13 +12,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from nctakt.decoder.blocks.spindles import DEGREES_PER_S
+from nctakt.decoder.blocks.axes.spindles import DEGREES_PER_S
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import Machine
 from nctakt.nc.lint.realtime_cycles import StepLimits
-from nctakt.nc.vocabulary.variable_table import NameTable
-from nctakt.run.assembly import AssembledMachine
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.program_loader import program_folder
+from nctakt.run.realtime.assembly import AssembledMachine
 
 
 class Target:

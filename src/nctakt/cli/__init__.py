@@ -22,8 +22,8 @@ import click
 from nctakt.base.diagnostics import Text
 from nctakt.base.interrupts import handling
 from nctakt.base.version import __version__
-from nctakt.cli.help import HELP_NAMES, ShownGroup, help_language, option, shown_language
-from nctakt.cli.terminal import complain, complain_notes, print_diagnostics, silence
+from nctakt.cli.common.help import HELP_NAMES, ShownGroup, help_language, option, shown_language
+from nctakt.cli.common.terminal import complain, complain_notes, print_diagnostics, silence
 
 EXIT_RAN = 0
 EXIT_NC_ERROR = 1
@@ -89,7 +89,7 @@ class _LazyGroup(ShownGroup):
                 formatter.write_dl(rows)
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from nctakt.cli.overview import path_lines  # noqa: PLC0415 - only for help
+        from nctakt.cli.common.overview import path_lines  # noqa: PLC0415 - only for help
 
         formatter.write_paragraph()
         for line in path_lines(shown_language(ctx), Path()):
@@ -112,7 +112,7 @@ class _LazyGroup(ShownGroup):
 def _tell_new_name(context: click.Context, name: str) -> None:
     """Show the note that a subcommand has another name now (902381)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - only an earlier name needs it
-    from nctakt.messages.command_line import COMMAND_RENAMED  # noqa: PLC0415
+    from nctakt.messages.commands.command_line import COMMAND_RENAMED  # noqa: PLC0415
 
     found = diagnostic(COMMAND_RENAMED, name=name, new_name=EARLIER_NAMES[name])
     print_diagnostics([found], "de" if context.obj == "de" else "en")
@@ -150,7 +150,7 @@ _TEXT = Text(
 def group(context: click.Context, version: bool, verbose: bool) -> int:
     """Show the version or, without a subcommand, the help."""
     if version and verbose:
-        from nctakt.cli.overview import version_lines  # noqa: PLC0415 - only for this
+        from nctakt.cli.common.overview import version_lines  # noqa: PLC0415 - only for this
 
         click.echo("\n".join(version_lines()))
         context.exit(EXIT_RAN)
@@ -190,7 +190,7 @@ def _run(arguments: Sequence[str] | None) -> int:
             arguments, prog_name="nctakt", standalone_mode=False, obj=help_language(words)
         )
     except click.ClickException as error:
-        from nctakt.cli.usage import report_usage  # noqa: PLC0415 - only a mistake needs it
+        from nctakt.cli.common.usage import report_usage  # noqa: PLC0415 - only a mistake needs it
 
         words = sys.argv[1:] if arguments is None else arguments
         report_usage(error, words)

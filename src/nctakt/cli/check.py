@@ -20,22 +20,22 @@ from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.file_options import read_standard_input
-from nctakt.cli.formats import as_github, as_json, as_text, closing_line
-from nctakt.cli.help import described, option
-from nctakt.cli.options import IGNORE_OPTION, STRICT_OPTION, WATCH_OPTION, table_options
-from nctakt.cli.sarif import as_sarif
-from nctakt.cli.schedule_options import RTCONF_OPTIONS, with_options
-from nctakt.cli.selection import Selection, read_selection
-from nctakt.cli.settings import maybe_watched
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.file_options import read_standard_input
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import IGNORE_OPTION, STRICT_OPTION, WATCH_OPTION, table_options
+from nctakt.cli.common.settings import maybe_watched
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.findings.formats import as_github, as_json, as_text, closing_line
+from nctakt.cli.findings.sarif import as_sarif
+from nctakt.cli.findings.selection import Selection, read_selection
+from nctakt.cli.schedules.schedule_options import RTCONF_OPTIONS, with_options
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.machine import load_machine
-from nctakt.lists.machine.scheduling_profile import PROFILES, Convention, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, Convention, RtconfOptions
 from nctakt.messages import diagnostic
-from nctakt.messages.checking import (
+from nctakt.messages.commands.checking import (
     CHECKED_FOR_DEMO_MACHINE,
     CHECKED_FOR_MACHINE_OF_FILE,
     NOTHING_NAMED_TO_CHECK,
@@ -43,8 +43,8 @@ from nctakt.messages.checking import (
 from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.project.machine_choice import MachineChoice, machine_of_environment
 from nctakt.project.project_file import project_around
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 _STANDARD_INPUT = "-"
 

@@ -17,11 +17,11 @@ import click
 
 from nctakt.base.diagnostics import Text
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.help import described, option
-from nctakt.cli.log_options import LogWords, log_options, opened_log
-from nctakt.cli.options import FORMAT_OPTION
-from nctakt.cli.request import Options, Request, read_request
-from nctakt.cli.running import (
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.log_options import LogWords, log_options, opened_log
+from nctakt.cli.common.options import FORMAT_OPTION
+from nctakt.cli.common.request import Options, Request, read_request
+from nctakt.cli.common.running import (
     TIMES_NOTE,
     choose_mode,
     exit_code,
@@ -31,13 +31,13 @@ from nctakt.cli.running import (
     shown_from,
     start_controller,
 )
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.new_folder import check_new_folder, write_new_folder
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import SHARE_NOT_WRITTEN
+from nctakt.messages.commands.comparison import SHARE_NOT_WRITTEN
 
 if TYPE_CHECKING:
     from nctakt.comparison.comparison import Comparison
@@ -241,7 +241,7 @@ def _draw(file: OutputFile, comparison: Comparison, options: Options) -> None:
 
 
 def _show(options: Options, comparison: Comparison, proposals: Proposals | None) -> None:
-    from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as above
+    from nctakt.cli.findings.json_documents import as_json, run_document  # noqa: PLC0415 - as above
     from nctakt.comparison.report import comparison_document, comparison_text  # noqa: PLC0415
     from nctakt.proposals.report import proposals_document, proposals_text  # noqa: PLC0415
 

@@ -19,9 +19,9 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.help import described, option
-from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import (
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.request import Options, read_request
+from nctakt.cli.common.running import (
     RUN_CODES,
     TIMES_NOTE,
     choose_mode,
@@ -32,12 +32,12 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.coverage import (
+from nctakt.messages.commands.coverage import (
     COVERAGE_BELOW_MINIMUM,
     COVERAGE_COUNTS_DROPPED,
     INVALID_COVERAGE_DATA,

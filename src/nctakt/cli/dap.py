@@ -14,9 +14,9 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.help import described, option
-from nctakt.cli.options import TRUST_OPTION, table_option
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import TRUST_OPTION, table_option
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.run.options import BY_NAME
 
 

@@ -16,12 +16,12 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
-from nctakt.cli.file_options import file_access
-from nctakt.cli.help import described, option
+from nctakt.cli.common.file_options import file_access
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import language_option, split_words
+from nctakt.cli.common.request import Options
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.cli.live import Words, show_page
-from nctakt.cli.options import language_option, split_words
-from nctakt.cli.request import Options
-from nctakt.cli.terminal import print_diagnostics
 from nctakt.lists.machine.files import DEMO_FOLDER
 
 #: The machine of the cell; it shares lists with the others.

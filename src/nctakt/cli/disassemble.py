@@ -15,10 +15,10 @@ from typing import TYPE_CHECKING, Any
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.cli import EXIT_NC_ERROR
-from nctakt.cli.help import described
-from nctakt.cli.options import FORMAT_OPTION
-from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import (
+from nctakt.cli.common.help import described
+from nctakt.cli.common.options import FORMAT_OPTION
+from nctakt.cli.common.request import Options, read_request
+from nctakt.cli.common.running import (
     RUN_CODES,
     TIMES_NOTE,
     choose_mode,
@@ -29,11 +29,11 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import LISTING_INCOMPLETE, NO_CYCLE_DEFINED
+from nctakt.messages.commands.command_line import LISTING_INCOMPLETE, NO_CYCLE_DEFINED
 
 if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
@@ -89,7 +89,7 @@ def _disassemble(options: Options, access: FileAccess) -> int:
     listed: list[ListedDefinition] = []
     run = run_programs(options, request, controller, on_cycle=_lister(options, controller, listed))
     if options.form == "json" and run is not None:
-        from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
+        from nctakt.cli.findings.json_documents import as_json, run_document  # noqa: PLC0415
 
         text = as_json(
             run_document(with_limit_error(options, run), options.language, listing=listed)

@@ -17,14 +17,14 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.formats import diagnostics_as_json
-from nctakt.cli.help import described, option
-from nctakt.cli.json_documents import as_json, plain
-from nctakt.cli.options import FORMAT_OPTION, language_option
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import FORMAT_OPTION, language_option
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.findings.formats import diagnostics_as_json
+from nctakt.cli.findings.json_documents import as_json, plain
 from nctakt.hli.table import find
 from nctakt.messages import diagnostic
-from nctakt.messages.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
+from nctakt.messages.commands.explaining import MISSPELLED_TOPIC, UNKNOWN_TOPIC
 from nctakt.reference.article import Article
 from nctakt.reference.concepts import SMALL_WORDS, find_concepts, is_subject
 from nctakt.reference.elements import is_path

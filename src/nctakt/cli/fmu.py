@@ -16,16 +16,16 @@ import click
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.help import described, option
-from nctakt.cli.options import MODE_OPTION, TRUST_OPTION, table_options
-from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import choose_mode, start_controller
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import MODE_OPTION, TRUST_OPTION, table_options
+from nctakt.cli.common.request import Options, read_request
+from nctakt.cli.common.running import choose_mode, start_controller
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import CELL_NAME_NOT_POSSIBLE
+from nctakt.messages.plcs.fmu import CELL_NAME_NOT_POSSIBLE
 from nctakt.run.option_kinds import split_names
 
 if TYPE_CHECKING:

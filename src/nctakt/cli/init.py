@@ -21,14 +21,14 @@ from nctakt.base.failure import Failure
 from nctakt.checking.inputs import gather
 from nctakt.checking.python_check import check
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.ci_files import CI_FILES
-from nctakt.cli.help import described, option
-from nctakt.cli.options import language_option, table_option
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.ci_files import CI_FILES
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import language_option, table_option
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
+from nctakt.messages.commands.project import FILE_KEPT, NO_LISTS_OR_PROGRAMS
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_WRITABLE
-from nctakt.messages.project import FILE_KEPT, NO_LISTS_OR_PROGRAMS
 from nctakt.project.project_file import OWN_NAME
 from nctakt.run.options import BY_NAME
 

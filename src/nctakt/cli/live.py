@@ -21,19 +21,19 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
-from nctakt.cli.help import described, option
-from nctakt.cli.log_options import LogWords, log_options, opened_log
-from nctakt.cli.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
-from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
-from nctakt.cli.running import choose_mode, run_programs, shown_from, start_controller
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.log_options import LogWords, log_options, opened_log
+from nctakt.cli.common.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
+from nctakt.cli.common.request import STANDARD_INPUT, Options, Request, read_request
+from nctakt.cli.common.running import choose_mode, run_programs, shown_from, start_controller
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import LOG_NOT_SHOWN
-from nctakt.messages.live import PAGE_HAS_REFUSED, PAGE_NEEDS_FILES
+from nctakt.messages.commands.comparison import LOG_NOT_SHOWN
+from nctakt.messages.connections.live import PAGE_HAS_REFUSED, PAGE_NEEDS_FILES
 
 if TYPE_CHECKING:
     from nctakt.comparison.overlay import LoggedCurve

@@ -14,11 +14,11 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.help import described, option
-from nctakt.cli.options import language_option
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import language_option
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.messages import diagnostic
-from nctakt.messages.editor import EDITOR_LIBRARY_MISSING
+from nctakt.messages.connections.editor import EDITOR_LIBRARY_MISSING
 
 
 @described(
@@ -73,7 +73,8 @@ def command(stdio: bool, port: int | None, host: str, language: Language) -> int
             import pygls  # noqa: F401, PLC0415 - only this command needs it
         except ImportError as error:
             raise Failure(diagnostic(EDITOR_LIBRARY_MISSING)) from error
-        from nctakt.editor import entrance, presentation  # noqa: PLC0415 - as above
+        from nctakt.editor import entrance  # noqa: PLC0415 - as above
+        from nctakt.editor.display import presentation  # noqa: PLC0415 - as above
         from nctakt.editor.server import Server  # noqa: PLC0415
 
         server = Server(language)

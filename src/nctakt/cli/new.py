@@ -15,9 +15,9 @@ import click
 from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.help import described, option
-from nctakt.cli.options import language_option, table_option
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import language_option, table_option
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.new_folder import write_new_folder
 from nctakt.lists.machine.files import ListSearch
@@ -27,7 +27,7 @@ from nctakt.machines.conversion import Conversion, convert_lists
 from nctakt.machines.list_writer import ListFormat
 from nctakt.machines.xae_project import lists_of_project, project_in
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import (
+from nctakt.messages.machines.folders import (
     ENTRIES_AS_COMMENTS,
     LISTS_KEPT_IN_ASCII,
     LISTS_WRITTEN,

@@ -16,11 +16,11 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
-from nctakt.cli.file_options import file_access
-from nctakt.cli.help import described, option
-from nctakt.cli.options import FORMAT_OPTION, MODE_OPTION, table_options, with_file_options
+from nctakt.cli.common.file_options import file_access
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import FORMAT_OPTION, MODE_OPTION, table_options, with_file_options
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.cli.run import run_with
-from nctakt.cli.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 
 
@@ -94,8 +94,8 @@ def _replay(name: str, anyway: bool, words: dict[str, Any]) -> int:
 
     if words["compiled"] is False:
         mode.use_plain()
-    from nctakt.cli.tapes import check_unchanged, options_of  # noqa: PLC0415 - as above
-    from nctakt.run.tape import path_of, read_tape  # noqa: PLC0415
+    from nctakt.cli.common.tapes import check_unchanged, options_of  # noqa: PLC0415 - as above
+    from nctakt.run.access.tape import path_of, read_tape  # noqa: PLC0415
 
     words["confined"] = words["confined"] or (str(Path(name).parent),)
     access, of_tape = file_access(words["confined"]), FileAccess()

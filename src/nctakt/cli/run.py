@@ -17,12 +17,12 @@ import click
 
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.help import described, option
-from nctakt.cli.options import FORMAT_OPTION, WATCH_OPTION, with_file_options
-from nctakt.cli.plotting import Drawings
-from nctakt.cli.request import Options, Request, read_request
-from nctakt.cli.retaining import with_retained
-from nctakt.cli.running import (
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import FORMAT_OPTION, WATCH_OPTION, with_file_options
+from nctakt.cli.common.plotting import Drawings
+from nctakt.cli.common.request import Options, Request, read_request
+from nctakt.cli.common.retaining import with_retained
+from nctakt.cli.common.running import (
     RUN_CODES,
     TIMES_NOTE,
     choose_mode,
@@ -32,8 +32,8 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import (
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import (
     message_line,
     print_diagnostics,
     saved_message,
@@ -42,7 +42,7 @@ from nctakt.cli.terminal import (
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import NO_DIAGNOSIS_DATA
+from nctakt.messages.commands.command_line import NO_DIAGNOSIS_DATA
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -50,8 +50,8 @@ if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import ProgramMessage, Run
+    from nctakt.run.access.tape import TapeComparison, TapeWriter
     from nctakt.run.controller import Controller
-    from nctakt.run.tape import TapeComparison, TapeWriter
     from nctakt.trace.sinks import Sink
 
 
@@ -128,7 +128,7 @@ def run_with(options: Options, access: FileAccess) -> int:
         diagnosis = [] if report is None else _diagnosis(controller)
         listeners = [*sinks, *diagnosis]
         if options.hli is not None:
-            from nctakt.cli.hli_partner import connect_partner  # noqa: PLC0415 - seldom needed
+            from nctakt.cli.common.hli_partner import connect_partner  # noqa: PLC0415 - seldom needed
 
             partner = connect_partner(options, options.hli, controller, files)
             request = dataclasses.replace(request, plc=partner)
@@ -160,12 +160,12 @@ class _Taping:
         self._comparison: TapeComparison | None = None
         self.sinks: list[Sink] = []
         if file is not None:
-            from nctakt.cli.tapes import start_tape  # noqa: PLC0415 - seldom needed
+            from nctakt.cli.common.tapes import start_tape  # noqa: PLC0415 - seldom needed
 
             self.writer = start_tape(options, request, file)
             self.sinks.append(self.writer)
         if options.tape is not None and options.tape.has_checksums:
-            from nctakt.run.tape import TapeComparison  # noqa: PLC0415 - as above
+            from nctakt.run.access.tape import TapeComparison  # noqa: PLC0415 - as above
 
             self._comparison = TapeComparison(options.tape)
             self.sinks.append(self._comparison)
@@ -173,7 +173,7 @@ class _Taping:
     def finish(self, run: Run | None, controller: Controller, access: FileAccess) -> None:
         """Write the last line of the recorded tape."""
         if self.writer is not None:
-            from nctakt.cli.tapes import inputs_of_run  # noqa: PLC0415 - as above
+            from nctakt.cli.common.tapes import inputs_of_run  # noqa: PLC0415 - as above
 
             files = dict(inputs_of_run(self._options, access))
             self.writer.finish("broken" if run is None else run.state, controller.tick, files)
@@ -182,7 +182,7 @@ class _Taping:
         """Tell whether a replay had the recorded events; the exit code of that."""
         if self._options.tape is None:
             return EXIT_RAN
-        from nctakt.cli.tapes import verdict  # noqa: PLC0415 - as above
+        from nctakt.cli.common.tapes import verdict  # noqa: PLC0415 - as above
 
         lowest = Severity.WARNING if self._options.quiet else Severity.NOTE
         found = verdict(self._comparison, run.ticks, run.cycle_time_us)
@@ -284,7 +284,7 @@ def _tell(options: Options, run: Run, wall_s: float) -> int:
 
     run = with_limit_error(options, run)
     if options.form == "json":
-        from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415
+        from nctakt.cli.findings.json_documents import as_json, run_document  # noqa: PLC0415
 
         text = as_json(run_document(run, options.language))
         show_at_the_end(lambda file: print(text, end="", file=file))

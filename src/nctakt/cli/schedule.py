@@ -12,10 +12,10 @@ from __future__ import annotations
 from typing import Any
 
 from nctakt.base.diagnostics import Diagnostic, Language, Text
-from nctakt.cli.help import described, described_group, option
-from nctakt.cli.schedule_compare import compare
-from nctakt.cli.schedule_learn import learn
-from nctakt.cli.schedule_options import (
+from nctakt.cli.common.help import described, described_group, option
+from nctakt.cli.schedules.schedule_compare import compare
+from nctakt.cli.schedules.schedule_learn import learn
+from nctakt.cli.schedules.schedule_options import (
     EXIT_CODES,
     LIST_OPTIONS,
     MODEL_OPTIONS,
@@ -32,10 +32,10 @@ from nctakt.cli.schedule_options import (
     simulated_cycles,
     with_options,
 )
-from nctakt.cli.schedule_run import run
-from nctakt.cli.schedule_suggest import suggest
+from nctakt.cli.schedules.schedule_run import run
+from nctakt.cli.schedules.schedule_suggest import suggest
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.schedule_check import LIST_REWRITTEN
+from nctakt.messages.scheduling.schedule_check import LIST_REWRITTEN
 
 
 @described_group(
@@ -149,9 +149,9 @@ for _part in (show, simulate, analyse):
 
 
 def _show(words: dict[str, Any]) -> int:
-    from nctakt.schedule.documents import effective_document  # noqa: PLC0415
     from nctakt.schedule.effective_table import effective_rows  # noqa: PLC0415
-    from nctakt.schedule.report import effective_report  # noqa: PLC0415
+    from nctakt.schedule.reports.documents import effective_document  # noqa: PLC0415
+    from nctakt.schedule.reports.report import effective_report  # noqa: PLC0415
 
     read = read_list(words)
     notes: list[Diagnostic] = []
@@ -193,12 +193,12 @@ def _write_fixed(read: ListRead, words: dict[str, Any]) -> tuple[ListRead, Diagn
 
 
 def _simulate(words: dict[str, Any]) -> int:
-    from nctakt.schedule.documents import simulation_document  # noqa: PLC0415
-    from nctakt.schedule.drawn_cycles import simulate_shown  # noqa: PLC0415
-    from nctakt.schedule.findings import simulation_findings  # noqa: PLC0415
-    from nctakt.schedule.report import response_report, simulation_report  # noqa: PLC0415
-    from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
-    from nctakt.schedule.worst_phase import simulate_worst_phases  # noqa: PLC0415
+    from nctakt.schedule.analysis.findings import simulation_findings  # noqa: PLC0415
+    from nctakt.schedule.analysis.worst_phase import simulate_worst_phases  # noqa: PLC0415
+    from nctakt.schedule.pictures.drawn_cycles import simulate_shown  # noqa: PLC0415
+    from nctakt.schedule.reports.documents import simulation_document  # noqa: PLC0415
+    from nctakt.schedule.reports.report import response_report, simulation_report  # noqa: PLC0415
+    from nctakt.schedule.simulation.simulate import simulate as run_model  # noqa: PLC0415
 
     read = read_list(words)
     collector = Collector()
@@ -223,13 +223,13 @@ def _simulate(words: dict[str, Any]) -> int:
 
 
 def _analyse(words: dict[str, Any]) -> int:
-    from nctakt.schedule.analyse import analyse as analyse_model  # noqa: PLC0415
-    from nctakt.schedule.documents import analysis_document  # noqa: PLC0415
-    from nctakt.schedule.findings import analysis_findings, starvation_findings  # noqa: PLC0415
-    from nctakt.schedule.margins import find_margins  # noqa: PLC0415
-    from nctakt.schedule.report import analysis_report  # noqa: PLC0415
-    from nctakt.schedule.self_check import check_bounds  # noqa: PLC0415
-    from nctakt.schedule.simulate import simulate as run_model  # noqa: PLC0415
+    from nctakt.schedule.analysis.analyse import analyse as analyse_model  # noqa: PLC0415
+    from nctakt.schedule.analysis.findings import analysis_findings, starvation_findings  # noqa: PLC0415
+    from nctakt.schedule.analysis.margins import find_margins  # noqa: PLC0415
+    from nctakt.schedule.analysis.self_check import check_bounds  # noqa: PLC0415
+    from nctakt.schedule.reports.documents import analysis_document  # noqa: PLC0415
+    from nctakt.schedule.reports.report import analysis_report  # noqa: PLC0415
+    from nctakt.schedule.simulation.simulate import simulate as run_model  # noqa: PLC0415
 
     read = read_list(words)
     collector = Collector()

@@ -22,29 +22,29 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.help import described, option
-from nctakt.cli.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
-from nctakt.cli.request import STANDARD_INPUT, Options, Request, read_request
-from nctakt.cli.running import choose_mode
-from nctakt.cli.settings import carry_out
-from nctakt.cli.tapes import inputs_of_run
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
+from nctakt.cli.common.request import STANDARD_INPUT, Options, Request, read_request
+from nctakt.cli.common.running import choose_mode
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.tapes import inputs_of_run
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
-from nctakt.messages.files import FILE_NOT_WRITABLE
-from nctakt.messages.live import PAGE_NEEDS_FILES
-from nctakt.messages.opcua import OPCUA_LIBRARY_MISSING
-from nctakt.messages.real_schedule import SPEED_OF_REAL_SCHEDULE
-from nctakt.messages.scheduled_runs import OPTION_WITHOUT_SCHEDULE
-from nctakt.messages.servers import (
+from nctakt.messages.connections.live import PAGE_NEEDS_FILES
+from nctakt.messages.connections.opcua import OPCUA_LIBRARY_MISSING
+from nctakt.messages.connections.servers import (
     ADS_NEEDS_SOURCES,
     INVALID_NET_ID,
     NO_DOOR,
     PAGE_WITHOUT_PROGRAM,
     WHO_COMMANDS,
 )
+from nctakt.messages.files import FILE_NOT_WRITABLE
+from nctakt.messages.scheduling.real_schedule import SPEED_OF_REAL_SCHEDULE
+from nctakt.messages.scheduling.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 from nctakt.servers.building import building
 
 if TYPE_CHECKING:

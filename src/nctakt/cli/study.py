@@ -20,17 +20,17 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.help import described, option
-from nctakt.cli.options import TRUST_OPTION, table_options
-from nctakt.cli.terminal import complain_notes, print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import TRUST_OPTION, table_options
+from nctakt.cli.common.terminal import complain_notes, print_diagnostics
 from nctakt.run.options import RunOption, accepted_by
 
 if TYPE_CHECKING:
-    from nctakt.studies.folder_store import FolderStore
-    from nctakt.studies.parts import Part
-    from nctakt.studies.results import StreamedRows
-    from nctakt.studies.row_store import RowStore
-    from nctakt.studies.search_runs import SearchRuns
+    from nctakt.studies.rows.folder_store import FolderStore
+    from nctakt.studies.rows.parts import Part
+    from nctakt.studies.rows.results import StreamedRows
+    from nctakt.studies.rows.row_store import RowStore
+    from nctakt.studies.searching.search_runs import SearchRuns
     from nctakt.studies.study import Study, StudyResult
 
 _T = TypeVar("_T")
@@ -225,7 +225,7 @@ def _language_of_project(files: Sequence[str]) -> Language:
 
 def _study(file: str, words: dict[str, Any]) -> int:
     """Make the runs; raises ``Failure`` for what cannot be used."""
-    from nctakt.cli.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
+    from nctakt.cli.results.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
 
     _check_words(file, words)
     part = _part(words)
@@ -287,8 +287,8 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
 
     Raises ``Failure`` for files that cannot be written.
     """
-    from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
-    from nctakt.cli.study_summary import shrunk_lines, summary  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_commands import commands_of  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_summary import shrunk_lines, summary  # noqa: PLC0415 - as above
 
     commands = commands_of(study, result, file, words)
     if words["report"] is not None:
@@ -307,7 +307,7 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
 def _tell_unchanged(study: Study, words: dict[str, Any]) -> None:
     """Warn of an unchanged run that fails already (901942)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
-    from nctakt.messages.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
+    from nctakt.messages.commands.studies import UNCHANGED_RUN_BROKEN  # noqa: PLC0415
 
     if study.nominal is not None and study.nominal.broken:
         found = diagnostic(UNCHANGED_RUN_BROKEN, broken=study.nominal.broken)
@@ -317,7 +317,7 @@ def _tell_unchanged(study: Study, words: dict[str, Any]) -> None:
 def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
     """Warn of dimensions that changed nothing (901941)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
-    from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT  # noqa: PLC0415
+    from nctakt.messages.commands.studies import DIMENSION_WITHOUT_EFFECT  # noqa: PLC0415
 
     found = [diagnostic(DIMENSION_WITHOUT_EFFECT, name=name) for name in names]
     print_diagnostics(found, words["language"])
@@ -326,7 +326,7 @@ def _tell_without_effect(names: Sequence[str], words: dict[str, Any]) -> None:
 def _tell_no_effect_shown(study: Study, result: StudyResult, words: dict[str, Any]) -> None:
     """Warn of dimensions of points by chance that changed nothing where it was tried (902061)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
-    from nctakt.messages.studies import NO_EFFECT_SHOWN  # noqa: PLC0415
+    from nctakt.messages.commands.studies import NO_EFFECT_SHOWN  # noqa: PLC0415
 
     shown = study.without_shown_effect(result)
     found = [diagnostic(NO_EFFECT_SHOWN, name=name, count=count) for name, count in shown]
@@ -340,7 +340,7 @@ def _part(words: dict[str, Any]) -> Part | None:
     """
     if words["part"] is None:
         return None
-    from nctakt.studies.parts import parse_part  # noqa: PLC0415 - as above
+    from nctakt.studies.rows.parts import parse_part  # noqa: PLC0415 - as above
 
     part = parse_part(words["part"])
     if part is None:
@@ -404,7 +404,7 @@ def _check_outputs(study: Study, inputs: list[str], outputs: dict[str, str | Non
     """Raise ``Failure`` before any run for outputs that are inputs or cannot be written."""
     from nctakt.files.access import FileAccess  # noqa: PLC0415 - as above
     from nctakt.files.output import check_outputs  # noqa: PLC0415 - as above
-    from nctakt.studies.plan_files import files_of  # noqa: PLC0415 - as above
+    from nctakt.studies.runs.plan_files import files_of  # noqa: PLC0415 - as above
 
     named = {f"--{option}": name for option, name in outputs.items() if name is not None}
     if not named:
@@ -421,17 +421,17 @@ def _is_plan(file: str) -> bool:
 
 def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     """Write the report of runs that are finished."""
-    from nctakt.cli.study_commands import commands_of  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_commands import commands_of  # noqa: PLC0415 - as above
     from nctakt.files.output import write_file  # noqa: PLC0415
     from nctakt.messages import diagnostic  # noqa: PLC0415
-    from nctakt.messages.studies import OTHER_PLAN  # noqa: PLC0415
-    from nctakt.studies.results import read_rows  # noqa: PLC0415
+    from nctakt.messages.commands.studies import OTHER_PLAN  # noqa: PLC0415
+    from nctakt.studies.rows.results import read_rows  # noqa: PLC0415
     from nctakt.studies.study import Study, StudyResult  # noqa: PLC0415
 
     study = Study(plan)
     rows: StreamedRows
     if "://" in results or Path(results, "_study.json").exists():
-        from nctakt.studies.part_folder import PartFolder, RowsOfFolder  # noqa: PLC0415
+        from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder  # noqa: PLC0415
 
         rows = RowsOfFolder(PartFolder(results, study.plan, dict(study.bench.units)))
     else:
@@ -452,8 +452,8 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
 def _rows_of_parts(folder: str, words: dict[str, Any]) -> StreamedRows:
     """Return the rows of the parts in a folder; tell which are missing (902535)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
-    from nctakt.messages.studies import NO_PARTS, PARTS_MISSING  # noqa: PLC0415
-    from nctakt.studies.parts import RowsOfParts  # noqa: PLC0415
+    from nctakt.messages.commands.studies import NO_PARTS, PARTS_MISSING  # noqa: PLC0415
+    from nctakt.studies.rows.parts import RowsOfParts  # noqa: PLC0415
 
     rows = RowsOfParts(Path(folder))
     if len(rows.counts) != 1:
@@ -468,9 +468,9 @@ def _rows_of_parts(folder: str, words: dict[str, Any]) -> StreamedRows:
 
 def _cover(study: Study, words: dict[str, Any]) -> int:
     """Show which branches the points of a plan reach; exit code 1 if they miss any."""
-    from nctakt.cli.study_cover import cover_lines  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_cover import cover_lines  # noqa: PLC0415 - as above
     from nctakt.messages import diagnostic  # noqa: PLC0415
-    from nctakt.messages.studies import IMPOSSIBLE_RUNS  # noqa: PLC0415
+    from nctakt.messages.commands.studies import IMPOSSIBLE_RUNS  # noqa: PLC0415
 
     budget = words["sample"] or len(study)
     reached = _search(study, words, budget, lambda runs: study.cover(budget, words["corpus"], runs))
@@ -486,7 +486,7 @@ def _cover(study: Study, words: dict[str, Any]) -> int:
 
 def _find(study: Study, file: str, words: dict[str, Any]) -> int:
     """Answer the goals of a plan; exit code 1 if one of them has no answer."""
-    from nctakt.cli.study_summary import answer_lines  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_summary import answer_lines  # noqa: PLC0415 - as above
 
     budget = sum(max(goal.budget, 1) for goal in study.plan.goals)
     answers = _search(study, words, budget, study.find)
@@ -508,7 +508,7 @@ def _search(
 
     Raises ``Failure`` as ``search_with_rows`` if no rows are kept.
     """
-    from nctakt.cli.study_search import search_with_rows  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_search import search_with_rows  # noqa: PLC0415 - as above
 
     store = None if words["out"] is None else _store(study, words)
     try:
@@ -525,7 +525,7 @@ def _executor(words: dict[str, Any], store: RowStore | FolderStore | None) -> An
     address = words["scheduler"]
     if address is None:
         return None
-    from nctakt.studies.cluster import rows_of_cluster  # noqa: PLC0415 - as above
+    from nctakt.studies.workers.cluster import rows_of_cluster  # noqa: PLC0415 - as above
 
     uploads = [Path(name) for name in words["upload"]]
     writer = None if store is None else store.folder
@@ -540,7 +540,7 @@ def _interrupted(
 ) -> int:
     """Say why a study has ended early, and how many runs are kept; raise what leaves none."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - few studies are interrupted
-    from nctakt.messages.studies import STUDY_INTERRUPTED  # noqa: PLC0415
+    from nctakt.messages.commands.studies import STUDY_INTERRUPTED  # noqa: PLC0415
 
     if store is None:
         raise error
@@ -556,7 +556,7 @@ def _interrupted(
 
 def _is_folder(words: dict[str, Any]) -> bool:
     """Return whether ``--out`` names a folder of parts."""
-    from nctakt.studies.part_folder import is_folder  # noqa: PLC0415 - as above
+    from nctakt.studies.rows.part_folder import is_folder  # noqa: PLC0415 - as above
 
     return words["out"] is not None and is_folder(words["out"])
 
@@ -565,16 +565,16 @@ def _results(study: Study, words: dict[str, Any]) -> RowStore | FolderStore:
     """Return what keeps the rows of ``--out``."""
     if not _is_folder(words):
         return _store(study, words)
-    from nctakt.studies.folder_store import FolderStore  # noqa: PLC0415 - as above
-    from nctakt.studies.part_folder import PartFolder  # noqa: PLC0415
+    from nctakt.studies.rows.folder_store import FolderStore  # noqa: PLC0415 - as above
+    from nctakt.studies.rows.part_folder import PartFolder  # noqa: PLC0415
 
     folder = PartFolder(words["out"], study.plan, dict(study.bench.units))
     return FolderStore(folder, study.plan, resumes=words["resume"])
 
 
 def _store(study: Study, words: dict[str, Any]) -> RowStore:
-    from nctakt.studies.results import check_target  # noqa: PLC0415 - as above
-    from nctakt.studies.row_store import RowStore  # noqa: PLC0415
+    from nctakt.studies.rows.results import check_target  # noqa: PLC0415 - as above
+    from nctakt.studies.rows.row_store import RowStore  # noqa: PLC0415
 
     check_target(Path(words["out"]))
     path = Path(words["out"] + ROWS)
@@ -606,7 +606,7 @@ def _read(file: str, words: dict[str, Any]) -> Study:
     entries: dict[str, Any] = {"program": file, "expect": list(words["expect"]), **changes}
     entries |= {row.name: _entry(row, words[row.word]) for row in _OF_PROGRAM if words[row.word]}
     if words["each_tick"] is not None:
-        from nctakt.studies.each_tick import injection_table  # noqa: PLC0415 - as above
+        from nctakt.studies.runs.each_tick import injection_table  # noqa: PLC0415 - as above
 
         entries["vary"] = [injection_table(words["each_tick"])]
     return Study(**entries)

@@ -15,13 +15,13 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_INTERNAL, EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.help import described, option
-from nctakt.cli.options import language_option
-from nctakt.cli.terminal import print_diagnostics
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import language_option
+from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.unit_tests import NOTHING_TESTED, PYTEST_MISSING
+from nctakt.messages.plcs.unit_tests import NOTHING_TESTED, PYTEST_MISSING
 
 #: The plugins of nctakt, where the installation does not announce them.
 _PLUGINS = ("nctakt.testing.plugin", "nctakt.studies.fixture")

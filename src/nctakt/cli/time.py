@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import Text
 from nctakt.cli import EXIT_NC_ERROR
-from nctakt.cli.help import described, option
-from nctakt.cli.options import FORMAT_OPTION
-from nctakt.cli.request import Options, Request, read_request
-from nctakt.cli.running import (
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import FORMAT_OPTION
+from nctakt.cli.common.request import Options, Request, read_request
+from nctakt.cli.common.running import (
     RUN_CODES,
     TIMES_NOTE,
     choose_mode,
@@ -28,11 +28,16 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import InterruptRequest, ProgressBar, print_diagnostics, show_at_the_end
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import (
+    InterruptRequest,
+    ProgressBar,
+    print_diagnostics,
+    show_at_the_end,
+)
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
-from nctakt.run.stimuli import read_stimulus
+from nctakt.run.access.stimuli import read_stimulus
 
 if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
@@ -211,7 +216,7 @@ def _write(files: dict[str, OutputFile], account: TimeAccount, options: Options)
 
 
 def _report(options: Options, account: TimeAccount, variants: list[Variant]) -> str:
-    from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as above
+    from nctakt.cli.findings.json_documents import as_json, run_document  # noqa: PLC0415 - as above
     from nctakt.results.summary import headline  # noqa: PLC0415
     from nctakt.timing.table import time_text, what_if_text  # noqa: PLC0415
 

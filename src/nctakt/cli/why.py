@@ -17,10 +17,10 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR
-from nctakt.cli.help import described, option
-from nctakt.cli.options import FORMAT_OPTION
-from nctakt.cli.request import Options, read_request
-from nctakt.cli.running import (
+from nctakt.cli.common.help import described, option
+from nctakt.cli.common.options import FORMAT_OPTION
+from nctakt.cli.common.request import Options, read_request
+from nctakt.cli.common.running import (
     RUN_CODES,
     TIMES_NOTE,
     choose_mode,
@@ -30,16 +30,16 @@ from nctakt.cli.running import (
     start_controller,
     with_limit_error,
 )
-from nctakt.cli.settings import carry_out
-from nctakt.cli.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.settings import carry_out
+from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import STIMULUS_WITHOUT_VALUE
+from nctakt.messages.commands.inputs import STIMULUS_WITHOUT_VALUE
 
 if TYPE_CHECKING:
+    from nctakt.results.explained.why import WhyReport
     from nctakt.results.run import Run
-    from nctakt.results.why import WhyReport
     from nctakt.run.options import RunKeywords
 
 
@@ -159,7 +159,7 @@ def _why(options: Options, access: FileAccess, asked: _Asked) -> int:
 
 
 def _report(options: Options, run: Run, asked: _Asked, tick: int | None) -> str:
-    from nctakt.cli.json_documents import as_json, run_document  # noqa: PLC0415 - as below
+    from nctakt.cli.findings.json_documents import as_json, run_document  # noqa: PLC0415 - as below
     from nctakt.results.summary import headline  # noqa: PLC0415 - the mode is chosen before
 
     if run.why is None or not run.ticks:

@@ -21,7 +21,7 @@ from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.mapping import Pair
 from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import EVENT_NOT_IN_LOG, EVENT_NOT_IN_RUN, EVENT_UNREADABLE
+from nctakt.messages.commands.comparison import EVENT_NOT_IN_LOG, EVENT_NOT_IN_RUN, EVENT_UNREADABLE
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import Signal
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import NO_ROOM_FOR_SAMPLES
+from nctakt.messages.commands.comparison import NO_ROOM_FOR_SAMPLES
 
 Numbers = NDArray[numpy.float64]
 

@@ -18,7 +18,7 @@ from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.mapping import Pair, Tolerance
 from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import BEGIN_UNCERTAIN, NO_OVERLAP, TIMES_NOT_ALIGNED
+from nctakt.messages.commands.comparison import BEGIN_UNCERTAIN, NO_OVERLAP, TIMES_NOT_ALIGNED
 from nctakt.results.run import Run
 from nctakt.trace.events import Event
 

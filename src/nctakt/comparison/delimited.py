@@ -26,7 +26,7 @@ from nctakt.comparison.columns import NumberTable
 from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import LOG_TEXT_CUT, NO_NUMBER_IN_LOG
+from nctakt.messages.commands.comparison import LOG_TEXT_CUT, NO_NUMBER_IN_LOG
 
 #: Stamps of this size and more are FILETIME: 100 ns since 1601 (LG-109); 10^16 are the year 1632.
 _FILETIME = 10**16

@@ -18,7 +18,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.comparison.columns import Beginning, Column, Numbers, NumberTable, range_of, stretches
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import EQUAL_STAMPS, LOG_IS_EMPTY, TIME_RUNS_BACK
+from nctakt.messages.commands.comparison import EQUAL_STAMPS, LOG_IS_EMPTY, TIME_RUNS_BACK
 
 
 @dataclass(frozen=True, slots=True)

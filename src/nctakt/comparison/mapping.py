@@ -24,7 +24,7 @@ from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.log import Log, LogColumn
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import (
+from nctakt.messages.commands.comparison import (
     COLUMN_UNKNOWN,
     MAPPING_UNREADABLE,
     NAMES_ALIKE,

@@ -20,7 +20,7 @@ from nctakt.comparison.columns import STRETCH, Numbers, NumberTable, stretches
 from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.comparison.plain_table import NOT_SIGNALS, TIME_UNITS, TIMES, split_unit
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
+from nctakt.messages.commands.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
 from nctakt.trace.arrow import load_pyarrow
 from nctakt.trace.measurement import load_asammdf
 

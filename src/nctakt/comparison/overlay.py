@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.comparison.comparison import Comparison
 from nctakt.comparison.deviations import Deviation, single_samples
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import LOG_THINNED
+from nctakt.messages.commands.comparison import LOG_THINNED
 
 #: Points of a curve, and stretches that are marked, at most.
 _MAX_POINTS, _MAX_STRETCHES = 4_000, 500

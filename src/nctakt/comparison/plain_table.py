@@ -16,7 +16,7 @@ from nctakt.comparison.delimited import Table
 from nctakt.comparison.log import LogColumn
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import NO_NAMES_IN_LOG, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
+from nctakt.messages.commands.comparison import NO_NAMES_IN_LOG, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
 
 #: Names of time columns, in lower case and without their unit.
 TIMES = frozenset(("t", "time", "zeit", "timestamp", "time_us", "time_ms", "time_s", "zeitstempel"))

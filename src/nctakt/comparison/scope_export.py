@@ -17,7 +17,7 @@ from nctakt.comparison.delimited import Table
 from nctakt.comparison.log import LogColumn
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import COMMA_FOR_BOTH, NO_SIGNAL_IN_LOG, SCALE_IN_LOG
+from nctakt.messages.commands.comparison import COMMA_FOR_BOTH, NO_SIGNAL_IN_LOG, SCALE_IN_LOG
 
 #: The keys of header rows, in lower case.
 _KEYS = frozenset((

@@ -27,7 +27,7 @@ from nctakt.debugger.launch import Configuration, read_configuration
 from nctakt.debugger.relay import Relay, Relayed
 from nctakt.debugger.requests import Requests
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import (
+from nctakt.messages.connections.debugger import (
     GOTO_NEEDS_LAUNCH,
     NOT_LAUNCHED,
     PROGRAM_WITH_ERRORS,

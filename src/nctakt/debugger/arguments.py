@@ -11,7 +11,7 @@ from typing import Any, NoReturn
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import WRONG_ARGUMENT
+from nctakt.messages.connections.debugger import WRONG_ARGUMENT
 
 #: Items of a list that are read at most.
 MAX_ITEMS = 10_000

@@ -23,8 +23,8 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.places import Place
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import CHANGES_NEEDS_A_BRANCH, NOT_A_HIT_CONDITION
-from nctakt.messages.session import TOO_MANY_STOPS
+from nctakt.messages.connections.debugger import CHANGES_NEEDS_A_BRANCH, NOT_A_HIT_CONDITION
+from nctakt.messages.connections.session import TOO_MANY_STOPS
 from nctakt.session.stops import MAX_STOPS, Kind, StopAt
 
 #: How often a breakpoint with a hit condition is counted at most.

@@ -16,7 +16,7 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.values import DEBUGGER, Values
 from nctakt.lists.format.times import Time, read_time, time_stamp
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import NEVER_HELD, UNKNOWN_CONSOLE_COMMAND
+from nctakt.messages.connections.debugger import NEVER_HELD, UNKNOWN_CONSOLE_COMMAND
 from nctakt.session.engine import Slice
 from nctakt.session.session import Session
 

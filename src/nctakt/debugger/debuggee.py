@@ -27,7 +27,7 @@ from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Values
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import RUN_IS_ON
+from nctakt.messages.connections.debugger import RUN_IS_ON
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.summary import headline
 from nctakt.session.cursor import FAULT

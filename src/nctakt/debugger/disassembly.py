@@ -16,7 +16,7 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.sources import Sources
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import NO_INSTRUCTIONS, WRONG_ARGUMENT
+from nctakt.messages.connections.debugger import NO_INSTRUCTIONS, WRONG_ARGUMENT
 from nctakt.results.instruction_tree import ListedCycle
 
 #: Addresses of one cycle; no cycle has as many instructions.

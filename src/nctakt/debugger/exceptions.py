@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Message, Text
 from nctakt.debugger.arguments import Arguments
 from nctakt.messages.catalogue import messages_of
 from nctakt.messages.classes import CLEARINGS, REACTIONS
-from nctakt.messages.plc_code import (
+from nctakt.messages.plcs.plc_code import (
     CONVERSION_OUTSIDE,
     DIVISION_BY_ZERO,
     EXCEPTION_RAISED,

@@ -16,7 +16,7 @@ from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.debuggee import Debuggee
 from nctakt.debugger.launch import Configuration
 from nctakt.messages import diagnostic
-from nctakt.messages.block_search import START_BLOCK_NOT_REACHED
+from nctakt.messages.programs.block_search import START_BLOCK_NOT_REACHED
 from nctakt.session.engine import Slice
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt

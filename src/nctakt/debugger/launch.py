@@ -18,7 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.arguments import Arguments
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import WRONG_ARGUMENT
+from nctakt.messages.connections.debugger import WRONG_ARGUMENT
 from nctakt.messages.files import FILE_MISSING
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.run.option_kinds import UnfitDataError

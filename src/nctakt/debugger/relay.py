@@ -15,7 +15,7 @@ from typing import Any
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import NO_LIVE_PAGE
+from nctakt.messages.connections.debugger import NO_LIVE_PAGE
 from nctakt.ports.framing import Message, MessageReader, MessageWriter
 from nctakt.ports.token import known_token
 

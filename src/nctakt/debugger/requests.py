@@ -17,7 +17,7 @@ from nctakt.debugger.debuggee import Debuggee
 from nctakt.debugger.exceptions import fault_info, info
 from nctakt.debugger.values import shown_value
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import (
+from nctakt.messages.connections.debugger import (
     NO_LINE_TO_STOP_AT,
     NOT_IN_THE_RUN,
     UNKNOWN_REFERENCE,

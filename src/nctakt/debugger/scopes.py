@@ -22,7 +22,7 @@ from nctakt.debugger.values import Value, Values, elements_of, shown_value
 from nctakt.hli.plc_entries import SpindleEntry
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import NOT_RESTARTED, UNKNOWN_REFERENCE
+from nctakt.messages.connections.debugger import NOT_RESTARTED, UNKNOWN_REFERENCE
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.engine import BranchState, CycleState

@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.debugger.names import pieces_of
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import DECODER_VARIABLE, NO_VALUE, UNREADABLE_VALUE_TEXT
+from nctakt.messages.connections.debugger import DECODER_VARIABLE, NO_VALUE, UNREADABLE_VALUE_TEXT
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.session import Session
 from nctakt.session.setup import Inventory

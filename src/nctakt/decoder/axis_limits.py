@@ -9,9 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from nctakt.decoder.state.limit_commands import AxisLimits, SetLimits
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.path_limits import AxisWeights, LimitState
+from nctakt.decoder.state.queued.limit_commands import AxisLimits, SetLimits
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.base import arithmetic

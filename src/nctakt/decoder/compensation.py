@@ -23,7 +23,7 @@ from typing import NoReturn
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder import tilted_motions
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.path.path_motion import PathMotion
 from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
@@ -34,13 +34,20 @@ from nctakt.decoder.pending_motion import (
     plain_span,
     segments_of,
 )
-from nctakt.decoder.state.arcs import SAME_POINT_MM
-from nctakt.decoder.state.commands import Answer, Command, DecoderWait, ProgramEnd, Segment, waits
 from nctakt.decoder.state.environment import DecodeError
-from nctakt.decoder.state.packing import takes_time
+from nctakt.decoder.state.geometry.arcs import SAME_POINT_MM
+from nctakt.decoder.state.queued.commands import (
+    Answer,
+    Command,
+    DecoderWait,
+    ProgramEnd,
+    Segment,
+    waits,
+)
+from nctakt.decoder.state.queued.packing import takes_time
 from nctakt.decoder.values.variables import Values
 from nctakt.messages import diagnostic
-from nctakt.messages.tools import (
+from nctakt.messages.path.tools import (
     ARC_REVERSED_BY_RADIUS,
     CLOSED_CONTOUR_TOO_LONG,
     COMPENSATION_NEEDS_LINE,

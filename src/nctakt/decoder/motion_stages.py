@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 
 from nctakt.decoder import tilted_motions
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.path.path_motion import PathMotion
 from nctakt.decoder.compensation import Compensation
 from nctakt.decoder.shapes.contouring import Contouring
 from nctakt.decoder.shapes.shaping import Shaping
-from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 
 

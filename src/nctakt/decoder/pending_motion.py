@@ -11,10 +11,10 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Span
 from nctakt.base.source_ids import NO_SOURCE, unpack
 from nctakt.decoder.contour import rows
-from nctakt.decoder.state.arcs import Arc
-from nctakt.decoder.state.commands import Command, Segment
-from nctakt.decoder.state.coordinate_systems import Matrix
-from nctakt.decoder.state.tangential_arc import Tangent
+from nctakt.decoder.state.geometry.arcs import Arc
+from nctakt.decoder.state.geometry.coordinate_systems import Matrix
+from nctakt.decoder.state.geometry.tangential_arc import Tangent
+from nctakt.decoder.state.queued.commands import Command, Segment
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 

@@ -15,7 +15,7 @@ from math import nan
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
-from nctakt.decoder.blocks.path_settings import PathSettings
+from nctakt.decoder.blocks.path.path_settings import PathSettings
 from nctakt.decoder.blocks.user_errors import user_error
 from nctakt.decoder.cycles.builder import SCOPES, CycleDefinition
 from nctakt.decoder.cycles.kept_cycles import CyclePlace, built_cycle
@@ -33,7 +33,10 @@ from nctakt.decoder.flow.realtime_loops import RealtimeLoops
 from nctakt.decoder.flow.signals import Signals
 from nctakt.decoder.motion_stages import MotionStages
 from nctakt.decoder.state.call_stack import MAX_CALL_DEPTH, MAX_NESTING, CallFrame
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.geometry.offsets import remaining_offset_kinds
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.queued.commands import (
     CONTROL_ACTIONS,
     PAUSE,
     Answer,
@@ -48,17 +51,14 @@ from nctakt.decoder.state.commands import (
     ProgramEnd,
     is_block,
 )
-from nctakt.decoder.state.environment import DecoderEnvironment
-from nctakt.decoder.state.modal_state import ModalState
-from nctakt.decoder.state.offsets import remaining_offset_kinds
-from nctakt.decoder.state.start_block import StartBlock
+from nctakt.decoder.state.queued.start_block import StartBlock
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.channel_configuration import ALL_LINES
-from nctakt.messages.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
-from nctakt.messages.decoder import (
+from nctakt.messages.programs.checked_cycles import INVALID_CYCLE_ID, INVALID_GLOBAL_CYCLE_ID
+from nctakt.messages.programs.decoder import (
     JUMP_TARGET_NOT_NC_TEXT,
     PROGRAMS_NESTED_TOO_DEEP,
     RETURN_LABEL_NOT_UNIQUE,

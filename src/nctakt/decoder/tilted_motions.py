@@ -13,12 +13,12 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from nctakt.decoder.state import cubics
-from nctakt.decoder.state.arcs import RADIANS, Arc
-from nctakt.decoder.state.commands import Command, EmptyBlock, Segment, Tilt
-from nctakt.decoder.state.coordinate_systems import Matrix, axis_arc, turned_out
-from nctakt.decoder.state.cubics import Cubic, Point
 from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.geometry import cubics
+from nctakt.decoder.state.geometry.arcs import RADIANS, Arc
+from nctakt.decoder.state.geometry.coordinate_systems import Matrix, axis_arc, turned_out
+from nctakt.decoder.state.geometry.cubics import Cubic, Point
+from nctakt.decoder.state.queued.commands import Command, EmptyBlock, Segment, Tilt
 
 #: How far a cubic may be beside its arc, mm.
 TOLERANCE_MM = 1e-6

@@ -20,7 +20,7 @@ from nctakt.base.failure import Failure
 from nctakt.editor.incoming import Incoming
 from nctakt.editor.server import Server
 from nctakt.messages import diagnostic
-from nctakt.messages.ports import TOKEN_NEEDED
+from nctakt.messages.connections.ports import TOKEN_NEEDED
 from nctakt.ports.door import Door, Visitor
 from nctakt.ports.framing import Message, MessageReader
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import Literal, NamedTuple
 
-from nctakt.editor.line_tokens import VARIABLE
+from nctakt.editor.display.line_tokens import VARIABLE
 from nctakt.nc.parse.block_head import BLOCK_HEAD, HEAD, LABEL, number_label
 from nctakt.nc.parse.lexer import COMMENT_BEGIN, COMMENT_END, without_comments
 

@@ -31,7 +31,7 @@ from nctakt.editor.names import (
 from nctakt.editor.workspace import LoadedMachine
 from nctakt.lists.machine.files import find_below
 from nctakt.messages import diagnostic
-from nctakt.messages.editor import (
+from nctakt.messages.connections.editor import (
     NAME_IS_FIXED,
     NEW_NAME_INVALID,
     NEW_NAME_TAKEN,

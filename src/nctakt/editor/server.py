@@ -269,7 +269,7 @@ def _register_help(server: Server) -> None:
 
     @feature(types.TEXT_DOCUMENT_HOVER)
     def on_hover(params: types.HoverParams) -> types.Hover | None:
-        from nctakt.editor.hover import hover  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.display.hover import hover  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is None:
@@ -285,7 +285,7 @@ def _register_help(server: Server) -> None:
         types.CompletionOptions(trigger_characters=[".", "$", "#", "[", "=", " "]),
     )
     def on_completion(params: types.CompletionParams) -> types.CompletionList | None:
-        from nctakt.editor.completion import complete  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.completing.completion import complete  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is None:
@@ -443,7 +443,7 @@ def _register_structure(server: Server) -> None:
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
     def on_symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol]:
-        from nctakt.editor.outline import document_symbols  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.display.outline import document_symbols  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is not None and document.is_structured:
@@ -454,7 +454,7 @@ def _register_structure(server: Server) -> None:
     def on_workspace_symbols(
         params: types.WorkspaceSymbolParams,
     ) -> list[types.WorkspaceSymbol]:
-        from nctakt.editor.outline import document_symbols  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.display.outline import document_symbols  # noqa: PLC0415 - when it is asked for
 
         found = []
         query = params.query.casefold()
@@ -467,7 +467,7 @@ def _register_structure(server: Server) -> None:
 
     @feature(types.TEXT_DOCUMENT_FOLDING_RANGE)
     def on_folding(params: types.FoldingRangeParams) -> list[types.FoldingRange]:
-        from nctakt.editor.outline import folding_ranges  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.display.outline import folding_ranges  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is not None and document.is_structured:
@@ -476,7 +476,7 @@ def _register_structure(server: Server) -> None:
 
     @feature(types.TEXT_DOCUMENT_SELECTION_RANGE)
     def on_selection(params: types.SelectionRangeParams) -> list[types.SelectionRange] | None:
-        from nctakt.editor.outline import selection_range  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.display.outline import selection_range  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is None:
@@ -507,7 +507,7 @@ def _register_edits(server: Server) -> None:
         types.CodeActionOptions(code_action_kinds=[types.CodeActionKind.QuickFix]),
     )
     async def on_action(params: types.CodeActionParams) -> list[types.CodeAction]:
-        from nctakt.editor.remedies import actions  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.edits.remedies import actions  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
         if document is None or document.is_structured:

@@ -12,11 +12,11 @@ from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from nctakt.editor.line_tokens import Token, tokens
+from nctakt.editor.display.line_tokens import Token, tokens
 from nctakt.editor.names import variable_name
 from nctakt.editor.structures import structure_word
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 _TYPE_OF = {
     "comment": "comment",

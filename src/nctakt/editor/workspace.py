@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from nctakt.editor.open_buffers import OpenBuffers
     from nctakt.editor.structured_text.plc_projects import PlcProjects
     from nctakt.project.machine_choice import MachineChoice
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 # The modules of the check are loaded with the first one, beside the start of the server.
 
@@ -168,7 +168,7 @@ class Workspace:
     def _load(self, folder: Path) -> LoadedMachine:
         from nctakt.editor.open_buffers import OpenBuffers  # noqa: PLC0415 - as above
         from nctakt.lists.machine.machine import load_machine  # noqa: PLC0415
-        from nctakt.run.assembly import AssembledMachine  # noqa: PLC0415
+        from nctakt.run.realtime.assembly import AssembledMachine  # noqa: PLC0415
 
         access = OpenBuffers(self.lines_of)
         try:
@@ -224,7 +224,7 @@ class Workspace:
         from nctakt.checking.check import check_files  # noqa: PLC0415 - as above
         from nctakt.editor.open_buffers import OpenBuffers  # noqa: PLC0415
         from nctakt.lists.machine.files import startup_list_around  # noqa: PLC0415
-        from nctakt.run.assembly import AssembledMachine  # noqa: PLC0415
+        from nctakt.run.realtime.assembly import AssembledMachine  # noqa: PLC0415
 
         path = document.path
         default = AssembledMachine(self._demo()[0].configuration, OpenBuffers(self.lines_of))

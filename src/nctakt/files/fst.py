@@ -15,7 +15,7 @@ from typing import Any
 from nctakt.base.failure import Failure
 from nctakt.files.vcd import FIRST_VALUES, Value, VcdVariable, in_order, named
 from nctakt.messages import diagnostic
-from nctakt.messages.schedule_results import LIBRARY_MISSING
+from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING
 
 #: The size of whole numbers in bits.
 _INTEGER_BITS = 64

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import FOLDER_NOT_EMPTY, FOLDER_NOT_WRITABLE
+from nctakt.messages.machines.folders import FOLDER_NOT_EMPTY, FOLDER_NOT_WRITABLE
 
 
 def check_new_folder(folder: Path) -> None:

@@ -17,7 +17,7 @@ from typing import Literal
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.schedule_results import LIBRARY_MISSING
+from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING
 
 Value = int | float | str
 

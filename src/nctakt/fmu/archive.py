@@ -15,7 +15,7 @@ from pathlib import Path
 from nctakt.files.access import FileAccess
 from nctakt.fmu.failures import FmuError
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_NOT_READABLE, FMU_PATH_OUTSIDE
+from nctakt.messages.plcs.fmu import FMU_NOT_READABLE, FMU_PATH_OUTSIDE
 
 #: Bytes of an unpacked FMU, of its description, and the number of its files.
 _MAX_BYTES = 1 << 30

@@ -17,16 +17,16 @@ from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.fmu.cell_state import CellInputs, CellState, EventDigest
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import (
+from nctakt.messages.plcs.fmu import (
     CELL_DOES_OTHERWISE,
     CELL_STATE_OF_ANOTHER,
     CELL_STEP_NOT_POSSIBLE,
 )
 from nctakt.plc import load_plc
+from nctakt.run.access.inputs import FMU
 from nctakt.run.controller import Controller
-from nctakt.run.inputs import FMU
 from nctakt.run.options import RunKeywords
-from nctakt.run.realtime_plc import memories_of
+from nctakt.run.plcs.realtime_plc import memories_of
 from nctakt.run.tape_words import options_of_words
 
 #: The folder with the users' files, and the file that says how they are run, in the resources.

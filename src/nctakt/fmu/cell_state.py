@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import CELL_INPUTS_NOT_KEPT, CELL_STATE_UNREADABLE
+from nctakt.messages.plcs.fmu import CELL_INPUTS_NOT_KEPT, CELL_STATE_UNREADABLE
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader

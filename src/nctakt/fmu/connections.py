@@ -19,7 +19,7 @@ from nctakt.base.unit_factors import factor_between
 from nctakt.fmu.description import FmuDescription, FmuVariable
 from nctakt.fmu.failures import FmuError
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import (
+from nctakt.messages.plcs.fmu import (
     FMU_NOT_CONNECTED,
     FMU_UNITS_DIFFER,
     FMU_VARIABLE_NOT_POSSIBLE,
@@ -27,7 +27,7 @@ from nctakt.messages.fmu import (
 )
 
 if TYPE_CHECKING:
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 _INPUT = Text("an input", "ein Eingang")
 _OUTPUT = Text("an output or a variable inside", "ein Ausgang oder eine innere Variable")

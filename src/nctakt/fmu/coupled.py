@@ -25,12 +25,12 @@ from nctakt.fmu.instance import FmuInstance
 from nctakt.fmu.isolated import IsolatedInstance
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_STEP_NOT_POSSIBLE, FMU_VALUE_REFUSED
+from nctakt.messages.plcs.fmu import FMU_STEP_NOT_POSSIBLE, FMU_VALUE_REFUSED
 from nctakt.project.project_file import FmuSettings
-from nctakt.run.inputs import FMU, NEVER
+from nctakt.run.access.inputs import FMU, NEVER
 
 if TYPE_CHECKING:
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 
 class Fmu:

@@ -16,7 +16,7 @@ from nctakt.fmu.archive import not_readable, platforms_of
 from nctakt.fmu.archive import read_description as read_text
 from nctakt.fmu.failures import FmuError, fmpy
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_KIND_NOT_POSSIBLE, FMU_WITHOUT_BINARY
+from nctakt.messages.plcs.fmu import FMU_KIND_NOT_POSSIBLE, FMU_WITHOUT_BINARY
 
 #: Types of variables -> the part of the functions' names that get and set them, by version.
 _ACCESS = {

@@ -25,13 +25,13 @@ from nctakt.base.failure import Failure
 from nctakt.fmu.cell import CONTENT, FILES, Cell
 from nctakt.fmu.model_description import CellVariable, model_description
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import CELL_NOT_COMPLETE, NOT_AN_INPUT
-from nctakt.messages.studies import EXTRA_MISSING
+from nctakt.messages.commands.studies import EXTRA_MISSING
+from nctakt.messages.plcs.fmu import CELL_NOT_COMPLETE, NOT_AN_INPUT
 from nctakt.plc.loading import input_file_of
-from nctakt.run.realtime_plc import is_structured
+from nctakt.run.plcs.realtime_plc import is_structured
 
 if TYPE_CHECKING:
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 #: The package with the libraries of each version, and their ending by the platform's folder.
 _PACKAGES = {2: "pythonfmu", 3: "pythonfmu3"}

@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_LIBRARY_MISSING
+from nctakt.messages.plcs.fmu import FMU_LIBRARY_MISSING
 from nctakt.plc.error import PlcError
 
 

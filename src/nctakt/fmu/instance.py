@@ -20,7 +20,7 @@ from nctakt.fmu.description import FmuDescription, FmuVariable
 from nctakt.fmu.failures import FmuError, fmpy
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_ENDED, FMU_FAILED, FMU_LATE
+from nctakt.messages.plcs.fmu import FMU_ENDED, FMU_FAILED, FMU_LATE
 
 _STATUSES = ("ok", "warning", "discard", "error", "fatal", "pending")
 _ERROR, _FATAL = 3, 4

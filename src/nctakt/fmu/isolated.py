@@ -23,7 +23,13 @@ from nctakt.fmu.description import FmuDescription, FmuVariable
 from nctakt.fmu.failures import FmuError
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import FMU_CRASHED, FMU_ENDED, FMU_FAILED, FMU_HANGS, FMU_LIBRARY_MISSING
+from nctakt.messages.plcs.fmu import (
+    FMU_CRASHED,
+    FMU_ENDED,
+    FMU_FAILED,
+    FMU_HANGS,
+    FMU_LIBRARY_MISSING,
+)
 
 #: What the other process may report, by numbers.
 _REPORTED = {one.id: one for one in (FMU_FAILED, FMU_ENDED, FMU_LIBRARY_MISSING)}

@@ -15,11 +15,11 @@ from nctakt.hli.layout import PANEL, SPINDLE_OVERRIDE, TOOL_ANSWER, Entry
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
-from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
-from nctakt.messages.hli_table import NUMBER_NOT_TAKEN
-from nctakt.messages.inputs import VALUE_NOT_OF_TYPE, VARIABLE_NOT_SETTABLE
-from nctakt.messages.realtime import VALUE_NOT_FINITE
-from nctakt.nc.vocabulary import strings
+from nctakt.messages.commands.inputs import VALUE_NOT_OF_TYPE, VARIABLE_NOT_SETTABLE
+from nctakt.messages.plcs.hli_table import NUMBER_NOT_TAKEN
+from nctakt.messages.programs.decoder import VALUE_OUTSIDE_TYPE_RANGE
+from nctakt.messages.programs.realtime import VALUE_NOT_FINITE
+from nctakt.nc.vocabulary.variables import strings
 
 _CHANNEL = re.compile(r"\s*[Cc][Hh](\d{1,4})\.")
 

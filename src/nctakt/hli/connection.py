@@ -22,7 +22,7 @@ from nctakt.hli.plc_side import PlcSide
 from nctakt.hli.process_watch import ProcessWatch, is_living
 from nctakt.hli.shared_file import SharedFile, image_names
 from nctakt.messages import diagnostic
-from nctakt.messages.hli_connection import HLI_HAS_PLC, NO_HLI_OF_NAME, NO_TICK_AT_HLI
+from nctakt.messages.plcs.hli_connection import HLI_HAS_PLC, NO_HLI_OF_NAME, NO_TICK_AT_HLI
 
 #: Looks without a pause: the CNC on another core runs a tick within some microseconds.
 _EAGER_LOOKS = 50

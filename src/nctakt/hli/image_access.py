@@ -33,14 +33,14 @@ from nctakt.hli.places import PlacedEntry, entries, size_of
 from nctakt.hli.variable_names import NamedVariable, read_names
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
-from nctakt.messages.hli_connection import (
+from nctakt.messages.plcs.hli_connection import (
     HLI_CNC_WRITES_ON,
     HLI_LAYOUT_DIFFERS,
     HLI_VERSION_DIFFERS,
     NOT_AN_HLI,
 )
-from nctakt.messages.plc import UNKNOWN_HLI_VALUE
-from nctakt.nc.vocabulary import strings
+from nctakt.messages.plcs.plc import UNKNOWN_HLI_VALUE
+from nctakt.nc.vocabulary.variables import strings
 
 _Result = TypeVar("_Result")
 

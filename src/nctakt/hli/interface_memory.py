@@ -32,7 +32,7 @@ from nctakt.hli.table import ACTS, MANAGED, UNSERVED, DataType, Element, Tie
 from nctakt.kernel import cells
 from nctakt.lists.machine.axis_configuration import AxisType
 from nctakt.lists.machine.machine import Machine
-from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.variables import strings
 
 Scalar = float | bool | str
 

@@ -2,10 +2,10 @@
 """The values of the HLI: one declaration of each, from which all else is derived.
 
 Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Derived
-from them are the table of the tick (``run/shared_image.py``), the C header (``hli/header.py``) and
-the document ``docs/reference/hli.md``. ``PANEL`` are the operator's commands and ``LAMPS`` the
-signals of the channel to the operator; each has a cell in the memory, in this order
-(``kernel/plc/panel.py``). From outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …
+from them are the table of the tick (``run/access/shared_image.py``), the C header
+(``hli/header.py``) and the document ``docs/reference/hli.md``. ``PANEL`` are the operator's
+commands and ``LAMPS`` the signals of the channel to the operator; each has a cell in the memory, in
+this order (``kernel/plc/panel.py``). From outside they are called ``HLI.OVERRIDE``, ``HLI.STATE`` …
 """
 
 from __future__ import annotations
@@ -74,8 +74,9 @@ class Entry:
     """A value of the HLI: name, type as in variables lists (and UNS64), unit, meaning.
 
     ``count``: elements of an array, 0 for a single value. ``source``: the variable of the channel
-    or axis that it shows (``nc/vocabulary/variable_table.py``); empty for a value of other origin.
-    ``path``: that of the same value on the controller: then the image has its name, type and unit
+    or axis that it shows (``nc/vocabulary/variables/variable_table.py``); empty for a value of
+    other origin. ``path``: that of the same value on the controller: then the image has its name,
+    type and unit
     from the table of the interface, and ``name`` is the short form of the session; empty where the
     controller has none, and the value is nctakt's own. ``is_signed``: of what the PLC writes, it
     may be below 0.

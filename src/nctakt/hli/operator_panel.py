@@ -2,7 +2,7 @@
 """The operator's side of a channel by names: override, keys and lamps.
 
 In: a way to read and write values of the HLI. Out: properties, the same for a scripted PLC
-(``run/plc_view.py``) and for one in another process (``plc_side.py``).
+(``run/plcs/plc_view.py``) and for one in another process (``plc_side.py``).
 """
 
 from __future__ import annotations

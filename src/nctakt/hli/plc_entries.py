@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The values of the HLI as a PLC in Python meets them: waiting functions and jobs, named values.
 
-The same for a scripted PLC (``run/plc_view.py``) and for one in another process (``plc_side.py``).
+The same for a scripted PLC (``run/plcs/plc_view.py``) and for one in another process
+(``plc_side.py``).
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.hli.layout import AXIS, CHANNEL, LAMPS
 from nctakt.messages import diagnostic
-from nctakt.messages.plc import UNKNOWN_HLI_VALUE
+from nctakt.messages.plcs.plc import UNKNOWN_HLI_VALUE
 
 #: The values of ``PlcView.axis`` and ``PlcView.channel``.
 AXIS_NAMES = tuple(entry.name for entry in AXIS.entries if entry.source)

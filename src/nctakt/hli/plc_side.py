@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The PLC's side of a channel in another process: the HLI by names.
 
-In: an image. Out: the names that a scripted PLC has, too (``run/plc_view.py``), so that one class
-with ``cycle(self, hli)`` works there and here. What is written counts from the next tick on
+In: an image. Out: the names that a scripted PLC has, too (``run/plcs/plc_view.py``), so that one
+class with ``cycle(self, hli)`` works there and here. What is written counts from the next tick on
 (RC-002).
 """
 
@@ -45,14 +45,14 @@ from nctakt.kernel.plc.technology_slots import SLOT_COUNT
 from nctakt.lists.declared.technology_functions import SYNCHRONISATIONS
 from nctakt.lists.format import arguments
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import UNKNOWN_CHANNEL
-from nctakt.messages.hli_connection import (
+from nctakt.messages.commands.inputs import VALUE_NOT_OF_TYPE
+from nctakt.messages.machines.folders import UNKNOWN_CHANNEL
+from nctakt.messages.plcs.hli_connection import (
     HLI_HAS_NO_NAME,
     HLI_INDEX_OUTSIDE,
     UNKNOWN_HLI_SPINDLE,
 )
-from nctakt.messages.inputs import VALUE_NOT_OF_TYPE
-from nctakt.messages.plc import UNKNOWN_PLC_AXIS
+from nctakt.messages.plcs.plc import UNKNOWN_PLC_AXIS
 
 _COMMANDS = {PREFIX + entry.name.upper(): entry for entry in PANEL}
 _SHOWN = {PREFIX + entry.name.upper(): entry for entry in LAMPS}

@@ -40,7 +40,7 @@ from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.messages import diagnostic
-from nctakt.messages.hli_table import INDEX_OUTSIDE_ARRAY, NO_INDEX_TAKEN, UNKNOWN_HLI_PATH
+from nctakt.messages.plcs.hli_table import INDEX_OUTSIDE_ARRAY, NO_INDEX_TAKEN, UNKNOWN_HLI_PATH
 
 _FOLDER = Path(__file__).parent / "elements"
 

@@ -12,8 +12,8 @@ from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass
 from nctakt.hli.variables_memory import sections
+from nctakt.lists.machine.external.variables_layout import fields, pack_of
 from nctakt.lists.machine.machine import Machine
-from nctakt.lists.machine.variables_layout import fields, pack_of
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.hli.variables_memory import Section, image_bytes, sections
+from nctakt.lists.machine.external.variables import AccessRights, Node
+from nctakt.lists.machine.external.variables_layout import Field, Placed, fields, pack_of
 from nctakt.lists.machine.machine import Machine
-from nctakt.lists.machine.variables import AccessRights, Node
-from nctakt.lists.machine.variables_layout import Field, Placed, fields, pack_of
 
 _TYPES = {
     "BOOLEAN": "uint8_t",

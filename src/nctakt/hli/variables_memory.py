@@ -7,9 +7,8 @@ In: a machine. Out: its sections, and the fields in them (``describe``). V.CH is
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
-from nctakt.lists.machine.machine import Machine
-from nctakt.lists.machine.variables import Variable, VariableScope
-from nctakt.lists.machine.variables_layout import (
+from nctakt.lists.machine.external.variables import Variable, VariableScope
+from nctakt.lists.machine.external.variables_layout import (
     Field,
     Placed,
     fields,
@@ -17,6 +16,7 @@ from nctakt.lists.machine.variables_layout import (
     place_variables,
     size_bytes,
 )
+from nctakt.lists.machine.machine import Machine
 
 #: Alignment of the sections in bytes: a cache line.
 SECTION_ALIGNMENT = 64

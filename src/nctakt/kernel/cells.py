@@ -9,7 +9,8 @@ from __future__ import annotations
 
 # --- cells of the memory --------------------------------------------------------------------------
 
-#: Cells of an axis, in the order of ``AXIS_VARIABLES`` in ``nc/vocabulary/realtime_variables.py``.
+#: Cells of an axis, in the order of ``AXIS_VARIABLES`` in
+#: ``nc/vocabulary/variables/realtime_variables.py``.
 (
     AXIS_ACS_ACT_POS,
     AXIS_ACS_CUR_POS,
@@ -39,7 +40,7 @@ from __future__ import annotations
 SYSTEM_ACT_POS, SYSTEM_CUR_POS, SYSTEM_CMD_POS, SYSTEM_DIST_TO_GO, SYSTEM_CELLS = range(5)
 
 #: Cells of a channel, in the order of ``CHANNEL_VARIABLES`` in
-#: ``nc/vocabulary/realtime_variables.py``; the timers are at the end.
+#: ``nc/vocabulary/variables/realtime_variables.py``; the timers are at the end.
 (
     CHANNEL_OVERRIDE_VEL_CYCLE,
     CHANNEL_OVERRIDE_VEL_TOTAL,
@@ -99,7 +100,7 @@ TIMERS = 128
 PANEL_CELLS = 74
 
 #: Cells of a spindle, in the order of ``SPINDLE_VALUES`` in
-#: ``nc/vocabulary/realtime_variables.py``.
+#: ``nc/vocabulary/variables/realtime_variables.py``.
 SPINDLE_SPEED, SPINDLE_POSITION, SPINDLE_OVERRIDE, SPINDLE_CELLS = range(4)
 
 # --- the interface image --------------------------------------------------------------------------

@@ -131,7 +131,7 @@ ABSOLUTE, RELATIVE, VELOCITY, HALT, CLEAR_FAULT, HOMING, POSITION, CALIBRATION =
 HOMED_BY_PROGRAM, HOMED_BY_PLC = 1, 2
 
 #: Why a cycle's command for an axis is refused in the tick: numbers of ``REFUSALS`` in
-#: ``nc/vocabulary/axis_commands.py``.
+#: ``nc/vocabulary/single_axes/axis_commands.py``.
 DIRECTION_UNKNOWN, FEED_UNKNOWN, FEED_ZERO = range(6, 9)
 FEED_NEGATIVE = 12
 
@@ -230,7 +230,7 @@ AT_FRONT, WALKS_BACKWARD, WALKS_FORWARD = range(3)
 #: ``TOUCH_LEVEL`` of a measuring motion to a fixed stop: the signal is not HLI.PROBE.
 FIXED_STOP_SIGNAL = 2
 
-#: The error of a PLC that does not show in time that it lives (``messages/plc.py``).
+#: The error of a PLC that does not show in time that it lives (``messages/plcs/plc.py``).
 PLC_SILENT = 902320
 
 # --- tool life ------------------------------------------------------------------------------------

@@ -179,12 +179,12 @@ LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERA
 GIVING_SPINDLE, GIVES_AXIS = _arguments(2)  # SPINDLE_AXIS: index in the channel; 1: gives
 (
     MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
-    MARK_CALLS,  # number of the open calls (``run/event_registry.py``)
+    MARK_CALLS,  # number of the open calls (``run/realtime/event_registry.py``)
     MARK_DEPTH,  # how many programs are open, from 1
 ) = _arguments(3)
 (MODAL_NUMBER,) = _arguments(1)  # MODAL_MARK: number of what is in force
 (
-    WAIT_REASON,  # ``decoder/state/commands.py``
+    WAIT_REASON,  # ``decoder/state/queued/commands.py``
     WAIT_CELL,  # the variable, 0 for none
 ) = _arguments(2)
 STEP_IS_LOCKED, STEP_RESOLUTION = _arguments(2)  # SINGLE_STEP: 1: disabled; -1: not changed

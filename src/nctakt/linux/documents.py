@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
 """A run and its plan for other programs, as JSON documents.
 
-In: ``Plan``, ``Measurement``. Out: dictionaries of plain values, as in ``schedule.documents``.
+In: ``Plan``, ``Measurement``. Out: dictionaries of plain values, as in
+``schedule.reports.documents``.
 """
 
 from __future__ import annotations
 
 from nctakt.linux.measure import Measurement
 from nctakt.linux.plan import Plan
-from nctakt.schedule.documents import Document, schedule_document, simulation_document
 from nctakt.schedule.model import ANY_CPU, NS_PER_US
-from nctakt.schedule.results import Simulation
+from nctakt.schedule.reports.documents import Document, schedule_document, simulation_document
+from nctakt.schedule.simulation.results import Simulation
 
 
 def plan_document(plan: Plan) -> Document:

@@ -2,7 +2,7 @@
 """Diagnostics of a run: its end, and resources that the system refused.
 
 In: ``RunLog``, ``Measurement``. Out: diagnostics; those that a simulation shares are in
-``schedule.findings``.
+``schedule.analysis.findings``.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from nctakt.linux import area as layout
 from nctakt.linux.measure import Measurement, late_wakes
 from nctakt.linux.run import RunLog, placement_refusals
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import (
+from nctakt.messages.scheduling.linux_run import (
     LATE_WAKEUPS,
     NOBODY_WAITS,
     POSTS_CEASED,
@@ -23,7 +23,7 @@ from nctakt.messages.linux_run import (
     SCHEDULE_RECORDING_FULL,
     SCHEDULE_RUN_STOPPED,
 )
-from nctakt.schedule.findings import is_rare, us
+from nctakt.schedule.analysis.findings import is_rare, us
 
 #: Periods without a post after which a semaphore counts as silent.
 _SILENT_PERIODS = 4

@@ -14,7 +14,7 @@ from pathlib import Path
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import LINUX_ONLY, SCHEDULE_RUNNER_MISSING
+from nctakt.messages.scheduling.linux_run import LINUX_ONLY, SCHEDULE_RUNNER_MISSING
 from nctakt.schedule.load import MAX_CPUS
 
 _ONLINE = Path("/sys/devices/system/cpu/online")

@@ -17,10 +17,10 @@ from nctakt.linux import area as layout
 from nctakt.linux.recording import RecordOfRun
 from nctakt.linux.run import RunLog
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import NO_NC_CYCLE_COMPLETED
-from nctakt.schedule.counters import NEVER, Counters
+from nctakt.messages.scheduling.linux_run import NO_NC_CYCLE_COMPLETED
 from nctakt.schedule.model import NO_OVERHEADS, Model, suspension_point
-from nctakt.schedule.results import Simulation
+from nctakt.schedule.simulation.counters import NEVER, Counters
+from nctakt.schedule.simulation.results import Simulation
 
 #: Tolerated part of Windows' time that is missing: the timer is late now and then, and stopping a
 #: process takes time.

@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.linux.area import NAME_SIZE
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import (
+from nctakt.messages.scheduling.linux_run import (
     INVALID_LINUX_SEMAPHORE_NAME,
     SEMAPHORE_EXISTS,
     SEMAPHORE_NOT_CREATED,

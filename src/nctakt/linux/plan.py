@@ -13,9 +13,9 @@ import numpy.typing as npt
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.rtconf import InterruptSource
-from nctakt.schedule.chance import Chance
 from nctakt.schedule.model import ANY_CPU, Model, Task, TaskClass
-from nctakt.schedule.work import Work
+from nctakt.schedule.simulation.chance import Chance
+from nctakt.schedule.simulation.work import Work
 
 #: The priority of SCHED_FIFO of the highest-priority thread; the scheduler has 90.
 HIGHEST_PRIORITY = 80

@@ -10,7 +10,7 @@ from __future__ import annotations
 from nctakt.base.dataclass import dataclass, field
 from nctakt.linux import area as layout
 from nctakt.linux.run import RunLog
-from nctakt.schedule.results import Event, EventKind, Job, Record, Segment
+from nctakt.schedule.simulation.results import Event, EventKind, Job, Record, Segment
 
 
 @dataclass(slots=True)

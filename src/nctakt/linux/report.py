@@ -10,9 +10,9 @@ from __future__ import annotations
 from nctakt.base.diagnostics import Language, Text
 from nctakt.linux.measure import Measurement, tolerated
 from nctakt.linux.plan import Plan, PlannedTask
-from nctakt.schedule.findings import us
+from nctakt.schedule.analysis.findings import us
 from nctakt.schedule.model import ANY_CPU, NS_PER_US
-from nctakt.schedule.report import (
+from nctakt.schedule.reports.report import (
     CLASSES,
     NONE,
     chosen_report,
@@ -22,7 +22,7 @@ from nctakt.schedule.report import (
     rounded_mean,
     table,
 )
-from nctakt.schedule.results import Simulation
+from nctakt.schedule.simulation.results import Simulation
 
 #: Upper bounds of the histogram's steps, in µs.
 _STEPS_US = (10, 20, 50, 100, 200, 500, 1000, 2000, 5000)

@@ -23,12 +23,12 @@ from nctakt.linux.area import AreaPart, Entries, SharedArea, TaskPart
 from nctakt.linux.names import SemaphoreNames
 from nctakt.linux.plan import Plan
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import (
+from nctakt.messages.scheduling.linux_run import (
     SCHEDULE_RUN_ENDED,
     SEMAPHORE_NOT_CREATED,
     SEMAPHORE_NOT_OPENED,
 )
-from nctakt.messages.schedule_results import CPU_NOT_ASSIGNABLE
+from nctakt.messages.scheduling.schedule_results import CPU_NOT_ASSIGNABLE
 
 #: Interval of the checks whether the scheduler has ended, in seconds.
 _LOOK = 0.02

@@ -23,10 +23,10 @@ from nctakt.linux.measure import Measurement
 from nctakt.linux.names import SemaphoreNames
 from nctakt.linux.plan import Plan, PlannedTask
 from nctakt.messages import diagnostic
-from nctakt.messages.linux_run import SEMAPHORE_NOT_OPENED
-from nctakt.schedule.counters import Counters
+from nctakt.messages.scheduling.linux_run import SEMAPHORE_NOT_OPENED
 from nctakt.schedule.model import Model, TaskClass, suspension_point
-from nctakt.schedule.results import Record, Simulation
+from nctakt.schedule.simulation.counters import Counters
+from nctakt.schedule.simulation.results import Record, Simulation
 
 if TYPE_CHECKING:
     from nctakt.linux.processes import Semaphore

@@ -21,10 +21,10 @@ from nctakt.editor.token_colours import synchronous_names
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages import diagnostic
+from nctakt.messages.connections.live import PROGRAM_CHANGED_ON_DISK
 from nctakt.messages.files import FILE_NOT_WRITABLE
-from nctakt.messages.live import PROGRAM_CHANGED_ON_DISK
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.program_loader import NcText
+from nctakt.run.realtime.assembly import AssembledMachine
 
 
 class Checker:

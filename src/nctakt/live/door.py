@@ -14,14 +14,14 @@ from concurrent.futures import Future
 
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
-from nctakt.live.connections import MAX_CONNECTIONS
+from nctakt.live.access.connections import MAX_CONNECTIONS
+from nctakt.live.access.guard import Refused
 from nctakt.live.document import Checker, Document
-from nctakt.live.guard import Refused
 from nctakt.live.server import end_page, serve, usable_port
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
-from nctakt.messages.live import SESSION_IS_SHARED
+from nctakt.messages.connections.live import SESSION_IS_SHARED
 from nctakt.session.session import Session
 
 

@@ -18,10 +18,10 @@ from nicegui.element import Element
 
 from nctakt.base.failure import Failure
 from nctakt.live import view
-from nctakt.live.commander import Commander, Newest
 from nctakt.live.conditions import MAX_FILTER, Condition, fitting
-from nctakt.live.naming import card, explained, named
-from nctakt.live.saving import Saving
+from nctakt.live.parts.commander import Commander, Newest
+from nctakt.live.parts.naming import card, explained, named
+from nctakt.live.parts.saving import Saving
 from nctakt.live.track import Seen
 
 _HERE = Path(__file__).parent

@@ -15,20 +15,20 @@ from typing import Any
 from nicegui import context, ui
 
 from nctakt.live import view
-from nctakt.live.commander import Commander
 from nctakt.live.document import Document
 from nctakt.live.drawings import Drawings
-from nctakt.live.functions import Functions
-from nctakt.live.help import build_help
-from nctakt.live.keys import KEYS
-from nctakt.live.lists import NAMES, Lists
-from nctakt.live.naming import explained, named
-from nctakt.live.panel import Panel
-from nctakt.live.program_card import ProgramCard
+from nctakt.live.parts.commander import Commander
+from nctakt.live.parts.functions import Functions
+from nctakt.live.parts.help import build_help
+from nctakt.live.parts.keys import KEYS
+from nctakt.live.parts.lists import NAMES, Lists
+from nctakt.live.parts.naming import explained, named
+from nctakt.live.parts.panel import Panel
+from nctakt.live.parts.program_card import ProgramCard
+from nctakt.live.parts.tour import Hands, Tour
+from nctakt.live.parts.variables import Variables
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
-from nctakt.live.tour import Hands, Tour
-from nctakt.live.variables import Variables
 from nctakt.live.view import Snapshot
 from nctakt.session.session import Session
 from nctakt.session.story import NEXT_BLOCK, NEXT_REACTION

@@ -18,14 +18,14 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.live.access.guard import LOCAL, WORD, Access, Guard, Refused
+from nctakt.live.access.places import MAX_BROWSERS, Places
+from nctakt.live.access.reporting import tell_errors
 from nctakt.live.document import Document
-from nctakt.live.guard import LOCAL, WORD, Access, Guard, Refused
-from nctakt.live.places import MAX_BROWSERS, Places
-from nctakt.live.reporting import tell_errors
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
-from nctakt.messages.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
+from nctakt.messages.connections.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
 
 if TYPE_CHECKING:
     from starlette.responses import Response
@@ -85,7 +85,7 @@ def serve(
     """
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
-    from nctakt.live.connections import protocol  # noqa: PLC0415 - as above
+    from nctakt.live.access.connections import protocol  # noqa: PLC0415 - as above
     from nctakt.live.page import Page  # noqa: PLC0415
 
     host, port = address
@@ -127,7 +127,7 @@ def _guard(access: Access, places: Places, texts: Texts, refused: Refused) -> No
     """Bound what browsers may send, and refuse those without access or place."""
     from nicegui import Client, app, core  # noqa: PLC0415 - only the page needs it
 
-    from nctakt.live.sockets import Sockets  # noqa: PLC0415 - as above
+    from nctakt.live.access.sockets import Sockets  # noqa: PLC0415 - as above
 
     def refusal() -> str:
         return "" if places.make_room() else texts["too_many"].format(count=MAX_BROWSERS)

@@ -21,7 +21,7 @@ from nctakt.comparison.overlay import LoggedCurve
 from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.conditions import conditions_of
-from nctakt.live.explaining import Explainer, Moment, why_text
+from nctakt.live.parts.explaining import Explainer, Moment, why_text
 from nctakt.live.plc_files import PlcFiles
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of

@@ -18,7 +18,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import PROJECT_WITHOUT_LISTS
+from nctakt.messages.machines.folders import PROJECT_WITHOUT_LISTS
 
 #: The start-up list of the folder.
 STARTUP = "hochlauf.lis"

@@ -91,8 +91,8 @@ def catalogue() -> tuple[Message, ...]:
     import pkgutil  # noqa: PLC0415
 
     package = importlib.import_module(__package__)
-    for module in pkgutil.iter_modules(package.__path__):
-        importlib.import_module(f"{__package__}.{module.name}")
+    for module in pkgutil.walk_packages(package.__path__, f"{__package__}."):
+        importlib.import_module(module.name)
     return tuple(sorted(_declared, key=lambda message: (message.id, message.known_as)))
 
 

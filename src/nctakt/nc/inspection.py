@@ -25,16 +25,16 @@ from nctakt.base.line_shift import LineShift
 from nctakt.base.misspelling import nearest
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
-from nctakt.messages.checked_blocks import NOT_NC_TEXT
-from nctakt.messages.program_structure import (
+from nctakt.messages.programs.checked_blocks import NOT_NC_TEXT
+from nctakt.messages.programs.program_structure import (
     DUPLICATE_LABEL,
     DUPLICATE_LOCAL_SUBPROGRAM,
     JUMP_INTO_LOOP,
     UNKNOWN_LABEL,
     UNKNOWN_LOCAL_SUBPROGRAM,
 )
-from nctakt.nc.check.branches import realtime_cycles
 from nctakt.nc.check.checker import Checker, CheckerState, Role, ends
+from nctakt.nc.check.cycles.branches import realtime_cycles
 from nctakt.nc.fast.plain_lines import PlainScanner
 from nctakt.nc.fast.shapes import Shape
 from nctakt.nc.outline import Call, Labels, ProgramText, Section, labels_in
@@ -48,7 +48,7 @@ from nctakt.nc.tree import (
     StringLiteral,
 )
 from nctakt.nc.vocabulary.functions import ENDS, PROGRAM_ENDS
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 #: Lines between two calls of ``poll``.
 LINES_PER_POLL = 10_000

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from nctakt.plc.partner import PartnerPlc
     from nctakt.plc.policies import ALL, NONE, Policy, SpindlePolicy, after, only, run_up
     from nctakt.plc.script import Plc, at, on, when
-    from nctakt.run.plc_view import AnyPlc
+    from nctakt.run.plcs.plc_view import AnyPlc
 
 __all__ = [
     "ALL",
@@ -61,7 +61,7 @@ _MODULES = {
     "NONE": "nctakt.plc.policies",
     "POSITIVE": "nctakt.plc.axes",
     "SHORTEST": "nctakt.plc.axes",
-    "AnyPlc": "nctakt.run.plc_view",
+    "AnyPlc": "nctakt.run.plcs.plc_view",
     "MC_Halt": "nctakt.plc.axes",
     "MC_MoveAbsolute": "nctakt.plc.axes",
     "MC_MoveRelative": "nctakt.plc.axes",

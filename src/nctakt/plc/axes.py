@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 from nctakt.kernel import codes
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView
+    from nctakt.run.plcs.plc_view import PlcView
 
 #: Directions of modulo axes and of endless motions.
 POSITIVE, NEGATIVE, CURRENT, SHORTEST = 1, -1, 0, 2

@@ -14,7 +14,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
-from nctakt.messages.plc_code import AXIS_REFERENCE_UNBOUND
+from nctakt.messages.plcs.plc_code import AXIS_REFERENCE_UNBOUND
 from nctakt.st.program import Program
 from nctakt.st.types import ArrayType, BlockType, Kind, Section, StructType, Type, Variable
 

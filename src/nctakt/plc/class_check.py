@@ -16,12 +16,12 @@ from typing import Any
 from nctakt.base.diagnostics import NOTHING, Message
 from nctakt.base.misspelling import KnownNames, nearest
 from nctakt.hli.operator_panel import SETTABLE
-from nctakt.messages.plc import (
+from nctakt.messages.plcs.plc import (
     PLC_NAME_NOT_SETTABLE,
     UNKNOWN_PLC_NAME,
     WRONG_HANDLER_PARAMETERS,
 )
-from nctakt.run.plc_view import PlcView, public_names
+from nctakt.run.plcs.plc_view import PlcView, public_names
 
 #: A message, the member that it concerns, a word in that, the message's values.
 Slip = tuple[Message, str, str, dict[str, Any]]

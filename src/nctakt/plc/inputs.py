@@ -18,8 +18,8 @@ from nctakt.base.text import decode_text, split_lines
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.plc import INPUT_CELL_COUNT, INPUT_HEADER_MISSING
-from nctakt.run.stimuli import Stimulus, parse_assignment
+from nctakt.messages.plcs.plc import INPUT_CELL_COUNT, INPUT_HEADER_MISSING
+from nctakt.run.access.stimuli import Stimulus, parse_assignment
 
 
 def read_inputs(path: Path) -> tuple[Stimulus, ...]:

@@ -27,7 +27,7 @@ from nctakt.hli.plc_entries import (
     TechnologyEntry,
 )
 from nctakt.messages import Collector
-from nctakt.messages.plc import (
+from nctakt.messages.plcs.plc import (
     PLC_NAME_NOT_SETTABLE,
     UNKNOWN_HLI_VALUE,
     UNKNOWN_PLC_NAME,
@@ -36,7 +36,7 @@ from nctakt.messages.plc import (
 )
 from nctakt.plc.script import Plc, handler_parameters
 from nctakt.plc.tool_manager import ToolRequest
-from nctakt.run.plc_view import PlcView, public_names
+from nctakt.run.plcs.plc_view import PlcView, public_names
 
 #: The members of a PLC's class that are called or read by name.
 _MEMBERS = ("cycle", "each_tick", "acknowledge", "spindles", "inputs")

@@ -25,7 +25,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.plc import (
+from nctakt.messages.plcs.plc import (
     PLC_CLASS_AMBIGUOUS,
     PLC_CLASS_MISSING,
     PLC_FAILED,
@@ -33,12 +33,12 @@ from nctakt.messages.plc import (
     UNKNOWN_PLC_NAME,
 )
 from nctakt.plc.error import PlcError
-from nctakt.run.plc_view import AnyPlc, Declaration, WatchedPlc
-from nctakt.run.realtime_plc import plc_object
+from nctakt.run.plcs.plc_view import AnyPlc, Declaration, WatchedPlc
+from nctakt.run.plcs.realtime_plc import plc_object
 from nctakt.st.files.suffixes import PLC_SUFFIXES
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView
+    from nctakt.run.plcs.plc_view import PlcView
 
 
 _OUR_FOLDER = Path(__file__).parent.parent

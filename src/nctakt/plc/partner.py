@@ -14,12 +14,12 @@ from typing import TYPE_CHECKING
 
 from nctakt.hli.process_watch import ProcessWatch
 from nctakt.messages import diagnostic
-from nctakt.messages.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
+from nctakt.messages.plcs.plc import NO_PLC_AT_HLI, PLC_LEFT_HLI, PLC_NOT_ANSWERING
 from nctakt.plc.error import PlcError
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView
-    from nctakt.run.shared_image import SharedImage
+    from nctakt.run.access.shared_image import SharedImage
+    from nctakt.run.plcs.plc_view import PlcView
 
 #: Waits until a condition is true; returns False if that takes too long.
 Wait = Callable[[Callable[[], bool]], bool]

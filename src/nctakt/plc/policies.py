@@ -17,7 +17,7 @@ from nctakt.lists.format.times import Time, TimeLike, read_time
 
 if TYPE_CHECKING:
     from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
-    from nctakt.run.plc_view import PlcView
+    from nctakt.run.plcs.plc_view import PlcView
 
 
 #: A tick, or a number of ticks, that no run reaches.

@@ -9,6 +9,6 @@ from __future__ import annotations
 
 from nctakt.hli.plc_entries import SpindleEntry as SpindleJob
 from nctakt.hli.plc_entries import TechnologyEntry as Function
-from nctakt.run.plc_view import PlcView as HliView
+from nctakt.run.plcs.plc_view import PlcView as HliView
 
 __all__ = ["Function", "HliView", "SpindleJob"]

@@ -16,10 +16,10 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.plc_code import NO_PLC_THAT_RETAINS, RETAINED_SKIPPED, RETAINED_UNREADABLE
+from nctakt.messages.plcs.plc_code import NO_PLC_THAT_RETAINS, RETAINED_SKIPPED, RETAINED_UNREADABLE
 from nctakt.plc.structured_text import StructuredPlc
-from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import NamedGroup, parts_of
+from nctakt.run.plcs.plc_view import AnyPlc
+from nctakt.run.plcs.realtime_plc import NamedGroup, parts_of
 
 Values = Mapping[str, float | str]
 

@@ -43,7 +43,7 @@ from nctakt.base.misspelling import nearest
 from nctakt.kernel.tick.plc_calls import Delays, When
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.plc import (
+from nctakt.messages.plcs.plc import (
     HANDLER_NOT_CALLED,
     UNKNOWN_FUNCTION_IN_PLC,
     WHEN_CALLED_EACH_TICK,
@@ -62,13 +62,13 @@ from nctakt.plc.policies import (
     earliest,
 )
 from nctakt.plc.tool_manager import ToolData, ToolRequest, answer_requests
+from nctakt.run.access.stimuli import Stimulus, not_reached
 from nctakt.run.conditions import read_expression
-from nctakt.run.plc_view import Declaration, WatchedPlc
-from nctakt.run.stimuli import Stimulus, not_reached
+from nctakt.run.plcs.plc_view import Declaration, WatchedPlc
 
 if TYPE_CHECKING:
     from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
-    from nctakt.run.plc_view import PlcView
+    from nctakt.run.plcs.plc_view import PlcView
 
 _Method = TypeVar("_Method", bound=Callable[..., Any])
 

@@ -13,7 +13,7 @@ from nctakt.results.coverage import BranchCounts, ConditionCounts, Coverage, Cyc
 from nctakt.st.program import Program
 from nctakt.st.sources import Sources
 from nctakt.st.types import Expression
-from nctakt.translation.branches import BranchNumbers, NumberedBranch, NumberedUnit
+from nctakt.translation.observing.branches import BranchNumbers, NumberedBranch, NumberedUnit
 
 
 def coverage_of(program: Program, numbers: BranchNumbers, counts: Sequence[int]) -> Coverage:

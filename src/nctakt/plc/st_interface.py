@@ -41,15 +41,15 @@ from nctakt.kernel.st.interface import (
     ShownValues,
 )
 from nctakt.kernel.st.technology import SectionSource, SpindleSource, UnitBanks, UnitSource
-from nctakt.lists.machine.variables_layout import fields, pack_of
+from nctakt.lists.machine.external.variables_layout import fields, pack_of
 from nctakt.messages import diagnostic
-from nctakt.messages.hli_table import NO_SUCH_TRANSITION
-from nctakt.nc.vocabulary.cells import CELL_BYTES
-from nctakt.run.machine_names import prefix_of
+from nctakt.messages.plcs.hli_table import NO_SUCH_TRANSITION
+from nctakt.nc.vocabulary.variables.cells import CELL_BYTES
+from nctakt.run.access.machine_names import prefix_of
 from nctakt.run.technology_tables import axes_of, types_of
 
 if TYPE_CHECKING:
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 #: Alignment of the areas, in bytes.
 _ALIGNMENT = 64

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Why a PLC in Structured Text has changed its variables: its notes -> histories (ST-840).
 
-In: the log of ``kernel.st.notes`` and the rows of the program. Out: ``PlcHistory`` for each watched
-variable that a statement has written. Watched are the scalars of its own code, but for counters of
-FOR and pointers, and each place of the interface that a statement writes.
+In: the log of ``kernel.st.observing.notes`` and the rows of the program. Out: ``PlcHistory`` for
+each watched variable that a statement has written. Watched are the scalars of its own code, but for
+counters of FOR and pointers, and each place of the interface that a statement writes.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.context import PlcContext
-from nctakt.results.plc_histories import Fact, PlcChange, PlcHistory
+from nctakt.results.explained.plc_histories import Fact, PlcChange, PlcHistory
 from nctakt.st.program import Program
 from nctakt.st.types import (
     ArrayType,
@@ -37,7 +37,7 @@ from nctakt.st.types import (
 from nctakt.trace.events import number_text
 from nctakt.translation.body import value_type
 from nctakt.translation.layout import is_real, kind_of
-from nctakt.translation.noting import NoteRows
+from nctakt.translation.observing.noting import NoteRows
 
 #: Changes of a variable that are kept: the newest.
 CHANGES_KEPT = 50

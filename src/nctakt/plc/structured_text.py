@@ -23,8 +23,9 @@ from nctakt.kernel.st.outside import Connection
 from nctakt.kernel.st.steps import Step, steps_in_order
 from nctakt.kernel.st.tasks import CyclicTask, PlcSide, PlcTask, PlcTasks
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.plc import INVALID_AXIS_COMMAND
-from nctakt.messages.plc_code import (
+from nctakt.messages.plc_debugging import POINTER_FROM_OUTSIDE
+from nctakt.messages.plcs.plc import INVALID_AXIS_COMMAND
+from nctakt.messages.plcs.plc_code import (
     AXIS_NOT_RELEASED,
     CONVERSION_OUTSIDE,
     CYCLE_TOO_LONG,
@@ -42,7 +43,6 @@ from nctakt.messages.plc_code import (
     STEP_ZERO,
     TOO_MANY_INSTRUCTIONS,
 )
-from nctakt.messages.plc_debugging import POINTER_FROM_OUTSIDE
 from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
@@ -50,9 +50,9 @@ from nctakt.plc.st_coverage import coverage_of
 from nctakt.plc.st_interface import StInterface, connect, lay_out, names_of
 from nctakt.plc.st_reasons import StReasons
 from nctakt.project.project_file import Project, find_project
-from nctakt.run.named_values import SignalCell
-from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import PlcGroup, RealtimePlc, is_structured, parts_of
+from nctakt.run.access.named_values import SignalCell
+from nctakt.run.plcs.plc_view import AnyPlc
+from nctakt.run.plcs.realtime_plc import PlcGroup, RealtimePlc, is_structured, parts_of
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
 from nctakt.st.types import (
@@ -66,10 +66,10 @@ from nctakt.st.types import (
     StringType,
     Type,
 )
-from nctakt.translation.branches import BranchNumbers
 from nctakt.translation.layout import as_word, is_real, kind_of
-from nctakt.translation.noting import NoteRows
-from nctakt.translation.probing import Probes
+from nctakt.translation.observing.branches import BranchNumbers
+from nctakt.translation.observing.noting import NoteRows
+from nctakt.translation.observing.probing import Probes
 from nctakt.translation.project import Translation, translate
 from nctakt.translation.variables import (
     PlacedVariable,
@@ -80,8 +80,8 @@ from nctakt.translation.variables import (
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
-    from nctakt.results.plc_histories import PlcHistory
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.results.explained.plc_histories import PlcHistory
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 #: The block that follows a command of an axis for those of the libraries.
 _AXIS_MOTION = "__axis_motion"

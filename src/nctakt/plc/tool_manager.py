@@ -15,7 +15,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.hli.layout import PREFIX, TOOL_OFFSETS, TOOL_PARAMETERS
 
 if TYPE_CHECKING:
-    from nctakt.run.plc_view import PlcView
+    from nctakt.run.plcs.plc_view import PlcView
 
 
 @dataclass(frozen=True, slots=True)

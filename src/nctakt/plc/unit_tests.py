@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
-from nctakt.messages.unit_tests import (
+from nctakt.messages.plcs.unit_tests import (
     OUTSIDE_OF_TESTS,
     SUITE_NOT_CALLED,
     TEST_NAME_TWICE,
@@ -32,7 +32,7 @@ from nctakt.st.program import Program, Task
 from nctakt.st.tree import Call
 from nctakt.st.types import Callable, Kind, Node, Pou
 from nctakt.st.vocabulary.libraries import TEST_LIBRARY
-from nctakt.translation.units import methods_of
+from nctakt.translation.observing.units import methods_of
 from nctakt.translation.variables import instances_of
 
 #: How long suites may take if nothing else is said, in s of the machine's time.

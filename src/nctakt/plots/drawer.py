@@ -18,7 +18,7 @@ from nctakt.files.fst import check_fst
 from nctakt.files.vcd import check_vcd
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.messages import diagnostic
-from nctakt.messages.pictures import RUN_NOT_RECORDED, SIGNAL_NOT_RECORDED, WRONG_SUFFIX
+from nctakt.messages.commands.pictures import RUN_NOT_RECORDED, SIGNAL_NOT_RECORDED, WRONG_SUFFIX
 from nctakt.plots.picture import (
     check_picture,
     has_matplotlib,
@@ -29,8 +29,8 @@ from nctakt.plots.run_perfetto import write_run_perfetto
 from nctakt.plots.run_vcd import write_run_fst, write_run_vcd
 from nctakt.plots.scene import Scene, scene_of
 from nctakt.results.run import Run
-from nctakt.results.timeline import Timeline
-from nctakt.results.timeline_events import timeline_of
+from nctakt.results.timelines.timeline import Timeline
+from nctakt.results.timelines.timeline_events import timeline_of
 from nctakt.trace.recorded import Trace
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.plots.motion import Curve
 from nctakt.plots.words import kind_name, slice_name
-from nctakt.results.timeline import Slice, Timeline, Track
+from nctakt.results.timelines.timeline import Slice, Timeline, Track
 from nctakt.trace.recorded import Trace
 
 

@@ -21,8 +21,8 @@ import numpy
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.pictures import WRONG_SUFFIX
-from nctakt.messages.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
+from nctakt.messages.commands.pictures import WRONG_SUFFIX
+from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
 from nctakt.plots.lanes import Lane, joined
 from nctakt.plots.motion import thinned
 from nctakt.plots.page import write_page

@@ -34,7 +34,7 @@ from nctakt.plots.words import (
     kind_name,
     slice_name,
 )
-from nctakt.results.timeline import Slice, Timeline, Track, TrackKind, rows_of
+from nctakt.results.timelines.timeline import Slice, Timeline, Track, TrackKind, rows_of
 from nctakt.trace.recorded import Trace
 
 #: Maximum number of changes of a counter; of more the lowest and highest of each piece are kept.

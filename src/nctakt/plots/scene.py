@@ -32,7 +32,7 @@ from nctakt.plots.motion import (
     tip_signal,
 )
 from nctakt.plots.tool_path import ToolPath, tool_path
-from nctakt.results.timeline import Timeline
+from nctakt.results.timelines.timeline import Timeline
 from nctakt.trace.recorded import Trace
 
 #: Colours of axes and signals, in their order; the same in all panels.

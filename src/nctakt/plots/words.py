@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Language, Text
-from nctakt.results.timeline import TrackKind
+from nctakt.results.timelines.timeline import TrackKind
 
 PROGRAM = Text("program", "Programm")
 CYCLES = Text("realtime cycles", "Echtzeit-Zyklen")

@@ -19,7 +19,7 @@ from typing import BinaryIO
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.ports import (
+from nctakt.messages.connections.ports import (
     PORT_IS_FULL,
     PORT_NOT_USABLE,
     TOKEN_NEEDED,

@@ -16,7 +16,7 @@ from typing import Any, BinaryIO, Protocol
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.debugger import MESSAGE_TOO_LONG, NOT_A_HEADER, NOT_A_MESSAGE
+from nctakt.messages.connections.debugger import MESSAGE_TOO_LONG, NOT_A_HEADER, NOT_A_MESSAGE
 
 #: The longest message, and the longest line of a header, in bytes.
 MAX_MESSAGE = 8 * 1024 * 1024

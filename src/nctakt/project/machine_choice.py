@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import DEMO_FOLDER, machine_folder, startup_list_around
 from nctakt.messages import diagnostic
-from nctakt.messages.project import MACHINE_OF_SETTING, RUN_ON_MACHINE_OF_FILE
+from nctakt.messages.commands.project import MACHINE_OF_SETTING, RUN_ON_MACHINE_OF_FILE
 from nctakt.project.project_file import Project, find_project
 
 #: The environment variable for the machine.

@@ -45,7 +45,7 @@ from nctakt.files.access import FileAccess, is_file_or_folder
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import Collector
-from nctakt.messages.project import (
+from nctakt.messages.commands.project import (
     INVALID_PROJECT_FILE,
     INVALID_PROJECT_VALUE,
     PROJECT_PATH_MISSING,

@@ -20,13 +20,13 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import TimeLike
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
-from nctakt.messages.fmu import NOTHING_TO_ISOLATE
-from nctakt.messages.project import (
+from nctakt.messages.commands.project import (
     PROGRAMS_OF_DIFFERENT_MACHINES,
     PROJECT_FMU_NOT_POSSIBLE,
     PROJECT_NOT_TRUSTED,
     SEVERAL_PLCS_HERE,
 )
+from nctakt.messages.plcs.fmu import NOTHING_TO_ISOLATE
 from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
 from nctakt.project.project_file import FmuSettings, Project, find_project
 from nctakt.project.trust import list_of_trusted, why_distrusted

@@ -14,8 +14,8 @@ from nctakt.results.run import Run
 from nctakt.run.controller import Controller
 from nctakt.run.options import RunKeywords
 from nctakt.schedule.open_schedule import RunSchedule
-from nctakt.studies.changed_lists import changed_machine
-from nctakt.studies.faults import FaultyPlc, PlcFaults
+from nctakt.studies.plans.changed_lists import changed_machine
+from nctakt.studies.plans.faults import FaultyPlc, PlcFaults
 
 
 class RunRequest(Protocol):

@@ -15,7 +15,7 @@ from nctakt.nc.vocabulary.function_rows import GFunction
 from nctakt.nc.vocabulary.functions import G_FUNCTIONS
 from nctakt.nc.vocabulary.keywords import KEYWORDS, KeywordMeaning
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
-from nctakt.nc.vocabulary.system_names import BY_NAME
+from nctakt.nc.vocabulary.variables.system_names import BY_NAME
 from nctakt.reference.article import Article, Fact, Topic, fact
 from nctakt.reference.variables import UNITS
 

@@ -12,10 +12,10 @@ from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.misspelling import nearest
+from nctakt.lists.machine.external.variables import AccessRights, Node, Variable, VariableScope
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.lists.machine.variables import AccessRights, Node, Variable, VariableScope
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import (
+from nctakt.messages.commands.inputs import (
     MISSPELLED_MACHINE_VARIABLE,
     NAMES_OF_DEMO_MACHINE,
     UNKNOWN_MACHINE_VARIABLE,

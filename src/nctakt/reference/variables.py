@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Text
-from nctakt.nc.vocabulary.realtime_variables import (
+from nctakt.nc.vocabulary.variables.realtime_variables import (
     AXIS_VARIABLES,
     CHANNEL_VARIABLES,
     Access,

@@ -14,7 +14,7 @@ from nctakt.base.source_ids import begins_at
 from nctakt.decoder.cycles.builder import CycleBranch, FrozenValue
 from nctakt.kernel import codes
 from nctakt.kernel.cycles import conditions
-from nctakt.nc.check.branches import BranchOutline, accesses_in, combined
+from nctakt.nc.check.cycles.branches import BranchOutline, accesses_in, combined
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.tree import Expression
 from nctakt.results.compared import OPERATORS

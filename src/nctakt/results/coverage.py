@@ -14,7 +14,7 @@ from dataclasses import replace
 from typing import Literal, get_args
 
 from nctakt.base.dataclass import dataclass
-from nctakt.nc.check.branches import BranchWord
+from nctakt.nc.check.cycles.branches import BranchWord
 from nctakt.results.histories import BranchHistory, ConditionHistory, CycleHistory, Nearest
 
 #: The state of a branch: ``ran`` its body ran; ``never false`` its body ran in each evaluation of a

@@ -15,7 +15,7 @@ from typing import Any, TypeVar, cast
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.coverage import INVALID_COVERAGE_DATA
+from nctakt.messages.commands.coverage import INVALID_COVERAGE_DATA
 from nctakt.results.coverage import (
     COVERAGE_WORDS,
     WITHOUT_CONDITION,

@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.catalogue import messages_of
-from nctakt.messages.diagnosis import (
+from nctakt.messages.programs.diagnosis import (
     LOG_AXIS_MOVES,
     LOG_AXIS_MOVES_ENDLESSLY,
     LOG_BRANCH_RUNS,

@@ -13,7 +13,7 @@ from typing import Literal
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import FrozenValue
-from nctakt.nc.check.branches import BranchWord
+from nctakt.nc.check.cycles.branches import BranchWord
 
 #: The reason why a cycle or the body of a branch did not run.
 #:

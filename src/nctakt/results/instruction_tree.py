@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.decoder.cycles.builder import CycleDefinition, FrozenValue
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import format_expression, format_word, print_statement
-from nctakt.nc.vocabulary.resolution import indices_of
+from nctakt.nc.vocabulary.variables.resolution import indices_of
 from nctakt.trace.events import value_text
 
 

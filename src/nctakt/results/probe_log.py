@@ -20,8 +20,8 @@ from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import begins_at
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.kernel import codes, rows
-from nctakt.messages.realtime import BLOCK_CYCLE_NEVER_RAN
-from nctakt.nc.check.branches import (
+from nctakt.messages.programs.realtime import BLOCK_CYCLE_NEVER_RAN
+from nctakt.nc.check.cycles.branches import (
     branch_outlines,
     lines_without_branch,
 )

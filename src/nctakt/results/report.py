@@ -15,7 +15,7 @@ from dataclasses import replace
 from nctakt.base.diagnostics import Diagnostic, Language, Text
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
-from nctakt.messages.diagnosis import LOG_MANAGER_CAPACITY, LOG_MANAGER_INITIALISED
+from nctakt.messages.programs.diagnosis import LOG_MANAGER_CAPACITY, LOG_MANAGER_INITIALISED
 from nctakt.results.diagnosis_lines import (
     ACTION_ROWS,
     OTHER_ROWS,

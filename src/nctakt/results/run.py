@@ -19,7 +19,7 @@ from nctakt.base.notebook import html_picture, html_table
 from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.pictures import RUN_NOT_RECORDED
+from nctakt.messages.commands.pictures import RUN_NOT_RECORDED
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from nctakt.results.coverage import Coverage
+    from nctakt.results.explained.why import WhyReport
     from nctakt.results.starving import OverflowCount, Starvation
-    from nctakt.results.why import WhyReport
     from nctakt.schedule.open_schedule import RunSchedule
 
 #: ``ended``: all programs ran to their end. ``error``: an NC error stopped the run. ``limit``: the
@@ -298,7 +298,7 @@ class Run:
         Each field has its ``unit`` as metadata. Raises ``Failure``: no pyarrow (901311), a run
         without a trace (901350).
         """
-        from nctakt.messages.studies import RUN_WITHOUT_TRACE  # noqa: PLC0415 - few runs need it
+        from nctakt.messages.commands.studies import RUN_WITHOUT_TRACE  # noqa: PLC0415 - few runs need it
         from nctakt.trace.arrow import trace_table  # noqa: PLC0415 - an extra
 
         if self.trace is None:

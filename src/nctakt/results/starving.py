@@ -109,8 +109,8 @@ def schedule_lines(
     """Return the lines of the summary: the rules of the schedule, then its effects."""
     if schedule is None:
         return []
-    from nctakt.schedule.findings import us  # noqa: PLC0415 - few runs have a schedule
-    from nctakt.schedule.report import chosen_report  # noqa: PLC0415 - as above
+    from nctakt.schedule.analysis.findings import us  # noqa: PLC0415 - few runs have a schedule
+    from nctakt.schedule.reports.report import chosen_report  # noqa: PLC0415 - as above
 
     first = _LIST.get(language).format(
         file=schedule.file, schedule=schedule.model.schedule, block=us(schedule.load.block)

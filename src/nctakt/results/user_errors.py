@@ -14,7 +14,7 @@ from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.base.source_ids import statement_span
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
-from nctakt.messages.user_errors import FATAL_USER_ERROR, USER_ERROR, USER_WARNING
+from nctakt.messages.programs.user_errors import FATAL_USER_ERROR, USER_ERROR, USER_WARNING
 from nctakt.trace.chunks import of_kinds
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader

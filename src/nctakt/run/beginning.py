@@ -17,16 +17,16 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.source_ids import SourceFiles
 from nctakt.decoder.state.environment import WatchedEnvironment
 from nctakt.nc import tree
-from nctakt.run.event_registry import EventRegistry
+from nctakt.run.access.variable_access import is_path
 from nctakt.run.kept_objects import KeptObjects, NotKeptError
 from nctakt.run.options import BY_NAME, RunKeywords, with_further
+from nctakt.run.plcs.realtime_plc import PlcGroup, RealtimePlc
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.program_run import ProgramRun
-from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.realtime_parts import MACHINES, LentPart
-from nctakt.run.realtime_plc import PlcGroup, RealtimePlc
-from nctakt.run.snapshot import Snapshot
-from nctakt.run.variable_access import is_path
+from nctakt.run.realtime.event_registry import EventRegistry
+from nctakt.run.realtime.realtime_part import RealtimePart
+from nctakt.run.realtime.realtime_parts import MACHINES, LentPart
+from nctakt.run.realtime.snapshot import Snapshot
 
 #: Options that may be any in runs with a common beginning: those that vary from run to run, and
 #: those that are the same in all of them.

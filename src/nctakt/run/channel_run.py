@@ -13,16 +13,16 @@ from collections.abc import Callable, Sequence
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.decoder.state.start_block import StartBlock
+from nctakt.decoder.state.queued.start_block import StartBlock
 from nctakt.kernel import codes
 from nctakt.messages import diagnostic
-from nctakt.messages.hli_table import NUMBER_NOT_TAKEN
-from nctakt.messages.user_errors import STOPPED_BY_FATAL_USER_ERROR
+from nctakt.messages.plcs.hli_table import NUMBER_NOT_TAKEN
+from nctakt.messages.programs.user_errors import STOPPED_BY_FATAL_USER_ERROR
 from nctakt.results.run import RunState
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.queue_feeder import QueueFeeder
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.trace.events import Event
 
 #: The kinds of block search that the interface can order (``HLI.SEARCH_TYPE``).

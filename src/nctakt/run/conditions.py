@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, NoReturn
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.watching import read_condition
 from nctakt.messages import diagnostic
-from nctakt.messages.folders import UNKNOWN_CHANNEL
-from nctakt.messages.session import NOT_A_STOP
+from nctakt.messages.connections.session import NOT_A_STOP
+from nctakt.messages.machines.folders import UNKNOWN_CHANNEL
 
 if TYPE_CHECKING:
     from nctakt.kernel.cycles.expressions import Expression
-    from nctakt.run.assembly import AssembledMachine
+    from nctakt.run.realtime.assembly import AssembledMachine
 
 
 #: The column of a condition's text in the spans of its mistakes, from 0.

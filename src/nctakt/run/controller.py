@@ -22,15 +22,16 @@ from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.messages import diagnostic
-from nctakt.messages.backward import BACKWARD_WITHOUT_HISTORY
-from nctakt.messages.controller import REUSE_WITH_SCHEDULE
-from nctakt.messages.folders import UNKNOWN_CHANNEL
+from nctakt.messages.commands.controller import REUSE_WITH_SCHEDULE
+from nctakt.messages.machines.folders import UNKNOWN_CHANNEL
+from nctakt.messages.path.backward import BACKWARD_WITHOUT_HISTORY
 from nctakt.results.run import ExplainedRun, RecordedRun, Run
 from nctakt.results.step import Step
 from nctakt.run import program_loader
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.bound_values import BoundValue
-from nctakt.run.inputs import IMAGE
+from nctakt.run.access.bound_values import BoundValue
+from nctakt.run.access.inputs import IMAGE
+from nctakt.run.access.shared_image import SharedImage
+from nctakt.run.access.stimuli import StimulusLike, as_inputs, read_stimulus
 from nctakt.run.one_at_a_time import OneAtATime, alone
 from nctakt.run.options import (
     KeywordsOfAnyResult,
@@ -39,19 +40,18 @@ from nctakt.run.options import (
     completed,
     with_keywords,
 )
-from nctakt.run.plc_view import AnyPlc, GivenPlc, PlcView, WatchedPlc
+from nctakt.run.plcs.plc_view import AnyPlc, GivenPlc, PlcView, WatchedPlc
+from nctakt.run.plcs.realtime_plc import plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText
 from nctakt.run.program_run import ProgramRun
-from nctakt.run.realtime_plc import plc_object
-from nctakt.run.shared_image import SharedImage
-from nctakt.run.stimuli import StimulusLike, as_inputs, read_stimulus
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import Signal
 
 if TYPE_CHECKING:
-    from nctakt.run.inputs import Input
-    from nctakt.run.realtime_part import RealtimePart
+    from nctakt.run.access.inputs import Input
+    from nctakt.run.realtime.realtime_part import RealtimePart
     from nctakt.run.reusable import ReusableController
     from nctakt.schedule.open_schedule import RunSchedule
 
@@ -90,7 +90,7 @@ class Controller:
             machine = load_machine(machine, access=access)
         roles = None
         if schedule is not None:
-            from nctakt.run.scheduled_run import ScheduledRun, scheduled  # noqa: PLC0415 - rare
+            from nctakt.run.scheduled.scheduled_run import ScheduledRun, scheduled  # noqa: PLC0415 - rare
 
             machine, roles = scheduled(machine, schedule)
         self.machine = machine
@@ -479,7 +479,7 @@ class Controller:
         inputs = () if replay is None else replay.inputs
         scheduled = self._loop.scheduled_run
         if scheduled is not None:
-            from nctakt.run import recorded_schedule  # noqa: PLC0415 - rare
+            from nctakt.run.scheduled import recorded_schedule  # noqa: PLC0415 - rare
 
             if recorded_schedule.is_recorded(inputs):
                 shares = recorded_schedule.RecordedSchedule(self._machine, scheduled.schedule)

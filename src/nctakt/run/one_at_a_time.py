@@ -15,7 +15,7 @@ from typing import Concatenate, ParamSpec, Protocol, TypeVar
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.controller import CONTROLLER_IS_BUSY
+from nctakt.messages.commands.controller import CONTROLLER_IS_BUSY
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")

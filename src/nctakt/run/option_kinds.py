@@ -17,9 +17,9 @@ from nctakt.base.failure import Failure
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import INVALID_SKIP_OPTION
+from nctakt.messages.commands.command_line import INVALID_SKIP_OPTION
 from nctakt.nc.parse.block_head import SKIP_LEVELS
-from nctakt.run.stimuli import (
+from nctakt.run.access.stimuli import (
     Stimulus,
     assignment_text,
     parse_assignment,

@@ -19,8 +19,8 @@ from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.messages import diagnostic
-from nctakt.messages.block_search import BOTH_STARTS_GIVEN
-from nctakt.messages.command_line import OPTION_OF_OTHERS
+from nctakt.messages.commands.command_line import OPTION_OF_OTHERS
+from nctakt.messages.programs.block_search import BOTH_STARTS_GIVEN
 from nctakt.run.option_kinds import (
     Assignments,
     Callback,
@@ -44,11 +44,11 @@ if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.lists.format.times import TimeLike
     from nctakt.results.run import ProgramMessage
-    from nctakt.run.coupling import Coupled
-    from nctakt.run.inputs import InputListener
-    from nctakt.run.plc_view import GivenPlc
-    from nctakt.run.stimuli import StimulusLike
-    from nctakt.run.tape import Tape
+    from nctakt.run.access.inputs import InputListener
+    from nctakt.run.access.stimuli import StimulusLike
+    from nctakt.run.access.tape import Tape
+    from nctakt.run.plcs.coupling import Coupled
+    from nctakt.run.plcs.plc_view import GivenPlc
     from nctakt.trace.sinks import Sink
 
 

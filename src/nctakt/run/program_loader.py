@@ -22,18 +22,18 @@ from nctakt.lists.format import arguments
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.files import find_below
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.checked_blocks import FUNCTION_NOT_DEFINED, UNKNOWN_WORD
-from nctakt.messages.checked_values import UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_VARIABLE
+from nctakt.messages.commands.inputs import NAMES_OF_DEMO_MACHINE, TEXT_INSTEAD_OF_FILE
 from nctakt.messages.files import FILE_OUTSIDE, TEXT_CHANGED
-from nctakt.messages.inputs import NAMES_OF_DEMO_MACHINE, TEXT_INSTEAD_OF_FILE
-from nctakt.messages.program_structure import PROGRAM_NOT_FOUND
+from nctakt.messages.programs.checked_blocks import FUNCTION_NOT_DEFINED, UNKNOWN_WORD
+from nctakt.messages.programs.checked_values import UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_VARIABLE
+from nctakt.messages.programs.program_structure import PROGRAM_NOT_FOUND
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.inspection import inspect
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.variable_table import NameTable
-from nctakt.run.assembly import AssembledMachine
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
+from nctakt.run.realtime.assembly import AssembledMachine
 
 #: Errors about names that the lists of a machine define.
 _LIST_NAMES = (UNKNOWN_VARIABLE, UNKNOWN_AXIS_OF_VARIABLE, UNKNOWN_WORD, FUNCTION_NOT_DEFINED)

@@ -16,28 +16,28 @@ from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.notebook_progress import NotebookProgress, notebook_progress
 from nctakt.base.source_ids import SourceFiles
-from nctakt.decoder.state.start_block import StartBlock
+from nctakt.decoder.state.queued.start_block import StartBlock
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.session import PROGRAM_NOT_SELECTED
+from nctakt.messages.connections.session import PROGRAM_NOT_SELECTED
 from nctakt.nc import tree
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import CycleResult, ExplainedRun, RecordedRun, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.run import program_loader
-from nctakt.run.assembly import AssembledMachine, do_nothing
-from nctakt.run.axis_waits import never_given
+from nctakt.run.access.inputs import NEVER
+from nctakt.run.access.stimuli import as_inputs, not_reached, read_stimulus
+from nctakt.run.causes.axis_waits import never_given
+from nctakt.run.causes.condition_signals import with_condition_signals
+from nctakt.run.causes.deadlocks import deadlock, never_sent
+from nctakt.run.causes.wait_reasons import wait_reasons
 from nctakt.run.channel_run import ChannelRun, worst_state
-from nctakt.run.condition_signals import with_condition_signals
-from nctakt.run.deadlocks import deadlock, never_sent
-from nctakt.run.inputs import NEVER
 from nctakt.run.options import RunKeywords
-from nctakt.run.plc_view import PlcView, WatchedPlc
+from nctakt.run.plcs.plc_view import PlcView, WatchedPlc
+from nctakt.run.plcs.realtime_plc import parts_of, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
-from nctakt.run.realtime_plc import parts_of, plc_object
-from nctakt.run.stimuli import as_inputs, not_reached, read_stimulus
+from nctakt.run.realtime.assembly import AssembledMachine, do_nothing
 from nctakt.run.tick_loop import TickLoop, TickShares
-from nctakt.run.wait_reasons import wait_reasons
 from nctakt.trace.recorded import MemorySink
 from nctakt.trace.sinks import Sink
 

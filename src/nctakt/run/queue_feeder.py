@@ -15,25 +15,25 @@ from nctakt.base.long_text import TextChanged
 from nctakt.decoder.axis_limits import apply_limits
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.program import ProgramDecoder
-from nctakt.decoder.state import commands
 from nctakt.decoder.state.axis_places import ExchangeAxes
-from nctakt.decoder.state.commands import PAUSE, Answer, Command
 from nctakt.decoder.state.environment import DecodeError
-from nctakt.decoder.state.limit_commands import SetLimits
 from nctakt.decoder.state.modal_state import state_at_program_start
-from nctakt.decoder.state.packing import pack
-from nctakt.decoder.state.probe_commands import MeasurementRequest
 from nctakt.decoder.state.program_variables import Scopes
-from nctakt.decoder.state.start_block import StartBlock
+from nctakt.decoder.state.queued import commands
+from nctakt.decoder.state.queued.commands import PAUSE, Answer, Command
+from nctakt.decoder.state.queued.limit_commands import SetLimits
+from nctakt.decoder.state.queued.packing import pack
+from nctakt.decoder.state.queued.probe_commands import MeasurementRequest
+from nctakt.decoder.state.queued.start_block import StartBlock
 from nctakt.kernel import rows
 from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.messages import diagnostic
 from nctakt.messages.files import TEXT_CHANGED
-from nctakt.messages.realtime import TOO_MANY_CYCLES
+from nctakt.messages.programs.realtime import TOO_MANY_CYCLES
 from nctakt.nc import tree
-from nctakt.run.assembly import AssembledMachine
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
+from nctakt.run.realtime.assembly import AssembledMachine
 
 #: Number of commands with a duration in the queue beyond those of the look-ahead.
 HIGH_WATER = 64

@@ -16,9 +16,9 @@ from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage
 from nctakt.results.user_errors import UserErrorReport, user_errors
-from nctakt.run import ended_motions
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.error_events import realtime_diagnostic
+from nctakt.run.causes import ended_motions
+from nctakt.run.causes.error_events import realtime_diagnostic
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event, EventDecoder
 from nctakt.trace.recorded import EventList
@@ -26,8 +26,8 @@ from nctakt.trace.sinks import RowSink, Signal, Sink, TraceHeader
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
+    from nctakt.results.explained.why import WhyReport
     from nctakt.results.probe_log import ProbeLog
-    from nctakt.results.why import WhyReport
 
 #: Events that become messages and diagnostics.
 _WATCHED = frozenset(
@@ -200,7 +200,7 @@ class Recording:
         log = self._probes
         if log is None:
             return None, None
-        from nctakt.results.why import WhyReport  # noqa: PLC0415 - few runs are asked why
+        from nctakt.results.explained.why import WhyReport  # noqa: PLC0415 - few runs are asked why
 
         self._probes = None
         self._machine.record.records_series = False

@@ -19,8 +19,8 @@ from nctakt.run.beginning import Beginning, Beginnings, in_common, may_share, va
 from nctakt.run.options import RunKeywords, check_keywords
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText, ProgramErrors
 from nctakt.run.program_run import ProgramRun
-from nctakt.run.realtime_part import RealtimePart
-from nctakt.run.realtime_parts import RealtimeParts
+from nctakt.run.realtime.realtime_part import RealtimePart
+from nctakt.run.realtime.realtime_parts import RealtimeParts
 
 _Program = str | Path | NcText
 

@@ -12,10 +12,10 @@ from typing import Any, cast
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.tape import INVALID_TAPE
+from nctakt.messages.commands.tape import INVALID_TAPE
+from nctakt.run.access.tape import Tape
 from nctakt.run.options import OPTIONS, RUN_OPTIONS, RunKeywords
-from nctakt.run.realtime_plc import is_structured
-from nctakt.run.tape import Tape
+from nctakt.run.plcs.realtime_plc import is_structured
 
 #: The options that a tape keeps; the words of each have its name for commands.
 KEPT = tuple(option for option in OPTIONS if "tape" in option.front_ends)

@@ -14,19 +14,19 @@ from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.access.inputs import NEVER
 from nctakt.run.channel_run import ChannelRun, is_reported
-from nctakt.run.coupling import Coupled
-from nctakt.run.inputs import NEVER
-from nctakt.run.plc_player import PlcPlayer
-from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import NamedGroup, RealtimePlc, parts_of, side_of
+from nctakt.run.plcs.coupling import Coupled
+from nctakt.run.plcs.plc_player import PlcPlayer
+from nctakt.run.plcs.plc_view import AnyPlc
+from nctakt.run.plcs.realtime_plc import NamedGroup, RealtimePlc, parts_of, side_of
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.recording import Recording
 
 if TYPE_CHECKING:
     from nctakt.run.decode_budget import DecodeBudget
     from nctakt.schedule.open_schedule import RunSchedule
-    from nctakt.schedule.ticks import Share
+    from nctakt.schedule.simulation.ticks import Share
 
 #: Ticks of the compiled part without a pause, in which Python acts on Ctrl-C.
 TICKS_AT_ONCE = 100_000

@@ -15,10 +15,10 @@ from nctakt.lists.declared.rtconf import (
     SchedulerThread,
     ThreadFunction,
 )
-from nctakt.lists.machine.scheduling_checks import is_realtime
-from nctakt.lists.machine.scheduling_profile import Profile
+from nctakt.lists.machine.schedules.scheduling_checks import is_realtime
+from nctakt.lists.machine.schedules.scheduling_profile import Profile
 from nctakt.messages import Collector
-from nctakt.messages.load import (
+from nctakt.messages.scheduling.load import (
     CALL_COUNT_NOT_SIMULATED,
     EXECUTION_TIME_MISSING,
     INVALID_LOAD_VALUE,
@@ -26,7 +26,7 @@ from nctakt.messages.load import (
     LOAD_INTERRUPT_WITHOUT_EFFECT,
     LOAD_OF_UNUSED_FUNCTION,
 )
-from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
+from nctakt.messages.scheduling.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
 from nctakt.schedule.load import ASSUMED, ASSUMED_EXTERNAL, ASSUMED_FUNCTION, Load
 from nctakt.schedule.model import (
     ANY_CPU,

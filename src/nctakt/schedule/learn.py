@@ -20,15 +20,15 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.files.vcd import identifier
 from nctakt.lists.declared.rtconf import REALTIME_FUNCTION, InterruptSource
 from nctakt.messages import diagnostic
-from nctakt.messages.learn import (
+from nctakt.messages.scheduling.learn import (
     FUNCTIONS_NOT_LEARNT,
     INTERRUPTIONS_ESTIMATED,
     SHARED_BIT_NOT_LEARNT,
     SUSPENSIONS_UNKNOWN,
 )
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass, suspension_point
+from nctakt.schedule.pictures.traces import GAP
 from nctakt.schedule.trace_reader import Recording, Times
-from nctakt.schedule.traces import GAP
 
 #: A caller of a function: the task's index in the model, the function's name.
 Caller = tuple[int, str]

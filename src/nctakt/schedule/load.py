@@ -43,7 +43,11 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.lists.format.times import nanoseconds
 from nctakt.messages import Collector
-from nctakt.messages.load import INVALID_LOAD_FILE, INVALID_LOAD_VALUE, UNKNOWN_LOAD_ENTRY
+from nctakt.messages.scheduling.load import (
+    INVALID_LOAD_FILE,
+    INVALID_LOAD_VALUE,
+    UNKNOWN_LOAD_ENTRY,
+)
 from nctakt.schedule.model import NO_OVERHEADS, NS_PER_US, PARTS, Execution, Overheads
 
 #: The longest time that a load can name, in µs: that of UNS32, as for the list.

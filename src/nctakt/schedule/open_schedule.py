@@ -18,15 +18,15 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_profile import RtconfOptions
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_profile import RtconfOptions
 from nctakt.messages import Collector
-from nctakt.messages.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
+from nctakt.messages.scheduling.schedule_results import CPU_MISSING, CPU_NOT_ASSIGNABLE
 from nctakt.schedule.assemble import assemble
 from nctakt.schedule.load import ASSUMED, Load, read_load
 from nctakt.schedule.model import NS_PER_US, Model
-from nctakt.schedule.results import Simulation
-from nctakt.schedule.simulate import simulate
+from nctakt.schedule.simulation.results import Simulation
+from nctakt.schedule.simulation.simulate import simulate
 
 #: Errors of a list with a load that leave a schedule: the operating system places the thread.
 PLACED = (CPU_MISSING, CPU_NOT_ASSIGNABLE)

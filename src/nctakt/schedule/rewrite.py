@@ -21,9 +21,9 @@ from nctakt.lists.format.parameter import Value, ValueType, shown, with_indices
 from nctakt.lists.format.reader import BLANKS, Entry
 from nctakt.lists.format.value_text import read_string, read_word
 from nctakt.lists.format.values import Key, Values
-from nctakt.lists.machine.scheduling_profile import Convention
+from nctakt.lists.machine.schedules.scheduling_profile import Convention
 from nctakt.messages import Collector
-from nctakt.messages.lists import LIST_WITHOUT_END
+from nctakt.messages.machines.lists import LIST_WITHOUT_END
 from nctakt.schedule.effective_table import effective_entries, effective_values
 
 _LINE_END = re.compile(r"\r\n|\n|\r")

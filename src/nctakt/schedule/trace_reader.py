@@ -20,7 +20,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.learn import INVALID_RECORDING
+from nctakt.messages.scheduling.learn import INVALID_RECORDING
 
 Times = list[tuple[int, int]]
 

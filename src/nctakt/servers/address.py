@@ -10,7 +10,7 @@ from collections.abc import Awaitable, Callable, Collection
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import (
+from nctakt.messages.connections.servers import (
     DOOR_ADDRESS_NOT_USABLE,
     INVALID_DOOR_ADDRESS,
     INVALID_NETWORK,

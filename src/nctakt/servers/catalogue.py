@@ -15,10 +15,10 @@ from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import MISSPELLED_MACHINE_VARIABLE, UNKNOWN_MACHINE_VARIABLE
-from nctakt.nc.vocabulary.cells import leaf_cells
-from nctakt.nc.vocabulary.variable_table import NotFound
-from nctakt.run.machine_names import MachineNames, prefix_of
+from nctakt.messages.commands.inputs import MISSPELLED_MACHINE_VARIABLE, UNKNOWN_MACHINE_VARIABLE
+from nctakt.nc.vocabulary.variables.cells import leaf_cells
+from nctakt.nc.vocabulary.variables.variable_table import NotFound
+from nctakt.run.access.machine_names import MachineNames, prefix_of
 
 
 @dataclass(frozen=True, slots=True)

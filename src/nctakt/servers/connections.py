@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import TOO_FEW_DESCRIPTORS
+from nctakt.messages.connections.servers import TOO_FEW_DESCRIPTORS
 
 #: How long the first bytes of a message may take, and the others, in seconds.
 HEADER_S, MESSAGE_S = 5.0, 60.0

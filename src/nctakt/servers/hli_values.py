@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from nctakt.base.dataclass import dataclass
 from nctakt.hli.layout import AXIS, CHANNEL, LAMPS, PANEL, PREFIX
 from nctakt.lists.machine.machine import Machine
-from nctakt.run.machine_names import prefix_of
+from nctakt.run.access.machine_names import prefix_of
 from nctakt.servers.catalogue import Catalogue
 
 #: The values of a spindle that the CNC turns.

@@ -16,12 +16,12 @@ from typing import Literal, ParamSpec, Protocol, Self, TypeVar
 
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import Machine
-from nctakt.messages.hli_table import (
+from nctakt.messages.plcs.hli_table import (
     PATH_HAS_NO_EFFECT,
     TRANSITION_DROPPED,
     UNIT_NOT_ENABLED,
 )
-from nctakt.run.machine_names import names_of_machine
+from nctakt.run.access.machine_names import names_of_machine
 from nctakt.servers.catalogue import Catalogue
 from nctakt.servers.clock import MachineClock
 from nctakt.servers.feed import Feed

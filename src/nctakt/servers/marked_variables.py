@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.kernel.st import kinds
-from nctakt.run.realtime_plc import distinct_names
+from nctakt.run.plcs.realtime_plc import distinct_names
 from nctakt.servers.catalogue import Value
 from nctakt.st.program import Program
 from nctakt.st.types import (

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import BROKER_NOT_REACHED, MQTT_NOT_INSTALLED
+from nctakt.messages.connections.servers import BROKER_NOT_REACHED, MQTT_NOT_INSTALLED
 from nctakt.servers.address import shown_address
 from nctakt.servers.hli_values import parts_of
 from nctakt.servers.host import Busy, Host

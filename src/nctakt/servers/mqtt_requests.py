@@ -15,7 +15,7 @@ from urllib.parse import urlsplit
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import INVALID_BROKER
+from nctakt.messages.connections.servers import INVALID_BROKER
 from nctakt.servers.host import KEYS, Key
 from nctakt.servers.store import Scalar
 

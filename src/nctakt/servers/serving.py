@@ -18,7 +18,7 @@ from nctakt.base import interrupts
 from nctakt.base.failure import Failure, error_text
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
-from nctakt.messages.servers import CONTROLLER_SILENT, CONTROLLER_STOPPED
+from nctakt.messages.connections.servers import CONTROLLER_SILENT, CONTROLLER_STOPPED
 from nctakt.servers.connections import provide_descriptors
 from nctakt.servers.host import Door, Host
 from nctakt.servers.log import ServerLog

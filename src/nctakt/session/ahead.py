@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.stops import StopAt
-from nctakt.session.workshop import RemoteEngine
 from nctakt.trace.events import Event
 
 #: Ticks that a copy runs ahead at most.

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nctakt.messages import diagnostic
-from nctakt.messages.session import PLC_DIFFERS
+from nctakt.messages.connections.session import PLC_DIFFERS
 from nctakt.session.engine import Slice
 from nctakt.session.listening import MAX_FRAME_EVENTS, Frame, Listener, Notice, NoticeKind
 from nctakt.session.story import Story

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
-from nctakt.decoder.state.in_force import InForce
+from nctakt.decoder.state.queued.in_force import InForce
 from nctakt.kernel import codes
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.wait_reasons import awaited
+from nctakt.run.causes.wait_reasons import awaited
+from nctakt.run.realtime.assembly import AssembledMachine
 
 if TYPE_CHECKING:
     from nctakt.run.channel_run import ChannelRun

@@ -16,10 +16,10 @@ from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.plc_debugging import NO_STRUCTURED_TEXT, PLC_HAS_STOPPED
 from nctakt.plc.stepping.shown import PlcValue
+from nctakt.session.history.timeline import Timeline
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
-from nctakt.session.timeline import Timeline
-from nctakt.session.workshop import RemoteEngine
 
 #: A number that no statement of a tick reaches.
 END = 1 << 59

@@ -17,7 +17,7 @@ from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.program_variables import ProgramVariable, Scopes, Variables
 from nctakt.decoder.values.system_values import SystemValues
 from nctakt.nc.tree import PARAMETER_ARRAYS, Expression
-from nctakt.nc.vocabulary.resolution import name_of
+from nctakt.nc.vocabulary.variables.resolution import name_of
 
 #: Elements of an array that are shown.
 MAX_ELEMENTS = 1000

@@ -27,32 +27,32 @@ from nctakt.kernel import codes
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.machine.machine import load_machine
-from nctakt.messages.realtime import CYCLE_OPERATION_WITHOUT_RESULT
+from nctakt.messages.programs.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.plc.loading import load_plcs
 from nctakt.results.compared import Compared, compared_last, compared_now
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.results.run import ProgramMessage, Run, RunState
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
+from nctakt.run.access.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
+from nctakt.run.access.shared_image import SharedImage
+from nctakt.run.access.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.options import RunKeywords, completed
-from nctakt.run.plc_view import AnyPlc, PlcView
+from nctakt.run.plcs.plc_view import AnyPlc, PlcView
+from nctakt.run.plcs.realtime_plc import memories_of
 from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun
-from nctakt.run.realtime_plc import memories_of
-from nctakt.run.shared_image import SharedImage
-from nctakt.run.stimuli import Stimulus, as_inputs, read_stimulus
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
-from nctakt.session.columns import MAX_SIGNALS, Extent, Necessary
 from nctakt.session.decoders import DecoderState, decoder_state
-from nctakt.session.evidence import necessary
 from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
+from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary
+from nctakt.session.history.evidence import necessary
+from nctakt.session.history.trail import Mark, Trail, now_us
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
-from nctakt.session.trail import Mark, Trail, now_us
 from nctakt.trace.events import Event
 
 #: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.

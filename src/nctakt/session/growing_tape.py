@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """A tape that grows with its session: it survives the end of the process, whatever ends it.
 
-In: a session, how it was started. Out: ``run.growing.tape`` beside ``run.tape``. Whenever it is
-looked at, the inputs since the last look and a new last line take the place of the old last line:
-so the file is a whole tape at any time, but one without checksums of its events. A file that is
-there already, as an earlier process leaves it, stays: then it is ``run.growing-2.tape`` ….
+In: a session, how it was started. Out: ``run.growing.tape`` beside ``run.access.tape``. Whenever it
+is looked at, the inputs since the last look and a new last line take the place of the old last
+line: so the file is a whole tape at any time, but one without checksums of its events. A file that
+is there already, as an earlier process leaves it, stays: then it is ``run.growing-2.tape`` ….
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import IO
 
-from nctakt.run.inputs import SELECT, pack
+from nctakt.run.access.inputs import SELECT, pack
+from nctakt.run.access.tape import TapeWriter, digest_of, name_on_tape
 from nctakt.run.program_loader import NcText
-from nctakt.run.tape import TapeWriter, digest_of, name_on_tape
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.tapes import has_called_plc, programs_of, words_of_setup

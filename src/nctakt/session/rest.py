@@ -13,11 +13,11 @@ from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.source_ids import statement_span
 from nctakt.kernel import codes
 from nctakt.messages import diagnostic
-from nctakt.messages.session import NO_BLOCK_COMES
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.inputs import NEVER
+from nctakt.messages.connections.session import NO_BLOCK_COMES
+from nctakt.run.access.inputs import NEVER
+from nctakt.run.causes.wait_reasons import awaited
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
-from nctakt.run.wait_reasons import awaited
 from nctakt.session.stops import Kind, StopAt
 
 #: Ticks between two looks, beside those at which a program has stopped: multiples of it, so that it

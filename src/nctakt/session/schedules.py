@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, cast
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import Machine
-from nctakt.run.plc_view import AnyPlc
+from nctakt.run.plcs.plc_view import AnyPlc
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.setup import Setup
 
 if TYPE_CHECKING:
-    from nctakt.run.real_schedule import RealSchedule
+    from nctakt.run.scheduled.real_schedule import RealSchedule
     from nctakt.schedule.open_schedule import RunSchedule
-    from nctakt.schedule.ticks import ThreadRoles
+    from nctakt.schedule.simulation.ticks import ThreadRoles
 
 #: Requests of a session: begin anew after a pause, return the table, end.
 RESTART, TABLE, CLOSE = "restart", "table", "close"
@@ -29,7 +29,7 @@ def schedule_of_setup(setup: Setup, access: FileAccess) -> RunSchedule | None:
     """Return the schedule of a setup, ``None`` without one; raises ``Failure``."""
     if setup.rtconf is None:
         return None
-    from nctakt.lists.machine.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
+    from nctakt.lists.machine.schedules.scheduling_profile import PROFILES, RtconfOptions  # noqa: PLC0415
     from nctakt.schedule.open_schedule import open_schedule  # noqa: PLC0415 - rare
 
     profile = PROFILES[setup.system or "rtx"]
@@ -48,7 +48,7 @@ class EngineSchedule:
         """Return the machine with the ticks of the list; ``diagnostics`` become its own."""
         if self._schedule is None:
             return machine
-        from nctakt.run.scheduled_run import scheduled  # noqa: PLC0415 - rare
+        from nctakt.run.scheduled.scheduled_run import scheduled  # noqa: PLC0415 - rare
 
         changed, self._roles = scheduled(machine, self._schedule)
         diagnostics[:] = changed.diagnostics
@@ -63,7 +63,7 @@ class EngineSchedule:
         from nctakt.linux.machine import check_system  # noqa: PLC0415 - rare
 
         check_system()
-        from nctakt.run.real_schedule import RealSchedule  # noqa: PLC0415 - on Linux only
+        from nctakt.run.scheduled.real_schedule import RealSchedule  # noqa: PLC0415 - on Linux only
 
         self._real = RealSchedule(loop.machine, self._schedule, self._roles, plc, report)
         loop.follow(self._real)

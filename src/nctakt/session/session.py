@@ -19,27 +19,27 @@ from nctakt.base.notebook import html_columns, html_table
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import Time, TimeLike
 from nctakt.plc.stepping.shown import PlcValue
+from nctakt.results.explained.why import WhyReport
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
-from nctakt.results.why import WhyReport
-from nctakt.run.input_words import API
-from nctakt.run.inputs import Input
+from nctakt.run.access.input_words import API
+from nctakt.run.access.inputs import Input
 from nctakt.run.options import ProgramOptions, check_keywords, merged, with_keywords
 from nctakt.run.program_loader import NcText
 from nctakt.session.ahead import UNKNOWN, Future, run_ahead
 from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
-from nctakt.session.comparing import BranchDifference
 from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
+from nctakt.session.history.comparing import BranchDifference
 from nctakt.session.listening import Listener
+from nctakt.session.process.thread import SessionThread
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
 from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
 from nctakt.session.tapes import read_setup, save_tape
-from nctakt.session.thread import SessionThread
 from nctakt.trace.events import Event
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.nc.tree import RealtimeCycle
-from nctakt.run.inputs import Input
+from nctakt.run.access.inputs import Input
 from nctakt.run.options import RunKeywords
 from nctakt.run.program_loader import NcText
 

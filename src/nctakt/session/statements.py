@@ -14,15 +14,15 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.kernel.cycles.expressions import Expression
-from nctakt.kernel.st.probes import Sought
+from nctakt.kernel.st.observing.probes import Sought
 from nctakt.kernel.tick.stops import Faults, PassesStatement, Stop
 from nctakt.messages import diagnostic
 from nctakt.messages.plc_debugging import NO_STATEMENT_THERE, NO_STRUCTURED_TEXT
 from nctakt.plc.stepping.debugging import PlcFrame, StDebugging
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.plc.structured_text import StructuredPlc
-from nctakt.run.plc_view import AnyPlc
-from nctakt.run.realtime_plc import parts_of
+from nctakt.run.plcs.plc_view import AnyPlc
+from nctakt.run.plcs.realtime_plc import parts_of
 
 
 class Wanted(Protocol):

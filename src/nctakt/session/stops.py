@@ -38,9 +38,9 @@ from nctakt.kernel.tick.stops import (
     Turns,
 )
 from nctakt.messages import diagnostic
-from nctakt.messages.session import NOT_A_STOP, TOO_MANY_STOPS
-from nctakt.run.assembly import AssembledMachine
+from nctakt.messages.connections.session import NOT_A_STOP, TOO_MANY_STOPS
 from nctakt.run.conditions import read_expression
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.session.statements import Statements, names_file
 
 #: Stops that a session watches at most.

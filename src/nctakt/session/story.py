@@ -17,18 +17,18 @@ from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import TimeLike, read_time
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
-from nctakt.run.input_words import WRITE
-from nctakt.run.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
-from nctakt.session.branch import Branch
-from nctakt.session.comparing import BranchDifference
+from nctakt.run.access.input_words import WRITE
+from nctakt.run.access.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
 from nctakt.session.cursor import Cursor
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, Glance, Slice, joined
-from nctakt.session.past import Past
+from nctakt.session.history.branch import Branch
+from nctakt.session.history.comparing import BranchDifference
+from nctakt.session.history.past import Past
+from nctakt.session.history.timeline import Poll, Timeline
+from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.stops import StopAt
-from nctakt.session.timeline import Poll, Timeline
-from nctakt.session.workshop import RemoteEngine
 
 #: Rows that a look at a stretch of the session returns at most.
 MAX_ROWS = 20_000

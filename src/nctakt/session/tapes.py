@@ -15,16 +15,16 @@ from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.project import SEVERAL_PLCS_HERE
-from nctakt.messages.session import TAPE_NEEDS_SCHEDULE
-from nctakt.messages.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
+from nctakt.messages.commands.project import SEVERAL_PLCS_HERE
+from nctakt.messages.commands.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
+from nctakt.messages.connections.session import TAPE_NEEDS_SCHEDULE
 from nctakt.plc.loading import load_plcs
+from nctakt.run.access.inputs import Input
+from nctakt.run.access.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
 from nctakt.run.controller import Controller
-from nctakt.run.inputs import Input
 from nctakt.run.options import RunKeywords
+from nctakt.run.plcs.realtime_plc import is_structured
 from nctakt.run.program_loader import NcText, name_of
-from nctakt.run.realtime_plc import is_structured
-from nctakt.run.tape import Tape, TapeWriter, changed_files, name_on_tape, read_tape
 from nctakt.run.tape_words import (
     options_of_words,
     plcs_of,

@@ -17,15 +17,15 @@ from typing import Any
 from nctakt.base.diagnostics import Language
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import DIMENSION_WITHOUT_EFFECT
+from nctakt.messages.commands.studies import DIMENSION_WITHOUT_EFFECT
 from nctakt.studies import charts
-from nctakt.studies.bench import PASSED, Row
-from nctakt.studies.each_tick import Nominal
-from nctakt.studies.effects import without_effect
-from nctakt.studies.measures import as_text
-from nctakt.studies.plan import Plan
-from nctakt.studies.units import REACTION
-from nctakt.studies.verdicts import limits_of, share_text
+from nctakt.studies.measuring.measures import as_text
+from nctakt.studies.plans.plan import Plan
+from nctakt.studies.plans.units import REACTION
+from nctakt.studies.plans.verdicts import limits_of, share_text
+from nctakt.studies.runs.bench import PASSED, Row
+from nctakt.studies.runs.each_tick import Nominal
+from nctakt.studies.runs.effects import without_effect
 
 #: Failed runs in the table of the report, pictures of one kind.
 MAX_ROWS, MAX_PICTURES = 200, 24

@@ -14,29 +14,29 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.base.notebook_progress import notebook_progress
 from nctakt.base.plain_values import plain_data
-from nctakt.studies.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
-from nctakt.studies.corpus import Corpus
-from nctakt.studies.cover import Reached, reach
-from nctakt.studies.dimension import Value
-from nctakt.studies.each_tick import Nominal, nominal_run, with_span
-from nctakt.studies.effects import without_effect, without_shown_effect
-from nctakt.studies.folder_store import FolderStore
-from nctakt.studies.inputs import command_of, inputs_of
-from nctakt.studies.measures import MeasuredValue, function_measure
-from nctakt.studies.outcome import NotMeasuredError
-from nctakt.studies.plan import Plan
-from nctakt.studies.plan_file import read_plan, read_tables
-from nctakt.studies.processes import rows_here, rows_of_processes
-from nctakt.studies.python_measure import PythonMeasure
-from nctakt.studies.recording import record_run
+from nctakt.studies.measuring.measures import MeasuredValue, function_measure
+from nctakt.studies.measuring.outcome import NotMeasuredError
+from nctakt.studies.measuring.python_measure import PythonMeasure
+from nctakt.studies.plans.dimension import Value
+from nctakt.studies.plans.inputs import command_of, inputs_of
+from nctakt.studies.plans.plan import Plan
+from nctakt.studies.plans.plan_file import read_plan, read_tables
 from nctakt.studies.report import report, shown_result
-from nctakt.studies.results import arrow_table, text_columns, write_rows
-from nctakt.studies.row_block import RowBlock
-from nctakt.studies.row_store import RowStore
-from nctakt.studies.schedule_bench import bench_of
-from nctakt.studies.search import Answer, search, shrink
-from nctakt.studies.search_runs import SearchRuns
-from nctakt.studies.shared_beginning import is_copied
+from nctakt.studies.rows.folder_store import FolderStore
+from nctakt.studies.rows.results import arrow_table, text_columns, write_rows
+from nctakt.studies.rows.row_store import RowStore
+from nctakt.studies.runs.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
+from nctakt.studies.runs.each_tick import Nominal, nominal_run, with_span
+from nctakt.studies.runs.effects import without_effect, without_shown_effect
+from nctakt.studies.runs.recording import record_run
+from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.schedule_bench import bench_of
+from nctakt.studies.runs.shared_beginning import is_copied
+from nctakt.studies.searching.corpus import Corpus
+from nctakt.studies.searching.cover import Reached, reach
+from nctakt.studies.searching.search import Answer, search, shrink
+from nctakt.studies.searching.search_runs import SearchRuns
+from nctakt.studies.workers.processes import rows_here, rows_of_processes
 from nctakt.trace.arrow import pandas_frame
 
 if TYPE_CHECKING:

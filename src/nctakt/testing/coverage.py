@@ -17,7 +17,7 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.files.output import write_file
 from nctakt.messages import diagnostic
-from nctakt.messages.coverage import UNKNOWN_COVERAGE_FORMAT
+from nctakt.messages.commands.coverage import UNKNOWN_COVERAGE_FORMAT
 from nctakt.results.coverage import Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText

@@ -43,13 +43,17 @@ from nctakt.base.text import split_lines
 from nctakt.lists.format import times
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import INVALID_EXPECTATION, INVALID_GIVEN_INPUT, NO_BRANCH_IN_LINE
+from nctakt.messages.commands.inputs import (
+    INVALID_EXPECTATION,
+    INVALID_GIVEN_INPUT,
+    NO_BRANCH_IN_LINE,
+)
 from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.source import Source
 from nctakt.project.run_settings import Named
+from nctakt.run.access.stimuli import Stimulus, parse_assignment
 from nctakt.run.option_kinds import Flag, Whole
 from nctakt.run.options import DATA_NAMES, RunKeywords, accepted_by, merged
-from nctakt.run.stimuli import Stimulus, parse_assignment
 
 #: Tolerance of an expected value unless the expectation has one.
 TOLERANCE = 1e-6

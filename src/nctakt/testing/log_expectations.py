@@ -17,7 +17,7 @@ from nctakt.comparison.recorded import RecordedTrace
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import LOG_LACKS_SIGNAL, UNITS_DO_NOT_FIT
+from nctakt.messages.commands.comparison import LOG_LACKS_SIGNAL, UNITS_DO_NOT_FIT
 from nctakt.testing.expectations import Expectation
 from nctakt.testing.queries import NcRun
 from nctakt.trace.events import number_text

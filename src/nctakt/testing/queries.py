@@ -21,15 +21,15 @@ from nctakt.fmu.coupled import fmu_of
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import RUN_NOT_ENDED
-from nctakt.messages.inputs import NO_BRANCH_IN_LINE
+from nctakt.messages.commands.command_line import RUN_NOT_ENDED
+from nctakt.messages.commands.inputs import NO_BRANCH_IN_LINE
 from nctakt.plc.loading import load_plc, load_plcs
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import ProgramOptions, check_keywords, merged
-from nctakt.run.plc_view import AnyPlc, GivenPlc
-from nctakt.run.realtime_plc import plc_object
+from nctakt.run.plcs.plc_view import AnyPlc, GivenPlc
+from nctakt.run.plcs.realtime_plc import plc_object
 from nctakt.trace.events import Event
 
 #: The name of a program that a test has as text.

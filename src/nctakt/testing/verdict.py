@@ -13,8 +13,8 @@ from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.command_line import RUN_NOT_ENDED
-from nctakt.messages.inputs import UNKNOWN_ITEM
+from nctakt.messages.commands.command_line import RUN_NOT_ENDED
+from nctakt.messages.commands.inputs import UNKNOWN_ITEM
 from nctakt.testing.expectations import Expectation
 from nctakt.testing.queries import NcRun, Occurrences
 from nctakt.trace.events import number_text

@@ -12,9 +12,9 @@ from collections.abc import Callable
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.kernel import rows
-from nctakt.run.assembly import AssembledMachine
+from nctakt.run.causes.wait_reasons import awaited
 from nctakt.run.channel_run import ChannelRun
-from nctakt.run.wait_reasons import awaited
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.timing.entries import Limit, Phase, TimeKind
 from nctakt.timing.limits import PathLimits
 

@@ -14,8 +14,8 @@ from math import hypot, isclose, radians
 from nctakt.base.diagnostics import Text
 from nctakt.kernel import codes, rows
 from nctakt.kernel.tick.channel import Channel
-from nctakt.run.assembly import AssembledMachine
-from nctakt.run.wait_reasons import cycle_that_writes
+from nctakt.run.causes.wait_reasons import cycle_that_writes
+from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.timing.entries import NOTHING, Limit, Phase
 from nctakt.timing.goals import SAME, Goals
 

@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.lists.machine.axis_configuration import AxisConfiguration, AxisDynamics, TrapezoidSlope
 from nctakt.lists.machine.machine import Machine
 from nctakt.results.run import Run, RunState
-from nctakt.run.machine_names import prefix_of
+from nctakt.run.access.machine_names import prefix_of
 
 _FEEDS = Text("all F (override 200 %)", "alle F (Override 200 %)")
 _SPEED = Text("speed of {axis}", "Geschwindigkeit von {axis}")

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 from nctakt.base.failure import Failure
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import EXTRA_MISSING
+from nctakt.messages.commands.studies import EXTRA_MISSING
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import Signal, TraceHeader

@@ -18,7 +18,7 @@ from nctakt.hli.function_codes import function_of
 from nctakt.kernel import codes, rows
 from nctakt.messages.catalogue import messages_of
 from nctakt.nc.meaning.words import ERROR_KEYWORDS
-from nctakt.nc.vocabulary.strings import decode
+from nctakt.nc.vocabulary.variables.strings import decode
 
 _ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
 

@@ -18,7 +18,7 @@ from typing import Any
 from nctakt.base.failure import Failure
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.studies import EXTRA_MISSING
+from nctakt.messages.commands.studies import EXTRA_MISSING
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 from nctakt.trace.texts import by_tick, join_events

@@ -14,7 +14,7 @@ from typing import Protocol
 from nctakt.kernel.st.calls import Callee, Routine
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import Step
-from nctakt.kernel.st.texts import StringPart
+from nctakt.kernel.st.text.texts import StringPart
 from nctakt.kernel.st.wholes import Whole
 from nctakt.st.tree import Call, CallKind
 from nctakt.st.types import (
@@ -31,8 +31,8 @@ from nctakt.st.types import (
 from nctakt.translation.frames import Frame
 from nctakt.translation.layout import Layout
 from nctakt.translation.locations import Location
-from nctakt.translation.noting import NoteRows
-from nctakt.translation.probing import Probes
+from nctakt.translation.observing.noting import NoteRows
+from nctakt.translation.observing.probing import Probes
 
 
 class CannotRunError(Exception):

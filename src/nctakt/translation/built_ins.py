@@ -26,7 +26,7 @@ from nctakt.kernel.st.reals import (
     SelectReal,
 )
 from nctakt.kernel.st.steps import Fail
-from nctakt.kernel.st.texts import (
+from nctakt.kernel.st.text.texts import (
     ChangeString,
     ChosenText,
     ExtremeText,

@@ -7,10 +7,10 @@ from abc import abstractmethod
 
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.calls import Callee, NoteCaller, ResultPlace
-from nctakt.kernel.st.noted import NotedCall
+from nctakt.kernel.st.observing.noted import NotedCall
 from nctakt.kernel.st.reals import RealOfWhole
 from nctakt.kernel.st.steps import CopyBytes, Step, steps_in_order
-from nctakt.kernel.st.texts import AssignString
+from nctakt.kernel.st.text.texts import AssignString
 from nctakt.kernel.st.wholes import PassingPlace, Whole, WholeConstant
 from nctakt.st import tree
 from nctakt.st.types import (

@@ -4,16 +4,16 @@
 from __future__ import annotations
 
 from nctakt.kernel.st import kinds
-from nctakt.kernel.st.conversions import (
+from nctakt.kernel.st.kept import KeptWhole
+from nctakt.kernel.st.reals import Real, TruthOfReal, WholeOfReal
+from nctakt.kernel.st.text.conversions import (
     MomentOfString,
     RealOfString,
     StringOfReal,
     StringOfWhole,
     WholeOfString,
 )
-from nctakt.kernel.st.kept import KeptWhole
-from nctakt.kernel.st.reals import Real, TruthOfReal, WholeOfReal
-from nctakt.kernel.st.texts import ResizedText, StringPart
+from nctakt.kernel.st.text.texts import ResizedText, StringPart
 from nctakt.kernel.st.wholes import (
     CompareWhole,
     DivideWhole,

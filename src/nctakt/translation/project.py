@@ -33,10 +33,10 @@ from nctakt.translation.initial_values import Images, put_scalar
 from nctakt.translation.initialisation import Initialisation
 from nctakt.translation.layout import Layout, lay_out_frame
 from nctakt.translation.locations import Location, Origin
-from nctakt.translation.noting import NoteRows
-from nctakt.translation.probing import Probes
+from nctakt.translation.observing.noting import NoteRows
+from nctakt.translation.observing.probing import Probes
+from nctakt.translation.observing.units import methods_of
 from nctakt.translation.reflection import InstancePaths
-from nctakt.translation.units import methods_of
 
 
 @dataclass(slots=True, eq=False)

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 
 from nctakt.kernel.st import branching, kinds
 from nctakt.kernel.st.calls import Call as CallNode
-from nctakt.kernel.st.counting import CountedStep
-from nctakt.kernel.st.noted import NotedLoop, NotedPass, NotedResult, NotedScope
+from nctakt.kernel.st.observing.counting import CountedStep
+from nctakt.kernel.st.observing.noted import NotedLoop, NotedPass, NotedResult, NotedScope
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import (
     CopyBytes,
@@ -21,7 +21,7 @@ from nctakt.kernel.st.steps import (
     UpdateAt,
     steps_in_order,
 )
-from nctakt.kernel.st.texts import AssignString, StringPart
+from nctakt.kernel.st.text.texts import AssignString, StringPart
 from nctakt.kernel.st.wholes import (
     AddWhole,
     AndBits,
@@ -45,7 +45,7 @@ from nctakt.translation.calls import Calls
 from nctakt.translation.checks import written_pointer
 from nctakt.translation.layout import is_real, kind_of
 from nctakt.translation.locations import Location
-from nctakt.translation.noting import leaves_early
+from nctakt.translation.observing.noting import leaves_early
 
 _UPDATES: dict[type[Whole], int] = {
     AddWhole: kinds.ADD,

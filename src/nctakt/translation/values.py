@@ -4,9 +4,9 @@
 from __future__ import annotations
 
 from nctakt.kernel.st import kinds
-from nctakt.kernel.st.counting import CountedTruth
 from nctakt.kernel.st.kept import RealAfter, WholeAfter
-from nctakt.kernel.st.noted import NotedReal, NotedWhole
+from nctakt.kernel.st.observing.counting import CountedTruth
+from nctakt.kernel.st.observing.noted import NotedReal, NotedWhole
 from nctakt.kernel.st.reals import (
     AddReal,
     CompareReal,
@@ -21,7 +21,7 @@ from nctakt.kernel.st.reals import (
     SubtractReal,
 )
 from nctakt.kernel.st.steps import Step
-from nctakt.kernel.st.texts import CompareStrings, StringPart
+from nctakt.kernel.st.text.texts import CompareStrings, StringPart
 from nctakt.kernel.st.wholes import (
     AddWhole,
     AndBits,

@@ -15,7 +15,7 @@ from support.plc_text import pou_file
 from support.random_seeds import seeds_in_parts
 from support.structured_documents import Typed
 
-from nctakt.editor.legend import TYPES
+from nctakt.editor.display.legend import TYPES
 from nctakt.editor.structured_text.formatting import formatted
 from nctakt.editor.structured_text.surroundings import hidden_parts
 from nctakt.messages import Collector

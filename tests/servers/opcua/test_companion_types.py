@@ -14,8 +14,8 @@ from asyncua import ua
 from asyncua.server.internal_server import InternalServer
 from support.published_model import PublishedNode, node_set
 
-from nctakt.servers.opcua.nodes import Nodes
-from nctakt.servers.opcua.types import DATA_TYPES, CompanionTypes
+from nctakt.servers.opcua.model.nodes import Nodes
+from nctakt.servers.opcua.model.types import DATA_TYPES, CompanionTypes
 
 pytestmark = pytest.mark.slow
 

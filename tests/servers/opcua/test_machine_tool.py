@@ -14,7 +14,7 @@ from support.opcua_client import patient_client
 from support.published_model import machine_tool_node_set
 from support.served import Served, until
 
-from nctakt.servers.opcua.machine_tool import MACHINE_TOOL_URI, MACHINERY_URI
+from nctakt.servers.opcua.model.machine_tool import MACHINE_TOOL_URI, MACHINERY_URI
 
 pytestmark = pytest.mark.slow
 

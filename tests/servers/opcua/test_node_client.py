@@ -22,7 +22,7 @@ from support.opcua_client import patient_client
 from support.published_model import installed
 from support.served import Served
 
-from nctakt.servers.opcua.security import PASSWORD, application_uri
+from nctakt.servers.opcua.clients.security import PASSWORD, application_uri
 
 pytestmark = pytest.mark.slow
 

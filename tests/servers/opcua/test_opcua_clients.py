@@ -14,7 +14,7 @@ from asyncua import ua
 from support.opcua_client import patient_client
 from support.served import Served, until
 
-from nctakt.servers.opcua.types import all_components
+from nctakt.servers.opcua.model.types import all_components
 
 pytestmark = pytest.mark.slow
 

@@ -26,10 +26,10 @@ from support.served import Served, until
 from nctakt.base.failure import Failure
 from nctakt.servers.notices import ServerNotice
 from nctakt.servers.opcua.alarms import notice_text
-from nctakt.servers.opcua.companion import BINARY_SCHEMA
+from nctakt.servers.opcua.clients.monitoring import Item
+from nctakt.servers.opcua.clients.security import MAX_FAILURES, PASSWORD, Security
 from nctakt.servers.opcua.limits import Limits
-from nctakt.servers.opcua.monitoring import Item
-from nctakt.servers.opcua.security import MAX_FAILURES, PASSWORD, Security
+from nctakt.servers.opcua.model.companion import BINARY_SCHEMA
 from nctakt.servers.opcua.values import Sample
 
 pytestmark = pytest.mark.slow

@@ -27,9 +27,9 @@ from support.opcua_client import patient_client
 from support.served import Served
 
 from nctakt.base.failure import Failure
-from nctakt.servers.opcua.certificates import read_trust_list, refusal_of
+from nctakt.servers.opcua.clients.certificates import read_trust_list, refusal_of
+from nctakt.servers.opcua.clients.security import PASSWORD, TRUSTED, Security
 from nctakt.servers.opcua.limits import Limits
-from nctakt.servers.opcua.security import PASSWORD, TRUSTED, Security
 
 URI = "urn:example:hmi"
 NOW = datetime.now(UTC)

@@ -22,8 +22,8 @@ from nctakt.nc.parse.controls import CONTROL_WORDS
 from nctakt.nc.parse.lexer import Lexer
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.message_formats import conversions
-from nctakt.nc.vocabulary.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
-from nctakt.nc.vocabulary.system_variables import known_paths
+from nctakt.nc.vocabulary.variables.realtime_variables import AXIS_VARIABLES, CHANNEL_VARIABLES
+from nctakt.nc.vocabulary.variables.system_variables import known_paths
 
 #: Words that are in no table of the vocabulary.
 _FURTHER = (*CONTROL_WORDS, "ENDVAR", "HLI", "RT", "SYN")
@@ -144,7 +144,7 @@ def _vocabulary() -> frozenset[str]:
     """Return all words of the language and of its variables, in upper case."""
     paths = [row.path for row in (*AXIS_VARIABLES, *CHANNEL_VARIABLES)]
     texts = [*_FURTHER, *SCALARS, *known_paths((), ()), *paths]
-    for module in pkgutil.iter_modules(vocabulary.__path__, f"{vocabulary.__name__}."):
+    for module in pkgutil.walk_packages(vocabulary.__path__, f"{vocabulary.__name__}."):
         for value in vars(importlib.import_module(module.name)).values():
             texts += _strings(value)
     return frozenset(word.upper() for text in texts for word in _WORD.findall(text))

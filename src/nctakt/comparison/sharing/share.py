@@ -31,10 +31,14 @@ from nctakt.comparison.sharing.neutral_names import NeutralNames
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
-from nctakt.messages.comparison import LOG_TOO_LONG_TO_SHARE, SHARE_DIFFERS, SHARE_DOES_NOT_RUN
+from nctakt.messages.commands.comparison import (
+    LOG_TOO_LONG_TO_SHARE,
+    SHARE_DIFFERS,
+    SHARE_DOES_NOT_RUN,
+)
+from nctakt.run.access.stimuli import Stimulus, read_stimulus
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import BY_NAME
-from nctakt.run.stimuli import Stimulus, read_stimulus
 
 if TYPE_CHECKING:
     from nctakt.run.options import RunKeywords

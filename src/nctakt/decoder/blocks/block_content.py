@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.path_motion import PathWords
+from nctakt.decoder.blocks.path.path_motion import PathWords
+from nctakt.decoder.blocks.path.weights import Weights
 from nctakt.decoder.blocks.technology_output import BlockFunction
-from nctakt.decoder.blocks.weights import Weights
-from nctakt.decoder.state.axis_commands import EndOscillation, MoveAlone, Oscillate
-from nctakt.decoder.state.commands import FixedStop, ProgramStop
+from nctakt.decoder.state.queued.axis_commands import EndOscillation, MoveAlone, Oscillate
+from nctakt.decoder.state.queued.commands import FixedStop, ProgramStop
 from nctakt.nc import tree
 
 #: Axis words and their values.

@@ -10,43 +10,44 @@ from __future__ import annotations
 from collections.abc import Generator, Iterator, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.axis_functions import AxisFunctions
-from nctakt.decoder.blocks.block_content import BlockContent
-from nctakt.decoder.blocks.contour_lines import ContourLines, FirstLine
-from nctakt.decoder.blocks.corners import changes_contour
-from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
-from nctakt.decoder.blocks.diameters import tell_effect
-from nctakt.decoder.blocks.dynamic_weights import DynamicWeighting
-from nctakt.decoder.blocks.edge_banding import seek_edge, switch_edge_banding
-from nctakt.decoder.blocks.feed import FeedRate
-from nctakt.decoder.blocks.feed_ramps import FeedRamps
-from nctakt.decoder.blocks.fixed_stops import (
+from nctakt.decoder.blocks.axes.axis_functions import AxisFunctions
+from nctakt.decoder.blocks.axes.cutting_speed import CuttingSpeeds
+from nctakt.decoder.blocks.axes.fixed_stops import (
     begin_or_end,
     check_free,
     fixed_stop,
     is_fixed_stop,
 )
-from nctakt.decoder.blocks.frame_commands import FrameCommands
-from nctakt.decoder.blocks.gear_changes import GearChanges
+from nctakt.decoder.blocks.axes.gear_changes import GearChanges
+from nctakt.decoder.blocks.axes.independent_axes import IndependentAxes
+from nctakt.decoder.blocks.axes.moved_axes import MovedAxes
+from nctakt.decoder.blocks.axes.oscillations import Oscillations
+from nctakt.decoder.blocks.axes.spindles import SpindleWords, is_revolutions
+from nctakt.decoder.blocks.block_content import BlockContent
+from nctakt.decoder.blocks.diameters import tell_effect
+from nctakt.decoder.blocks.edge_banding import seek_edge, switch_edge_banding
+from nctakt.decoder.blocks.frames.frame_commands import FrameCommands
+from nctakt.decoder.blocks.frames.orientation import Orientation
+from nctakt.decoder.blocks.frames.rotating_planes import check_function
 from nctakt.decoder.blocks.in_force_marks import InForceMarks
-from nctakt.decoder.blocks.independent_axes import IndependentAxes
 from nctakt.decoder.blocks.measuring import Measuring
-from nctakt.decoder.blocks.moved_axes import MovedAxes
-from nctakt.decoder.blocks.orientation import Orientation
-from nctakt.decoder.blocks.oscillations import Oscillations
-from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion
-from nctakt.decoder.blocks.rotating_planes import check_function
-from nctakt.decoder.blocks.spindles import SpindleWords, is_revolutions
+from nctakt.decoder.blocks.path.contour_lines import ContourLines, FirstLine
+from nctakt.decoder.blocks.path.corners import changes_contour
+from nctakt.decoder.blocks.path.dynamic_weights import DynamicWeighting
+from nctakt.decoder.blocks.path.feed import FeedRate
+from nctakt.decoder.blocks.path.feed_ramps import FeedRamps
+from nctakt.decoder.blocks.path.path_motion import CENTRE_WORDS, PathMotion
+from nctakt.decoder.blocks.path.threads import ThreadMotion
+from nctakt.decoder.blocks.path.weights import weigh
 from nctakt.decoder.blocks.targets import Targets
 from nctakt.decoder.blocks.technology_output import (
     TechnologyOutputs,
     block_function,
 )
-from nctakt.decoder.blocks.threads import ThreadMotion
 from nctakt.decoder.blocks.tool_words import ToolWords
-from nctakt.decoder.blocks.weights import weigh
-from nctakt.decoder.state.arcs import PLANES
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.geometry.arcs import PLANES
+from nctakt.decoder.state.geometry.offsets import ZERO_GROUPS
+from nctakt.decoder.state.queued.commands import (
     Answer,
     Command,
     Dwell,
@@ -54,18 +55,16 @@ from nctakt.decoder.state.commands import (
     PositionRequest,
     ProgramStop,
 )
-from nctakt.decoder.state.offsets import ZERO_GROUPS
-from nctakt.decoder.state.shape_commands import ReleaseMotions
+from nctakt.decoder.state.queued.shape_commands import ReleaseMotions
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MAX_GROUPS
-from nctakt.messages.checked_blocks import EXCLUSIVE_WORDS
-from nctakt.messages.decoder import INVALID_DWELL_TIME
-from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
+from nctakt.messages.programs.checked_blocks import EXCLUSIVE_WORDS
+from nctakt.messages.programs.decoder import INVALID_DWELL_TIME
+from nctakt.messages.programs.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
-from nctakt.nc.vocabulary.axis_brackets import OSC, form_of
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
     ABSOLUTE,
@@ -101,6 +100,7 @@ from nctakt.nc.vocabulary.functions import (
     WEIGHTS,
     group_of,
 )
+from nctakt.nc.vocabulary.single_axes.axis_brackets import OSC, form_of
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
 
 #: G functions for one block only.

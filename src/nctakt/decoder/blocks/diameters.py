@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.cutting import DIAMETERS_WITHOUT_EFFECT
+from nctakt.messages.path.cutting import DIAMETERS_WITHOUT_EFFECT
 
 
 def radius_of(values: Values, axis: int, value: float, *, is_absolute: bool) -> float:

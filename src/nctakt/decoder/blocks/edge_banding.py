@@ -7,7 +7,7 @@ from collections.abc import Generator
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.technology_output import BlockFunction
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.queued.commands import (
     Answer,
     Command,
     Measure,
@@ -15,7 +15,7 @@ from nctakt.decoder.state.commands import (
     TechnologyOutput,
 )
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.backward import EDGE_BANDING_NOT_SIMULATED
+from nctakt.messages.path.backward import EDGE_BANDING_NOT_SIMULATED
 from nctakt.nc.vocabulary.functions import EDGE_BANDING
 
 

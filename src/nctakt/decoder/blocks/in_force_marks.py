@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import Command
 from nctakt.decoder.state.environment import DecoderEnvironment
-from nctakt.decoder.state.in_force import InForce, ModalMark
 from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.queued.commands import Command
+from nctakt.decoder.state.queued.in_force import InForce, ModalMark
 from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import group_of
 

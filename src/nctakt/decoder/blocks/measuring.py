@@ -14,9 +14,9 @@ from math import inf
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import Answer, Command, FixedStop, Segment
 from nctakt.decoder.state.modal_state import Measured, MeasuringState
-from nctakt.decoder.state.probe_commands import MeasurementRequest, Touch, TouchEnd
+from nctakt.decoder.state.queued.commands import Answer, Command, FixedStop, Segment
+from nctakt.decoder.state.queued.probe_commands import MeasurementRequest, Touch, TouchEnd
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
@@ -31,7 +31,7 @@ from nctakt.lists.machine.measuring import (
     ONE_AT_TARGET,
     AxisMeasuring,
 )
-from nctakt.messages.measuring import (
+from nctakt.messages.path.measuring import (
     CONTINUATION_WITHOUT_TYPE_3,
     MEASURING_DURING_SEARCH,
     NO_FIXED_STOP_DETECTION,

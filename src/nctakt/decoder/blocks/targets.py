@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Container, Iterable, Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.axes.coupled_axes import check_way, check_words
 from nctakt.decoder.blocks.block_content import BlockContent
-from nctakt.decoder.blocks.coupled_axes import check_way, check_words
 from nctakt.decoder.blocks.diameters import radius_of
-from nctakt.decoder.blocks.path_motion import CENTRE_WORDS, PathMotion
-from nctakt.decoder.state.arcs import SAME_POINT_MM
-from nctakt.decoder.state.coordinate_systems import MAIN_AXES
+from nctakt.decoder.blocks.path.path_motion import CENTRE_WORDS, PathMotion
+from nctakt.decoder.state.geometry.arcs import SAME_POINT_MM
+from nctakt.decoder.state.geometry.coordinate_systems import MAIN_AXES
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.nc.vocabulary.functions import ARC_IN_SPACE

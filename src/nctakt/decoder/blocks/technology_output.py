@@ -13,13 +13,13 @@ from collections.abc import Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import AwaitAcknowledge, Command, TechnologyOutput
+from nctakt.decoder.state.queued.commands import AwaitAcknowledge, Command, TechnologyOutput
 from nctakt.decoder.values.variables import Values
 from nctakt.hli.function_codes import code_of
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.technology_functions import TechnologyFunction
-from nctakt.messages.checked_blocks import WORD_VALUE_OUT_OF_RANGE
+from nctakt.messages.programs.checked_blocks import WORD_VALUE_OUT_OF_RANGE
 from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
 from nctakt.nc.tree import Word
 

@@ -9,11 +9,11 @@ from collections.abc import Generator
 
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.blocks.technology_output import tool_function
-from nctakt.decoder.state.commands import Answer, Command, Flush
-from nctakt.decoder.state.tool_life import UNCHANGED, SetToolLife
+from nctakt.decoder.state.queued.commands import Answer, Command, Flush
+from nctakt.decoder.state.queued.tool_life import UNCHANGED, SetToolLife
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
-from nctakt.messages.tools import NEGATIVE_TOOL_LIFE
+from nctakt.messages.path.tools import NEGATIVE_TOOL_LIFE
 from nctakt.nc import tree
 from nctakt.nc.meaning.path import keywords
 from nctakt.nc.meaning.words import numbers_of, signed_axis

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.base.diagnostics import Span
+from nctakt.decoder.blocks.axes.moved_axes import MovedAxes
 from nctakt.decoder.blocks.block_content import BlockContent
-from nctakt.decoder.blocks.moved_axes import MovedAxes
 from nctakt.decoder.blocks.technology_output import tool_function
-from nctakt.decoder.state.commands import Answer, Command, Flush
+from nctakt.decoder.state.queued.commands import Answer, Command, Flush
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.nc import tree

@@ -12,7 +12,7 @@ from collections.abc import Generator
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.base.whole_numbers import is_whole
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.queued.commands import (
     Answer,
     Command,
     UserErrorReport,
@@ -20,7 +20,7 @@ from nctakt.decoder.state.commands import (
     UserErrorValue,
 )
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
+from nctakt.messages.programs.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
 from nctakt.nc import tree
 from nctakt.nc.meaning.words import ERROR_KEYWORDS
 

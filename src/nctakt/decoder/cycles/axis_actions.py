@@ -17,7 +17,7 @@ from nctakt.kernel.cycles.instructions import Statement
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.nc import tree
 from nctakt.nc.meaning.cost import word_steps
-from nctakt.nc.vocabulary.axis_commands import (
+from nctakt.nc.vocabulary.single_axes.axis_commands import (
     DIRECTIONS,
     OFFSETS,
     AxisCommand,

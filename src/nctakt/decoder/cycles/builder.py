@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.spindles import cycle_statement
+from nctakt.decoder.blocks.axes.spindles import cycle_statement
 from nctakt.decoder.blocks.technology_output import process_ticks
 from nctakt.decoder.blocks.user_errors import parts
 from nctakt.decoder.cycles.axis_actions import ActionBuilder
@@ -28,13 +28,13 @@ from nctakt.kernel.cycles.conditions import Combination, Condition
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.instructions import Statement, Watched
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.messages.checked_values import CYCLE_INDEX_OUT_OF_RANGE
+from nctakt.messages.programs.checked_values import CYCLE_INDEX_OUT_OF_RANGE
 from nctakt.nc import tree
 from nctakt.nc.meaning.cost import command_steps, condition_steps, max_steps
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.vocabulary.spindle_commands import split
-from nctakt.nc.vocabulary.system_variables import is_decoder_data
-from nctakt.nc.vocabulary.variable_table import Aggregate, Location
+from nctakt.nc.vocabulary.variables.system_variables import is_decoder_data
+from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location
 
 SCOPES = {"BLOCK": codes.BLOCK_SCOPE, "PROG": codes.PROG_SCOPE, "GLOBAL": codes.GLOBAL_SCOPE}
 

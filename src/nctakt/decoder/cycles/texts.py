@@ -17,18 +17,18 @@ from nctakt.kernel import rows
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.kernel.cycles.instructions import Statement
 from nctakt.kernel.cycles.texts import AssignText, CellRange, CompareTexts, Copy, Text
-from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER
+from nctakt.messages.machines.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import format_expression
-from nctakt.nc.vocabulary import strings
-from nctakt.nc.vocabulary.cells import CELL_BYTES, cells_of, leaf_cells
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.nc.vocabulary.variables.cells import CELL_BYTES, cells_of, leaf_cells
+from nctakt.nc.vocabulary.variables.resolution import (
     is_program_variable,
     path_text,
     resolve,
     resolve_aggregate,
 )
-from nctakt.nc.vocabulary.variable_table import Aggregate, Location
+from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location
 
 #: Characters in an event of a text that was written.
 _PART = 2 * rows.TEXT_HALF

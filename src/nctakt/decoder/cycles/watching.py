@@ -16,12 +16,12 @@ from nctakt.decoder.values.variables import Values
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.session import NOT_IN_THE_TICK
+from nctakt.messages.connections.session import NOT_IN_THE_TICK
 from nctakt.nc import tree
 from nctakt.nc.inspection import inspect
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.system_variables import is_decoder_data
+from nctakt.nc.vocabulary.variables.system_variables import is_decoder_data
 
 
 def read_condition(

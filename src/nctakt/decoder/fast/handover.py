@@ -23,7 +23,7 @@ from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.fast.lines import PlainLines
 from nctakt.decoder.pending_motion import plain_span
-from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.tick.command_queue import CommandQueue

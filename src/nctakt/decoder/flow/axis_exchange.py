@@ -12,9 +12,9 @@ from collections.abc import Callable, Generator
 
 from nctakt.base.diagnostics import Span, Text
 from nctakt.decoder.axis_limits import set_limits
-from nctakt.decoder.blocks.feed_forward import follow_feed_forward
-from nctakt.decoder.blocks.software_limits import limits_of_program_again, listed_limits_again
-from nctakt.decoder.blocks.spindles import main_of
+from nctakt.decoder.blocks.axes.software_limits import limits_of_program_again, listed_limits_again
+from nctakt.decoder.blocks.axes.spindles import main_of
+from nctakt.decoder.blocks.path.feed_forward import follow_feed_forward
 from nctakt.decoder.flow.c_axis import CAxisCommands
 from nctakt.decoder.state.axis_places import (
     AxisNotInChannelError,
@@ -24,11 +24,11 @@ from nctakt.decoder.state.axis_places import (
     indices_of,
     trimmed,
 )
-from nctakt.decoder.state.commands import Answer, Command, PositionRequest
 from nctakt.decoder.state.exchanged_state import follow
-from nctakt.decoder.state.spindle_commands import SpindleAxis
+from nctakt.decoder.state.queued.commands import Answer, Command, PositionRequest
+from nctakt.decoder.state.queued.spindle_commands import SpindleAxis
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.axis_exchange import (
+from nctakt.messages.axes.axis_exchange import (
     AXIS_NOT_IN_CHANNEL,
     AXIS_OF_SPINDLE,
     AXIS_TWICE,
@@ -37,7 +37,7 @@ from nctakt.messages.axis_exchange import (
     INVALID_AXIS_PLACE,
     UNKNOWN_AXIS_NUMBER,
 )
-from nctakt.messages.couplings import COUPLED_AXIS_GIVEN, COUPLED_AXIS_MOVED_TO_INDEX
+from nctakt.messages.axes.couplings import COUPLED_AXIS_GIVEN, COUPLED_AXIS_MOVED_TO_INDEX
 from nctakt.nc import tree
 from nctakt.nc.meaning.axes import GIVING, ExchangeCommand, FetchedAxis, exchange_command, is_c_axis
 

@@ -14,16 +14,16 @@ from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.gear_changes import GearChanges
-from nctakt.decoder.blocks.path_motion import PathMotion, PathWords
-from nctakt.decoder.state.axis_commands import (
+from nctakt.decoder.blocks.axes.gear_changes import GearChanges
+from nctakt.decoder.blocks.path.path_motion import PathMotion, PathWords
+from nctakt.decoder.state.queued.axis_commands import (
     EndOscillation,
     FeedForward,
     MoveAlone,
     Oscillate,
     SetSoftwareLimits,
 )
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.queued.commands import (
     Answer,
     AwaitAcknowledge,
     Command,
@@ -47,16 +47,16 @@ from nctakt.decoder.state.commands import (
     WriteText,
     WriteVariable,
 )
-from nctakt.decoder.state.in_force import ModalMark
-from nctakt.decoder.state.limit_commands import SetLimits
-from nctakt.decoder.state.packing import takes_time
-from nctakt.decoder.state.spindle_commands import CuttingSpeed, SpindleJob, SpindleLimits
-from nctakt.decoder.state.start_block import SingleStep, StartBlock, StartReached
-from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
+from nctakt.decoder.state.queued.in_force import ModalMark
+from nctakt.decoder.state.queued.limit_commands import SetLimits
+from nctakt.decoder.state.queued.packing import takes_time
+from nctakt.decoder.state.queued.spindle_commands import CuttingSpeed, SpindleJob, SpindleLimits
+from nctakt.decoder.state.queued.start_block import SingleStep, StartBlock, StartReached
+from nctakt.decoder.state.queued.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.decoder.state.uncertain_axes import UncertainAxes
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
-from nctakt.messages.block_search import (
+from nctakt.messages.programs.block_search import (
     START_BLOCK_LOCKED,
     START_BLOCK_NOT_REACHED,
     START_IN_LOOP,

@@ -10,15 +10,15 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.base.diagnostics import Text
-from nctakt.decoder.blocks.spindles import main_of
+from nctakt.decoder.blocks.axes.spindles import main_of
 from nctakt.decoder.state.axis_places import AxisPlace, Places, trimmed
-from nctakt.decoder.state.commands import Answer, Command
-from nctakt.decoder.state.coordinate_systems import MAIN_AXES
-from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
+from nctakt.decoder.state.geometry.coordinate_systems import MAIN_AXES
+from nctakt.decoder.state.queued.commands import Answer, Command
+from nctakt.decoder.state.queued.spindle_commands import AwaitSpindle, SpindleJob
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.axis_exchange import AXIS_TWICE
-from nctakt.messages.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE
-from nctakt.messages.spindles import SPINDLE_WITHOUT_AXIS
+from nctakt.messages.axes.axis_exchange import AXIS_TWICE
+from nctakt.messages.axes.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE
+from nctakt.messages.axes.spindles import SPINDLE_WITHOUT_AXIS
 from nctakt.nc import tree
 from nctakt.nc.meaning.axes import CAxisCommand, c_axis_command
 from nctakt.nc.vocabulary.functions import SPINDLE_STOP

@@ -13,13 +13,13 @@ from dataclasses import replace
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.flow.flow import Return
 from nctakt.decoder.state.call_stack import CallFrame
-from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.lists.machine.channel_configuration import ImplicitPrograms, program_parameter
-from nctakt.messages.checked_blocks import NO_PROGRAM_FOR_G_FUNCTION
-from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
-from nctakt.messages.decoder import TOO_FEW_OPEN_CALLS
-from nctakt.messages.program_structure import UNKNOWN_LOCAL_SUBPROGRAM
+from nctakt.messages.programs.checked_blocks import NO_PROGRAM_FOR_G_FUNCTION
+from nctakt.messages.programs.checked_cycles import INVALID_KEYWORD_VALUE
+from nctakt.messages.programs.decoder import TOO_FEW_OPEN_CALLS
+from nctakt.messages.programs.program_structure import UNKNOWN_LOCAL_SUBPROGRAM
 from nctakt.nc import tree
 from nctakt.nc.meaning.words import parameter_number
 from nctakt.nc.outline import ProgramText

@@ -12,12 +12,12 @@ from dataclasses import replace
 from functools import partial
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.state.tools import Fail
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.checked_blocks import INVALID_FUNCTION_NUMBER
+from nctakt.messages.programs.checked_blocks import INVALID_FUNCTION_NUMBER
 from nctakt.nc import tree
 
 #: Words whose number tells what they do.

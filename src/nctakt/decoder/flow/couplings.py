@@ -13,14 +13,14 @@ from collections.abc import Generator, Iterator, Sequence
 from nctakt.base.diagnostics import NOTHING, Span, Text
 from nctakt.base.whole_numbers import is_whole
 from nctakt.decoder.axis_limits import set_limits
-from nctakt.decoder.blocks.cutting_speed import CuttingSpeeds
-from nctakt.decoder.blocks.spindles import index_of
-from nctakt.decoder.state.commands import Answer, ClearHistory, Command, PositionRequest
-from nctakt.decoder.state.coordinate_systems import MAIN_AXES
+from nctakt.decoder.blocks.axes.cutting_speed import CuttingSpeeds
+from nctakt.decoder.blocks.axes.spindles import index_of
 from nctakt.decoder.state.couplings import Couple, CoupledPair, CoupledPlaces
 from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.geometry.coordinate_systems import MAIN_AXES
+from nctakt.decoder.state.queued.commands import Answer, ClearHistory, Command, PositionRequest
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.couplings import (
+from nctakt.messages.axes.couplings import (
     ACTIVE_GROUP_DEFINED_AGAIN,
     AXIS_FOLLOWS_ITSELF,
     COUPLED_MODES_DIFFER,

@@ -13,10 +13,10 @@ from typing import Literal
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.decoder import FOR_STEP_ZERO
+from nctakt.messages.programs.decoder import FOR_STEP_ZERO
 from nctakt.nc import tree
 from nctakt.nc.outline import bodies_of, leads_to
 

@@ -10,17 +10,18 @@ from collections.abc import Generator, Iterator
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
-from nctakt.decoder.blocks.cs_commands import CsCommands
-from nctakt.decoder.blocks.feed_forward import follow_feed_forward
-from nctakt.decoder.blocks.machine_coordinates import MachineCoordinates
+from nctakt.decoder.blocks.frames.cs_commands import CsCommands
+from nctakt.decoder.blocks.frames.machine_coordinates import MachineCoordinates
+from nctakt.decoder.blocks.frames.rotating_planes import RotatingPlanes
+from nctakt.decoder.blocks.frames.tool_orientation import ToolOrientation
+from nctakt.decoder.blocks.frames.transformation_commands import TransformationCommands
 from nctakt.decoder.blocks.measuring import Measuring
-from nctakt.decoder.blocks.rotating_planes import RotatingPlanes
+from nctakt.decoder.blocks.path.feed_forward import follow_feed_forward
 from nctakt.decoder.blocks.tool_commands import ToolCommands
-from nctakt.decoder.blocks.tool_orientation import ToolOrientation
-from nctakt.decoder.blocks.transformation_commands import TransformationCommands
 from nctakt.decoder.cycles.builder import TIMER_ACTIONS
 from nctakt.decoder.flow.couplings import Couplings
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.geometry.coordinate_systems import LAYERS
+from nctakt.decoder.state.queued.commands import (
     Answer,
     ClearHistory,
     Command,
@@ -29,20 +30,19 @@ from nctakt.decoder.state.commands import (
     ProgramTimer,
     UserMessage,
 )
-from nctakt.decoder.state.coordinate_systems import LAYERS
-from nctakt.decoder.state.shape_commands import ReleaseMotions
-from nctakt.decoder.state.start_block import SingleStep
+from nctakt.decoder.state.queued.shape_commands import ReleaseMotions
+from nctakt.decoder.state.queued.start_block import SingleStep
 from nctakt.decoder.values.texts import FormatError, format_text
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.axis_exchange import UNKNOWN_AXIS_NUMBER
-from nctakt.messages.contour_lines import CONTOUR_LINE_INCOMPLETE
-from nctakt.messages.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
-from nctakt.messages.fixed_stops import POSITION_AT_FIXED_STOP
-from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT
-from nctakt.messages.motion import FILTER_NOT_SIMULATED
-from nctakt.messages.single_steps import NEGATIVE_RESOLUTION
-from nctakt.messages.transformations import NOT_IN_MACHINE_COORDINATES
+from nctakt.messages.axes.axis_exchange import UNKNOWN_AXIS_NUMBER
+from nctakt.messages.machines.memory import NUMBER_INSTEAD_OF_TEXT
+from nctakt.messages.path.contour_lines import CONTOUR_LINE_INCOMPLETE
+from nctakt.messages.path.fixed_stops import POSITION_AT_FIXED_STOP
+from nctakt.messages.path.motion import FILTER_NOT_SIMULATED
+from nctakt.messages.path.transformations import NOT_IN_MACHINE_COORDINATES
+from nctakt.messages.programs.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
+from nctakt.messages.programs.single_steps import NEGATIVE_RESOLUTION
 from nctakt.nc import tree
 from nctakt.nc.meaning.axes import is_coupling
 from nctakt.nc.meaning.coordinates import (
@@ -55,7 +55,7 @@ from nctakt.nc.meaning.path import SPLINE_COMMANDS, keywords
 from nctakt.nc.meaning.words import SINGLE_STEP_OFF, TOOL_COMMANDS, is_for_simulation
 from nctakt.nc.vocabulary.commands import INITS
 from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
-from nctakt.nc.vocabulary.system_variables import TIMERS
+from nctakt.nc.vocabulary.variables.system_variables import TIMERS
 
 #: Commands of coordinates and transformations that ``#MCS ON`` excludes, by their first words.
 _NOT_IN_MCS = ("ACS", "BCS", "CS", "CYL", "ECS", "FACE", "RTCP", "TLC", "TRAFO")

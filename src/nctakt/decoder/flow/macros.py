@@ -17,7 +17,11 @@ from nctakt.base.misspelling import nearest
 from nctakt.decoder.flow.computed_blocks import check
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.tools import Fail
-from nctakt.messages.decoder import MACRO_TEXT_TOO_LONG, MACROS_NESTED_TOO_DEEP, UNKNOWN_MACRO
+from nctakt.messages.programs.decoder import (
+    MACRO_TEXT_TOO_LONG,
+    MACROS_NESTED_TOO_DEEP,
+    UNKNOWN_MACRO,
+)
 from nctakt.nc import tree
 from nctakt.nc.meaning.macros import MacroExpander, with_span
 from nctakt.nc.parse.block_words import parse_content

@@ -12,7 +12,7 @@ from collections.abc import Callable, Generator, Iterable
 
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
 from nctakt.decoder.flow.flow import Decoding
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.queued.commands import (
     Answer,
     AwaitSignal,
     BlockMark,
@@ -25,10 +25,10 @@ from nctakt.decoder.state.commands import (
     SendSignal,
     WriteVariable,
 )
-from nctakt.decoder.state.in_force import ModalMark
-from nctakt.decoder.state.shape_commands import ShapeCommand
+from nctakt.decoder.state.queued.in_force import ModalMark
+from nctakt.decoder.state.queued.shape_commands import ShapeCommand
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.backward import (
+from nctakt.messages.path.backward import (
     NOT_ALLOWED_IN_RT_WHILE,
     RT_WHILE_DURING_COMPENSATION,
     RT_WHILE_PATH_NOT_CLOSED,
@@ -36,7 +36,7 @@ from nctakt.messages.backward import (
     RT_WHILE_WITHOUT_HISTORY,
     RT_WHILE_WITHOUT_MOTION,
 )
-from nctakt.messages.splines import SPLINE_AT_LOOP
+from nctakt.messages.path.splines import SPLINE_AT_LOOP
 from nctakt.nc import tree
 
 #: The commands that a body can have.

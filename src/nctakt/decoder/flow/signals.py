@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.whole_numbers import is_whole
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.queued.commands import (
     Answer,
     AwaitSignal,
     Command,
@@ -23,7 +23,7 @@ from nctakt.decoder.state.commands import (
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
-from nctakt.messages.signals import (
+from nctakt.messages.programs.signals import (
     EMPTY_SIGNAL_RANGE,
     INVALID_SIGNAL_CHANNEL,
     INVALID_SIGNAL_COUNT,

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.kinematics import map_rows
-from nctakt.lists.machine.kinematics import Vector
+from nctakt.lists.machine.transformations.kinematics import Vector
 
 X: Vector = (1.0, 0.0, 0.0)
 Y: Vector = (0.0, 1.0, 0.0)

@@ -23,7 +23,7 @@ from nctakt.decoder.kinematics.chain import (
     Z,
 )
 from nctakt.kernel.base import arithmetic
-from nctakt.lists.machine.kinematics import Vector
+from nctakt.lists.machine.transformations.kinematics import Vector
 
 #: The rotary axes begin at this place of the channel.
 _FIRST_ROTARY = 3

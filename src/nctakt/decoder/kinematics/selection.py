@@ -14,8 +14,8 @@ from nctakt.decoder.kinematics.universal import universal_chain
 from nctakt.kernel.kinematics import map_rows
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.lists.machine.kinematics import TRIPODS, Entry, Kinematic
-from nctakt.lists.machine.universal_kinematic import (
+from nctakt.lists.machine.transformations.kinematics import TRIPODS, Entry, Kinematic
+from nctakt.lists.machine.transformations.universal_kinematic import (
     PARAMETERS,
     DefinitionReader,
     UnusableKinematicError,

@@ -6,7 +6,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.decoder.kinematics.chain import DIRECTIONS, Chain, Joint, ProgrammedAngles, unit
-from nctakt.lists.machine.kinematics import CLASSIC_MODES, POINT_VECTOR, UniversalKinematic
+from nctakt.lists.machine.transformations.kinematics import (
+    CLASSIC_MODES,
+    POINT_VECTOR,
+    UniversalKinematic,
+)
 
 
 def universal_chain(kinematic: UniversalKinematic, axis_names: Sequence[str]) -> Chain:

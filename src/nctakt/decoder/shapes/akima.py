@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.decoder.state.cubics import Cubic, Point, hermite
+from nctakt.decoder.state.geometry.cubics import Cubic, Point, hermite
 
 #: Changes of slope are the same below this part of the slopes.
 SAME_SLOPE = 1e-9

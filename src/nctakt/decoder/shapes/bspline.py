@@ -9,7 +9,7 @@ control points are there.
 
 from __future__ import annotations
 
-from nctakt.decoder.state.cubics import Cubic, Point, between
+from nctakt.decoder.state.geometry.cubics import Cubic, Point, between
 
 DEGREE = 3
 

@@ -16,10 +16,10 @@ from typing import NamedTuple
 
 from nctakt.decoder.shapes import corners
 from nctakt.decoder.shapes.splines import slope_of
-from nctakt.decoder.state import cubics
-from nctakt.decoder.state.arcs import RADIANS
-from nctakt.decoder.state.commands import Segment
-from nctakt.decoder.state.cubics import Cubic, Point
+from nctakt.decoder.state.geometry import cubics
+from nctakt.decoder.state.geometry.arcs import RADIANS
+from nctakt.decoder.state.geometry.cubics import Cubic, Point
+from nctakt.decoder.state.queued.commands import Segment
 
 #: A change of direction up to this is none, as in the realtime part; beside arcs 0.01 degrees.
 SAME_DIRECTION = 1e-6

@@ -16,12 +16,14 @@ from typing import Protocol
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.path.path_motion import PathMotion
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.shapes import contour_curve, transformed_corners
 from nctakt.decoder.shapes.contour_curve import Joint
-from nctakt.decoder.state import cubics
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.geometry import cubics
+from nctakt.decoder.state.geometry.contour_form import ContourForm
+from nctakt.decoder.state.queued.commands import (
     Answer,
     AwaitAcknowledge,
     BlockMark,
@@ -37,16 +39,14 @@ from nctakt.decoder.state.commands import (
     WriteVariable,
     waits,
 )
-from nctakt.decoder.state.contour_form import ContourForm
-from nctakt.decoder.state.environment import DecodeError
-from nctakt.decoder.state.feed_modifiers import FeedModifiers
-from nctakt.decoder.state.packing import takes_time
-from nctakt.decoder.state.spindle_commands import AwaitSpindle, SpindleJob
-from nctakt.decoder.state.start_block import StartReached
-from nctakt.decoder.state.tool_life import ToolLifeFactors
+from nctakt.decoder.state.queued.feed_modifiers import FeedModifiers
+from nctakt.decoder.state.queued.packing import takes_time
+from nctakt.decoder.state.queued.spindle_commands import AwaitSpindle, SpindleJob
+from nctakt.decoder.state.queued.start_block import StartReached
+from nctakt.decoder.state.queued.tool_life import ToolLifeFactors
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
-from nctakt.messages.motion import CURVE_OUTSIDE_LIMITS
+from nctakt.messages.path.motion import CURVE_OUTSIDE_LIMITS
 from nctakt.nc.vocabulary.path_keywords import INTER_ACTION, POST_ACTION, PRE_ACTION
 
 #: Distances from the corner up to this are none, mm.

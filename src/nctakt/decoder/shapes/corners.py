@@ -12,8 +12,8 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 
-from nctakt.decoder.state.arcs import RADIANS
-from nctakt.decoder.state.commands import Segment
+from nctakt.decoder.state.geometry.arcs import RADIANS
+from nctakt.decoder.state.queued.commands import Segment
 
 #: What rounding may leave of a motion, as a part of its length.
 NOTHING_LEFT = 1e-9

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import Command, Segment
-from nctakt.decoder.state.shape_commands import InsertCorner
+from nctakt.decoder.state.queued.commands import Command, Segment
+from nctakt.decoder.state.queued.shape_commands import InsertCorner
 
 
 @dataclass(slots=True)

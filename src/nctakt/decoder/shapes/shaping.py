@@ -15,13 +15,15 @@ from collections.abc import Callable, Generator, Iterator
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Message, Span, Text
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.path.path_motion import PathMotion
 from nctakt.decoder.fast.handover import PlainRun
 from nctakt.decoder.shapes import corners
 from nctakt.decoder.shapes.held_motion import HeldMotion
 from nctakt.decoder.shapes.splines import Slope, Spline
-from nctakt.decoder.state.arcs import RADIANS, Arc
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.environment import DecodeError
+from nctakt.decoder.state.geometry.arcs import RADIANS, Arc
+from nctakt.decoder.state.geometry.coordinate_systems import Matrix
+from nctakt.decoder.state.queued.commands import (
     Answer,
     Command,
     DecoderWait,
@@ -30,11 +32,9 @@ from nctakt.decoder.state.commands import (
     Segment,
     waits,
 )
-from nctakt.decoder.state.coordinate_systems import Matrix
-from nctakt.decoder.state.environment import DecodeError
-from nctakt.decoder.state.feed_modifiers import FeedModifiers
-from nctakt.decoder.state.packing import takes_time
-from nctakt.decoder.state.shape_commands import (
+from nctakt.decoder.state.queued.feed_modifiers import FeedModifiers
+from nctakt.decoder.state.queued.packing import takes_time
+from nctakt.decoder.state.queued.shape_commands import (
     AKIMA,
     AUTO,
     BSPLINE,
@@ -49,7 +49,7 @@ from nctakt.decoder.tilted_motions import into_plane
 from nctakt.decoder.values.variables import Values
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
-from nctakt.messages.shapes import (
+from nctakt.messages.path.shapes import (
     CORNER_NOT_IN_PLANE,
     CORNER_REVERSES,
     CORNER_TOO_LARGE,
@@ -57,7 +57,7 @@ from nctakt.messages.shapes import (
     CORNER_WITHOUT_NEXT_MOTION,
     TWO_CORNERS,
 )
-from nctakt.messages.splines import (
+from nctakt.messages.path.splines import (
     ARC_IN_BSPLINE,
     CORNER_IN_SPLINE,
     NO_MOTION_BEFORE_SPLINE,

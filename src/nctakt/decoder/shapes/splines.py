@@ -13,17 +13,17 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.blocks.path_motion import PathMotion
+from nctakt.decoder.blocks.path.path_motion import PathMotion
 from nctakt.decoder.shapes.akima import AkimaCurve
 from nctakt.decoder.shapes.bspline import BsplineCurve
 from nctakt.decoder.shapes.held_motion import HeldMotion
-from nctakt.decoder.state import cubics
-from nctakt.decoder.state.arcs import RADIANS
-from nctakt.decoder.state.commands import Segment
-from nctakt.decoder.state.coordinate_systems import turned_out
-from nctakt.decoder.state.shape_commands import AUTO, BSPLINE, USER, Vector
+from nctakt.decoder.state.geometry import cubics
+from nctakt.decoder.state.geometry.arcs import RADIANS
+from nctakt.decoder.state.geometry.coordinate_systems import turned_out
+from nctakt.decoder.state.queued.commands import Segment
+from nctakt.decoder.state.queued.shape_commands import AUTO, BSPLINE, USER, Vector
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.splines import (
+from nctakt.messages.path.splines import (
     SPLINE_DURING_COMPENSATION,
     SPLINE_OUTSIDE_LIMITS,
     SPLINE_TOO_SHORT,

@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.decoder.shapes.splines import slope_of
-from nctakt.decoder.state.commands import Segment
 from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.queued.commands import Segment
 from nctakt.kernel.kinematics import map_rows
 
 #: Up to which d/p the curve is faster; both are those of the axes that take longest.

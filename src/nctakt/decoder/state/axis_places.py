@@ -12,7 +12,7 @@ from math import inf
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.kinematics.selection import ChannelAxes
-from nctakt.decoder.state.commands import DecoderWait
+from nctakt.decoder.state.queued.commands import DecoderWait
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 
 

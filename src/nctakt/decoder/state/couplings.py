@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.decoder.state.commands import Command
+from nctakt.decoder.state.queued.commands import Command
 
 
 @dataclass(frozen=True, slots=True)

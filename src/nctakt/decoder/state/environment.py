@@ -15,8 +15,8 @@ from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.decoder.state.axis_places import AxisIndices, ChannelPlaces
 from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.controller_data import ControllerData
-from nctakt.decoder.state.in_force import InForce
-from nctakt.decoder.state.offsets import ActiveOffsets
+from nctakt.decoder.state.geometry.offsets import ActiveOffsets
+from nctakt.decoder.state.queued.in_force import InForce
 from nctakt.decoder.state.signals import DecoderSignals
 from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.state.uncertain_axes import LivingCycle
@@ -25,7 +25,7 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.tree import Statement
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 if TYPE_CHECKING:
     from nctakt.decoder.state.kept_trees import KeptTrees

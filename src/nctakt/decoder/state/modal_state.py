@@ -12,17 +12,17 @@ from typing import NamedTuple
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.arcs import PLANES, Arc
 from nctakt.decoder.state.call_stack import CallStack
-from nctakt.decoder.state.commands import Segment
-from nctakt.decoder.state.contour_form import ContourState
-from nctakt.decoder.state.contour_frame import ContourFrame
 from nctakt.decoder.state.couplings import ActiveCouplings
 from nctakt.decoder.state.feed_forward import FeedForwardState
+from nctakt.decoder.state.geometry.arcs import PLANES, Arc
+from nctakt.decoder.state.geometry.contour_form import ContourState
+from nctakt.decoder.state.geometry.contour_frame import ContourFrame
+from nctakt.decoder.state.geometry.tangential_arc import Tangent
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
-from nctakt.decoder.state.shape_commands import ShapeState
+from nctakt.decoder.state.queued.commands import Segment
+from nctakt.decoder.state.queued.shape_commands import ShapeState
 from nctakt.decoder.state.software_limits import LimitsOfProgram
-from nctakt.decoder.state.tangential_arc import Tangent
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.channel_configuration import (

@@ -16,17 +16,21 @@ from nctakt.base.diagnostics import Message
 from nctakt.base.misspelling import nearest
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE, WRONG_INDEX_COUNT
-from nctakt.messages.decoder import (
+from nctakt.messages.machines.memory import (
+    NUMBER_INSTEAD_OF_TEXT,
+    TEXT_INSTEAD_OF_NUMBER,
+    TEXT_TOO_LONG,
+)
+from nctakt.messages.programs.checked_values import INDEX_OUT_OF_RANGE, WRONG_INDEX_COUNT
+from nctakt.messages.programs.decoder import (
     PARAMETER_ARRAY_MISSING,
     TOO_MANY_ELEMENTS,
     VALUE_COUNT_MISMATCH,
     VALUE_OUTSIDE_TYPE_RANGE,
     VARIABLE_NOT_PRESENT,
 )
-from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER, TEXT_TOO_LONG
 from nctakt.nc import tree
-from nctakt.nc.vocabulary.resolution import name_of
+from nctakt.nc.vocabulary.variables.resolution import name_of
 
 #: Maximum and default length of a STRING.
 LONGEST_STRING = 126

@@ -11,12 +11,12 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.base.diagnostics import Message, Span
-from nctakt.decoder.state.commands import Answer, AwaitTools, Command
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.queued.commands import Answer, AwaitTools, Command
 from nctakt.hli.layout import TOOL_OFFSETS, TOOL_PARAMETERS, TOOLS
 from nctakt.lists.declared.tools import Tool
-from nctakt.messages.tools import TOOL_MANAGER_SILENT
+from nctakt.messages.path.tools import TOOL_MANAGER_SILENT
 
 #: What is asked for: the data of a tool, or that it is got ready.
 DATA = 1

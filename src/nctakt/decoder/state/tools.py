@@ -14,12 +14,12 @@ from dataclasses import replace
 from typing import NoReturn, Protocol
 
 from nctakt.base.diagnostics import Message, Span
-from nctakt.decoder.state.arcs import PLANES
-from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.environment import DecoderEnvironment
+from nctakt.decoder.state.geometry.arcs import PLANES
 from nctakt.decoder.state.modal_state import ModalState
-from nctakt.decoder.state.spindle_commands import SpindleLimits
-from nctakt.decoder.state.tool_life import SetToolLife, ToolLifeFactors
+from nctakt.decoder.state.queued.commands import Answer, Command
+from nctakt.decoder.state.queued.spindle_commands import SpindleLimits
+from nctakt.decoder.state.queued.tool_life import SetToolLife, ToolLifeFactors
 from nctakt.decoder.state.tool_manager import (
     ANSWER_LIMIT_S,
     DATA,
@@ -35,8 +35,7 @@ from nctakt.lists.declared.tools import (
     NO_TOOL,
     Tool,
 )
-from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
-from nctakt.messages.tools import (
+from nctakt.messages.path.tools import (
     INVALID_TOOL_LIFE_FACTOR,
     INVALID_TOOL_NUMBER,
     INVALID_TOOL_VALUE,
@@ -48,13 +47,14 @@ from nctakt.messages.tools import (
     UNKNOWN_TO_TOOL_MANAGEMENT,
     UNKNOWN_TOOL,
 )
-from nctakt.messages.transformations import (
+from nctakt.messages.path.transformations import (
     KINEMATIC_NOT_POSSIBLE,
     KINEMATIC_OF_TOOL_DIFFERS,
     PARAMETER_DURING_TRANSFORMATION,
 )
+from nctakt.messages.programs.checked_values import INDEX_OUT_OF_RANGE
 from nctakt.nc.tree import Expression, Variable, Word
-from nctakt.nc.vocabulary.system_variables import SystemVariable
+from nctakt.nc.vocabulary.variables.system_variables import SystemVariable
 
 #: Sum of the indices of the first three axes; minus those of a plane: the axis normal to it.
 _MAIN_AXES = 0 + 1 + 2

@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from nctakt.base.dataclass import dataclass
-from nctakt.decoder.state.commands import Command, EmptyBlock
+from nctakt.decoder.state.queued.commands import Command, EmptyBlock
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,14 +13,14 @@ from typing import NoReturn
 
 from nctakt.base.diagnostics import NOTHING, Message, Span
 from nctakt.decoder.state.axis_places import AxisNotInChannelError
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.environment import DecodeError, DecoderEnvironment
+from nctakt.decoder.state.modal_state import ModalState
+from nctakt.decoder.state.program_variables import VariableError
+from nctakt.decoder.state.queued.commands import (
     Answer,
     Command,
     ReadRealtime,
 )
-from nctakt.decoder.state.environment import DecodeError, DecoderEnvironment
-from nctakt.decoder.state.modal_state import ModalState
-from nctakt.decoder.state.program_variables import VariableError
 from nctakt.decoder.state.tools import ActiveTool
 from nctakt.decoder.values.expressions import ExpressionBuilder
 from nctakt.decoder.values.fusing import Operand, constant
@@ -32,22 +32,22 @@ from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles.context import Context, empty_context
 from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.messages import diagnostic
-from nctakt.messages.block_search import READ_DURING_SEARCH
-from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
-from nctakt.messages.decoder import (
+from nctakt.messages.machines.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER
+from nctakt.messages.programs.block_search import READ_DURING_SEARCH
+from nctakt.messages.programs.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.programs.decoder import (
     ARGUMENT_OUT_OF_RANGE,
     CALL_PARAMETER_MISSING,
     OPERATION_WITHOUT_RESULT,
     RESULT_TOO_LARGE,
     UNKNOWN_MACRO,
 )
-from nctakt.messages.lints import FLUSH_DURING_COMPENSATION
-from nctakt.messages.memory import NUMBER_INSTEAD_OF_TEXT, TEXT_INSTEAD_OF_NUMBER
+from nctakt.messages.programs.lints import FLUSH_DURING_COMPENSATION
 from nctakt.nc import tree
 from nctakt.nc.fast.templates import TemplateExpression, to_tree
-from nctakt.nc.vocabulary import strings
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.nc.vocabulary.variables.resolution import (
     as_array,
     bare_name,
     indices_of,
@@ -58,14 +58,14 @@ from nctakt.nc.vocabulary.resolution import (
     resolve_aggregate,
     variables_in,
 )
-from nctakt.nc.vocabulary.system_variables import (
+from nctakt.nc.vocabulary.variables.system_variables import (
     SYSTEM_FAMILIES,
     TIMERS,
     SystemVariable,
     is_decoder_data,
     system_variable,
 )
-from nctakt.nc.vocabulary.variable_table import Aggregate, Location
+from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location
 
 Evaluation = Generator[Command, Answer, float]
 

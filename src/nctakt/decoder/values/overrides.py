@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Generator
 
-from nctakt.decoder.state.commands import Answer, Command
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
+from nctakt.messages.path.feed import INVALID_PROGRAM_OVERRIDE
 from nctakt.nc.meaning.path import OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.tree import Keyword
 

@@ -19,7 +19,7 @@ from nctakt.nc import tree
 from nctakt.nc.fast.recipes import NumberRecipe
 from nctakt.nc.fast.templates import ExpressionTemplate
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.resolution import bare_name, variables_in
+from nctakt.nc.vocabulary.variables.resolution import bare_name, variables_in
 
 #: Maximum number of remembered expressions; then all are forgotten.
 MAX_PLANS = 4096

@@ -11,15 +11,15 @@ from typing import NoReturn
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.call_stack import CallStack
-from nctakt.decoder.state.commands import Answer, Command
 from nctakt.decoder.state.program_variables import LONGEST_STRING, ProgramVariable, VariableError
+from nctakt.decoder.state.queued.commands import Answer, Command
 from nctakt.decoder.state.tools import Fail
 from nctakt.decoder.values.text_functions import compute
-from nctakt.messages.checked_values import INVALID_ELEMENT_COUNT
-from nctakt.messages.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
+from nctakt.messages.programs.checked_values import INVALID_ELEMENT_COUNT
+from nctakt.messages.programs.decoder import OPERATION_WITHOUT_RESULT, VALUE_LIST_FOR_ONE_ELEMENT
 from nctakt.nc import tree
 from nctakt.nc.meaning.words import DECLARED_TYPES
-from nctakt.nc.vocabulary.resolution import bare_name, indices_of, name_of, path_text
+from nctakt.nc.vocabulary.variables.resolution import bare_name, indices_of, name_of, path_text
 
 Evaluate = Callable[[tree.Expression, int], Generator[Command, Answer, float]]
 EvaluateAny = Callable[[tree.Expression, int], Generator[Command, Answer, float | str]]

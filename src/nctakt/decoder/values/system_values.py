@@ -13,34 +13,34 @@ from pathlib import Path
 
 from nctakt.base.diagnostics import NOTHING, Span
 from nctakt.decoder.state.axis_places import AxisNotInChannelError
-from nctakt.decoder.state.commands import SetOffset
 from nctakt.decoder.state.environment import DecoderEnvironment
 from nctakt.decoder.state.modal_state import Measured, ModalState
+from nctakt.decoder.state.queued.commands import SetOffset
 from nctakt.decoder.state.tools import Fail
 from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.offsets import MAX_GROUPS
-from nctakt.lists.machine.kinematics import MAX_PARAMETERS, UNIVERSAL, Kinematic
-from nctakt.lists.machine.universal_kinematic import (
+from nctakt.lists.machine.transformations.kinematics import MAX_PARAMETERS, UNIVERSAL, Kinematic
+from nctakt.lists.machine.transformations.universal_kinematic import (
     BASE,
     ENTRIES,
     MAX_BASE,
     PARAMETER,
     entry_of,
 )
-from nctakt.messages.checked_values import INDEX_OUT_OF_RANGE
-from nctakt.messages.offsets import UNKNOWN_ZERO_OFFSET
-from nctakt.messages.transformations import (
+from nctakt.messages.path.transformations import (
     NOT_OF_KINEMATIC,
     PARAMETER_NOT_PUBLIC,
     UNKNOWN_KINEMATIC,
 )
+from nctakt.messages.programs.checked_values import INDEX_OUT_OF_RANGE
+from nctakt.messages.programs.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc.tree import Expression, Variable
 from nctakt.nc.vocabulary.functions import FEED_PER_REVOLUTION, FEED_SHARE, INVERSE_TIME_FEED
-from nctakt.nc.vocabulary.resolution import path_text
-from nctakt.nc.vocabulary.system_names import BY_PATH, ROWS, SystemRow
-from nctakt.nc.vocabulary.system_variables import SystemVariable
-from nctakt.nc.vocabulary.variable_table import Location
+from nctakt.nc.vocabulary.variables.resolution import path_text
+from nctakt.nc.vocabulary.variables.system_names import BY_PATH, ROWS, SystemRow
+from nctakt.nc.vocabulary.variables.system_variables import SystemVariable
+from nctakt.nc.vocabulary.variables.variable_table import Location
 
 Index = Callable[[Expression], float]
 

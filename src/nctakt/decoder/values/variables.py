@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from nctakt.base.diagnostics import Span
-from nctakt.decoder.state.commands import (
+from nctakt.decoder.state.queued.commands import (
     WAIT_WRITE,
     Answer,
     Command,
@@ -18,26 +18,26 @@ from nctakt.decoder.state.commands import (
     ReadRealtime,
     WriteVariable,
 )
-from nctakt.decoder.state.packing import write_text
+from nctakt.decoder.state.queued.packing import write_text
 from nctakt.decoder.values.evaluation import Evaluator
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.lists.machine.variables import Node
-from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
-from nctakt.messages.memory import TEXT_INSTEAD_OF_NUMBER
+from nctakt.lists.machine.external.variables import Node
+from nctakt.messages.machines.memory import TEXT_INSTEAD_OF_NUMBER
+from nctakt.messages.programs.decoder import VALUE_OUTSIDE_TYPE_RANGE
 from nctakt.nc import tree
 from nctakt.nc.fast.templates import TemplateExpression, to_tree
-from nctakt.nc.vocabulary import strings
-from nctakt.nc.vocabulary.cells import CELL_BYTES, leaf_cells
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.nc.vocabulary.variables.cells import CELL_BYTES, leaf_cells
+from nctakt.nc.vocabulary.variables.resolution import (
     as_array,
     indices_of,
     is_program_variable,
     path_text,
     resolve_aggregate,
 )
-from nctakt.nc.vocabulary.system_variables import SYSTEM_FAMILIES, is_whole_offset
-from nctakt.nc.vocabulary.variable_table import Aggregate, Location
+from nctakt.nc.vocabulary.variables.system_variables import SYSTEM_FAMILIES, is_whole_offset
+from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location
 
 Evaluation = Generator[Command, Answer, float]
 

@@ -6,8 +6,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+from nctakt.editor.display.legend import MODIFIERS, TYPES
 from nctakt.editor.document import Document
-from nctakt.editor.legend import MODIFIERS, TYPES
 from nctakt.editor.structured_text.occurrences import Occurrence, is_parameter
 from nctakt.editor.structured_text.plc_project import PlcFile
 from nctakt.editor.structured_text.project_names import ProjectNames

@@ -24,7 +24,7 @@ from nctakt.editor.structured_text.plc_project import PlcFile
 from nctakt.editor.structured_text.positions import range_of
 from nctakt.editor.structured_text.project_names import ProjectNames
 from nctakt.messages import diagnostic
-from nctakt.messages.editor import NAME_IS_FIXED, NEW_NAME_INVALID, NEW_NAME_TAKEN
+from nctakt.messages.connections.editor import NAME_IS_FIXED, NEW_NAME_INVALID, NEW_NAME_TAKEN
 from nctakt.st.check.project import DEFAULT_PROGRAM
 from nctakt.st.files.suffixes import OBJECT_SUFFIXES
 from nctakt.st.parse.lexer import KEYWORDS

@@ -4,7 +4,7 @@
 A statement computes feed, position and direction, looks for room for an action (P-CHAN-00480), and
 gives the command to ``single_axes.py``, which accepts it or names the message that refuses it: a
 fault of the cycle. Positions go down in mm or degrees of ACS, speeds in mm/s or degrees/s. The
-numbers of 50967 are those of ``nc/vocabulary/axis_commands.py`` (``REFUSALS``).
+numbers of 50967 are those of ``nc/vocabulary/single_axes/axis_commands.py`` (``REFUSALS``).
 """
 
 from __future__ import annotations

@@ -11,8 +11,8 @@ from __future__ import annotations
 class ToolLife:
     """``time_t``: weighed seconds, to the tick; ``distance_d``: weighed mm along the path.
 
-    ``tool``: number of the text of the tool's ID (``run/event_registry.py``), -1: none yet,
-    ``basic``: its first part. Degrees count as mm where only rotary axes move.
+    ``tool``: number of the text of the tool's ID (``run/realtime/event_registry.py``), -1: none
+    yet, ``basic``: its first part. Degrees count as mm where only rotary axes move.
     """
 
     def __init__(self, cycle_time_us: int) -> None:

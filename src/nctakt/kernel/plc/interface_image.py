@@ -2,10 +2,10 @@
 """The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
 
 A table says which variable is at which byte (``hli/positions.py``, and for the packed V.E
-``lists/machine/variables_layout.py``). ``latch`` takes over what the PLC has written where it may:
-bytes that differ from those that were published last. ``publish`` writes the variables that have
-changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers have
-the byte order of the processor. A REAL64 that is not finite is refused: the variable keeps its
+``lists/machine/external/variables_layout.py``). ``latch`` takes over what the PLC has written where
+it may: bytes that differ from those that were published last. ``publish`` writes the variables that
+have changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers
+have the byte order of the processor. A REAL64 that is not finite is refused: the variable keeps its
 value, the image gets it back, and the first time of each variable is reported (21820, 21821).
 """
 

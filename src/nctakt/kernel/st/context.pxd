@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 # C types of context.py.
 cimport cython
-from nctakt.kernel.st cimport kinds, notes
-from nctakt.kernel.st.notes cimport Notes
+from nctakt.kernel.st cimport kinds
+from nctakt.kernel.st.observing cimport notes
+from nctakt.kernel.st.observing.notes cimport Notes
 from nctakt.kernel.st.outside cimport Outside
 
 @cython.final

@@ -9,8 +9,9 @@ offset needs no check (ST-001). A pointer is an offset in it; 0 is null.
 from __future__ import annotations
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds, notes
-from nctakt.kernel.st.notes import Notes
+from nctakt.kernel.st import kinds
+from nctakt.kernel.st.observing import notes
+from nctakt.kernel.st.observing.notes import Notes
 from nctakt.kernel.st.outside import Outside
 
 

@@ -8,8 +8,8 @@ from nctakt.kernel.base.record cimport Record
 from nctakt.kernel.cycles.context cimport Context
 from nctakt.kernel.cycles.cycles cimport CycleManager
 from nctakt.kernel.path.backward cimport BackwardMotion
-from nctakt.kernel.path.fixed_stops cimport FixedStops
-from nctakt.kernel.path.measuring cimport Measuring
+from nctakt.kernel.path.probing.fixed_stops cimport FixedStops
+from nctakt.kernel.path.probing.measuring cimport Measuring
 from nctakt.kernel.path.override cimport Overrides
 from nctakt.kernel.path.path cimport Path
 from nctakt.kernel.path.threads cimport Threads

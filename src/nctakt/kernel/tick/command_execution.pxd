@@ -3,8 +3,8 @@
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.cycles.cycles cimport CycleManager
-from nctakt.kernel.path.fixed_stops cimport FixedStops
-from nctakt.kernel.path.measuring cimport Measuring
+from nctakt.kernel.path.probing.fixed_stops cimport FixedStops
+from nctakt.kernel.path.probing.measuring cimport Measuring
 from nctakt.kernel.path.threads cimport Threads
 from nctakt.kernel.plc.technology_slots cimport Hli
 from nctakt.kernel.cycles.context cimport Context

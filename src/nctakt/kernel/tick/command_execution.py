@@ -11,8 +11,8 @@ from nctakt.kernel.base.record import Record
 from nctakt.kernel.base.timers import Timers
 from nctakt.kernel.cycles.context import Context
 from nctakt.kernel.cycles.cycles import CycleManager
-from nctakt.kernel.path.fixed_stops import FixedStops
-from nctakt.kernel.path.measuring import Measuring
+from nctakt.kernel.path.probing.fixed_stops import FixedStops
+from nctakt.kernel.path.probing.measuring import Measuring
 from nctakt.kernel.path.threads import Threads
 from nctakt.kernel.plc.technology_slots import Hli
 from nctakt.kernel.tick.block_scope import BlockScope

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The commands that wait for a channel: a ring buffer of rows of float64.
 
-A command (``decoder/state/packing.py`` packs it) is a row (``rows.py``). A segment is prepared as
-it comes, so that those before it may go faster. Commands that take time are counted
+A command (``decoder/state/queued/packing.py`` packs it) is a row (``rows.py``). A segment is
+prepared as it comes, so that those before it may go faster. Commands that take time are counted
 (``timed_count``); a rounding, which belongs to the segment before it, is not.
 """
 

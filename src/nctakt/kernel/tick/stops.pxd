@@ -10,7 +10,7 @@ from nctakt.kernel.cycles.cycles cimport RealtimeCycle
 from nctakt.kernel.cycles.expressions cimport Expression
 from nctakt.kernel.cycles.instructions cimport Watch
 from nctakt.kernel.st.context cimport PlcContext
-from nctakt.kernel.st.probes cimport Sought
+from nctakt.kernel.st.observing.probes cimport Sought
 
 cdef class Stop:
     cdef Expression guard

@@ -19,7 +19,7 @@ from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.cycles.expressions import Expression
 from nctakt.kernel.cycles.instructions import Watch
 from nctakt.kernel.st.context import PlcContext
-from nctakt.kernel.st.probes import Sought
+from nctakt.kernel.st.observing.probes import Sought
 
 
 class Stop:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What holds up the program of a channel, for reports after a run (``run/wait_reasons.py``)."""
+"""What holds up the program of a channel, for ``run/causes/wait_reasons.py``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class WaitReasons:
         self.overrides = overrides
 
     def reason(self) -> tuple[str, int, int]:
-        """Word, source and detail of what holds the program up, for ``run/wait_reasons.py``.
+        """Word, source and detail of what holds the program up, for ``run/causes/wait_reasons.py``.
 
         The word is empty where nothing does: the path moves, or a dwell lasts.
         """

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from nctakt.base.dataclass import dataclass, field
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.folders import (
+from nctakt.messages.machines.folders import (
     DEFAULT_GROUP_EMPTY,
     GROUP_ZERO_OFFSETS_IGNORED,
     UNKNOWN_AXIS_INDEX,

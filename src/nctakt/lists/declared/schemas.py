@@ -14,8 +14,8 @@ from nctakt.lists.declared.technology_functions import FLAGS
 from nctakt.lists.format.reader import ListDialect
 from nctakt.lists.format.schema import ForeignName, Schema
 from nctakt.lists.format.table import ParameterTable
-from nctakt.messages.lists import INVALID_SYNCHRONISATION_TYPE
-from nctakt.messages.variables import INVALID_SCOPE
+from nctakt.messages.machines.lists import INVALID_SYNCHRONISATION_TYPE
+from nctakt.messages.machines.variables import INVALID_SCOPE
 
 #: Entries whose value is a synchronisation type.
 _SYNCHRONISED = (

@@ -11,8 +11,8 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.backward import BACKWARD_MEMORY_TOO_LARGE, BACKWARD_MEMORY_TOO_SMALL
-from nctakt.messages.variables import INVALID_ALIGNMENT
+from nctakt.messages.machines.variables import INVALID_ALIGNMENT
+from nctakt.messages.path.backward import BACKWARD_MEMORY_TOO_LARGE, BACKWARD_MEMORY_TOO_SMALL
 
 MAX_AXES = 64
 #: Alignments of a structure's members in bytes; 0: chosen by the controller.

@@ -14,7 +14,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     LEAD_TIME_TOO_SHORT,
     LEAD_WITHOUT_EARLY_TYPE,
     PROCESS_TIME_WITHOUT_WAITING,

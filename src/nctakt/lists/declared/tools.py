@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.folders import TOOL_ZERO_WITHOUT_DIMENSIONS, UNKNOWN_AXIS_INDEX
+from nctakt.messages.machines.folders import TOOL_ZERO_WITHOUT_DIMENSIONS, UNKNOWN_AXIS_INDEX
 
 MAX_AXES = 32
 MAX_PARAMETERS = 60

@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.base.plain_values import plain_number
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import ARGUMENT_OF_WRONG_TYPE
+from nctakt.messages.commands.inputs import ARGUMENT_OF_WRONG_TYPE
 
 _WHOLE = Text("a whole number from {minimum} on", "eine ganze Zahl ab {minimum}")
 _TEXT = Text("a text", "ein Text")

@@ -20,7 +20,7 @@ from nctakt.lists.format.value_text import (
     read_word,
 )
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     NOT_A_BOOLEAN,
     NOT_A_NUMBER,
     NOT_A_WHOLE_NUMBER,

@@ -17,7 +17,7 @@ from nctakt.lists.format.references import effective_value, key_of
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key
 from nctakt.messages import Collector
-from nctakt.messages.lists import BEYOND_OTHER_PARAMETER
+from nctakt.messages.machines.lists import BEYOND_OTHER_PARAMETER
 
 _ABOVE, _BELOW = Text("above", "über"), Text("below", "unter")
 

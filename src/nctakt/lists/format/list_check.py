@@ -22,7 +22,7 @@ from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key, Values
 from nctakt.lists.format.without_effect import Detail, report_without_effect
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     DUPLICATE_ENTRY,
     MISSPELLED_PARAMETER,
     OLD_PARAMETER_NAME,

@@ -19,7 +19,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     BLANK_MISSING_AFTER_HASH,
     HASH_NOT_AT_LINE_START,
     LIST_WITHOUT_END,

@@ -16,7 +16,7 @@ from nctakt.lists.format.reader import Entry
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key
 from nctakt.messages import Collector
-from nctakt.messages.lists import INVALID_PARAMETER_REFERENCE
+from nctakt.messages.machines.lists import INVALID_PARAMETER_REFERENCE
 
 _REFERENCE = re.compile(r"(P-[A-Z]{4}-[0-9]{5})((?:\.[0-9]{1,4})*)")
 

@@ -18,7 +18,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.base.plain_values import plain_number
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import INVALID_TIME, WRONG_TIME_TYPE
+from nctakt.messages.commands.inputs import INVALID_TIME, WRONG_TIME_TYPE
 
 #: Microseconds in each unit; a text without a unit is a number of seconds.
 _UNITS = {

@@ -15,7 +15,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.lists.format.reader import BLANKS, Entry
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     BLANK_MISSING,
     CLOSING_QUOTE_MISSING,
     TEXT_AFTER_QUOTE,

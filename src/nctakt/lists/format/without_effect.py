@@ -16,7 +16,7 @@ from nctakt.lists.format.references import default_of
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     PARAMETER_MAY_CHANGE_RUN,
     PARAMETER_WITHOUT_EFFECT,
     PARAMETER_WOULD_CHANGE_RUN,

@@ -20,7 +20,7 @@ from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.reader import Entry
 from nctakt.lists.format.schema import Schema
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     XML_LIST_TOO_DEEP,
     XML_LIST_TOO_LARGE,
     XML_LIST_WITH_ENTITIES,

@@ -17,7 +17,7 @@ from nctakt.lists.machine.couplings import AxisGantry, axis_gantry
 from nctakt.lists.machine.homing import AxisHoming, axis_homing
 from nctakt.lists.machine.measuring import AxisMeasuring, axis_measuring
 from nctakt.messages import Collector
-from nctakt.messages.machine import (
+from nctakt.messages.machines.machine import (
     AXIS_BEYOND_LIMIT,
     FEED_FORWARD_ON_AND_OFF,
     LIMIT_TOLERANCE_TOO_LARGE,

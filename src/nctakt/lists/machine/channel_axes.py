@@ -14,8 +14,8 @@ from nctakt.lists.format.values import Values
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import ChannelParameters, Spindle
 from nctakt.messages import Collector
-from nctakt.messages.folders import AXIS_IN_TWO_CHANNELS, CHANNEL_WITHOUT_AXES
-from nctakt.messages.machine import AXIS_LIST_MISSING
+from nctakt.messages.machines.folders import AXIS_IN_TWO_CHANNELS, CHANNEL_WITHOUT_AXES
+from nctakt.messages.machines.machine import AXIS_LIST_MISSING
 
 _AXIS_NUMBERS = ("gruppe[].achse[].log_achs_nr",)
 _SPINDLE_NUMBERS = ("spindel[].log_achs_nr", "main_spindle_ax_nr")

@@ -25,18 +25,18 @@ from nctakt.lists.machine.coordinate_systems import ListedSystems, listed_system
 from nctakt.lists.machine.couplings import ListedCouplings, listed_couplings
 from nctakt.lists.machine.dynamic_weights import DynamicWeights, dynamic_weights
 from nctakt.lists.machine.feed_groups import ListedFeedGroup, listed_feed_group
-from nctakt.lists.machine.kinematic_lists import transformations
-from nctakt.lists.machine.kinematics import Transformations
 from nctakt.lists.machine.measuring import ChannelMeasuring, channel_measuring
 from nctakt.lists.machine.spindle_gears import ListedGears, listed_gears
 from nctakt.lists.machine.tool_selection import ToolSelection, tool_selection
+from nctakt.lists.machine.transformations.kinematic_lists import transformations
+from nctakt.lists.machine.transformations.kinematics import Transformations
 from nctakt.messages import Collector
-from nctakt.messages.lists import (
+from nctakt.messages.machines.lists import (
     PARAMETER_OUT_OF_RANGE,
     PATH_GIVEN_TWICE,
     UNKNOWN_PARAMETER_VALUE,
 )
-from nctakt.messages.machine import (
+from nctakt.messages.machines.machine import (
     CYCLE_DURATION_ABOVE_TICK,
     DESCRIBED_COUNT_MISMATCH,
     INVALID_AXIS_NAME,

@@ -7,7 +7,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Message
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.coupling_lists import (
+from nctakt.messages.machines.coupling_lists import (
     LISTED_PAIR_OF_ONE_AXIS,
     LISTED_PAIR_WITHOUT_AXIS,
     LISTED_SLAVE_IS_MASTER,

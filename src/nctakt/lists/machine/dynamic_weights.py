@@ -8,7 +8,7 @@ from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.lists import PARAMETER_OUT_OF_RANGE
+from nctakt.messages.machines.lists import PARAMETER_OUT_OF_RANGE
 
 #: Bits of P-CHAN-00190.
 OF_RAPID, OF_FEED = 1, 2

@@ -20,7 +20,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.declared.startup import ListReference
 from nctakt.messages import Collector
 from nctakt.messages.files import FILE_OUTSIDE
-from nctakt.messages.machine import LIST_FILE_MISSING, PATHS_TAKEN_AS
+from nctakt.messages.machines.machine import LIST_FILE_MISSING, PATHS_TAKEN_AS
 
 #: The built-in machines by name, the one that counts without any other first.
 BUILT_IN_MACHINES = ("demo", "demo5")

@@ -11,7 +11,7 @@ from nctakt.lists.format.values import Values
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.couplings import AxisGantry
 from nctakt.messages import Collector
-from nctakt.messages.coupling_lists import (
+from nctakt.messages.machines.coupling_lists import (
     GANTRY_ACCELERATION_DIFFERS,
     GANTRY_MASTER_MISSING,
     GANTRY_MODULO_DIFFERS,

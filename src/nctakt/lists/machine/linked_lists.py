@@ -22,8 +22,8 @@ from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import ListSearch, read_file
 from nctakt.lists.machine.list_kinds import kind_of, knows_any, other_kind, references
 from nctakt.messages import Collector
-from nctakt.messages.checking import NOT_A_TEXT_FILE
-from nctakt.messages.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
+from nctakt.messages.commands.checking import NOT_A_TEXT_FILE
+from nctakt.messages.machines.folders import CIRCULAR_LIST_REFERENCE, WRONG_LIST_KIND
 
 
 class LinkedLists:

@@ -21,9 +21,9 @@ from nctakt.lists.format.reader import Entry, ListDialect, read_list
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.format.xml_reader import is_xml, root_and_families
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
-from nctakt.lists.machine.variables import variables_configuration
+from nctakt.lists.machine.external.variables import variables_configuration
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector
 
 #: Usual file names of each kind, for lists whose entries do not decide.

@@ -55,6 +55,14 @@ from nctakt.lists.machine.channel_axes import (
     channel_spindles,
 )
 from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
+from nctakt.lists.machine.external.variable_checks import check_memory, possible_variables
+from nctakt.lists.machine.external.variables import (
+    Variable,
+    VariablesConfiguration,
+    VariableScope,
+    channel_memory_bytes,
+    variables_configuration,
+)
 from nctakt.lists.machine.files import (
     BUILT_IN_MACHINES,
     DEMO_FOLDER,
@@ -66,20 +74,12 @@ from nctakt.lists.machine.files import (
 )
 from nctakt.lists.machine.gantries import with_gantries
 from nctakt.lists.machine.linked_lists import LinkedLists
-from nctakt.lists.machine.scheduling import load_rtconf
-from nctakt.lists.machine.scheduling_checks import check_contexts, check_time_limits
-from nctakt.lists.machine.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
+from nctakt.lists.machine.schedules.scheduling import load_rtconf
+from nctakt.lists.machine.schedules.scheduling_checks import check_contexts, check_time_limits
+from nctakt.lists.machine.schedules.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.lists.machine.user_texts import user_texts
-from nctakt.lists.machine.variable_checks import check_memory, possible_variables
-from nctakt.lists.machine.variables import (
-    Variable,
-    VariablesConfiguration,
-    VariableScope,
-    channel_memory_bytes,
-    variables_configuration,
-)
 from nctakt.messages import Collector
-from nctakt.messages.machine import (
+from nctakt.messages.machines.machine import (
     GLOBAL_VARIABLE_DECLARED_DIFFERENTLY,
     INVALID_LOGICAL_AXIS_NUMBER,
     LIST_FORMAT_NOT_SUPPORTED,
@@ -91,7 +91,7 @@ from nctakt.messages.machine import (
     STARTUP_LIST_IN_FOLDER,
     STARTUP_LIST_MISSING,
 )
-from nctakt.messages.variables import CHANNEL_VARIABLES_TOO_LARGE
+from nctakt.messages.machines.variables import CHANNEL_VARIABLES_TOO_LARGE
 
 #: NC cycle without rtconf.lis, in µs.
 DEFAULT_CYCLE_TIME_US = 1000

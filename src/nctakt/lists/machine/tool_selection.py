@@ -11,7 +11,7 @@ from nctakt.lists.declared.technology_functions import TechnologyFunction, tool_
 from nctakt.lists.declared.tools import Tool
 from nctakt.lists.format.values import Values
 from nctakt.messages import Collector
-from nctakt.messages.tools import (
+from nctakt.messages.path.tools import (
     FLUSH_WITHOUT_TOOL_MANAGEMENT,
     TOOL_TOO_SHORT,
     TOOL_TOO_THIN,

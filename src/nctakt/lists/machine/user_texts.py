@@ -13,7 +13,7 @@ from nctakt.base.text import decode_text, split_lines
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import ListSearch, read_file
 from nctakt.messages import Collector
-from nctakt.messages.user_errors import INVALID_USER_TEXT_LINE, USER_TEXTS_MISSING
+from nctakt.messages.programs.user_errors import INVALID_USER_TEXT_LINE, USER_TEXTS_MISSING
 
 HIGHEST_ID = 1000
 

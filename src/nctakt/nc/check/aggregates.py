@@ -12,26 +12,26 @@ from dataclasses import replace
 from typing import Protocol
 
 from nctakt.base.diagnostics import Message
-from nctakt.messages.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
-from nctakt.messages.checked_values import (
+from nctakt.messages.machines.memory import AGGREGATE_TYPE_MISMATCH
+from nctakt.messages.programs.checked_cycles import ASYNCHRONOUS_WRITE_IN_CYCLE
+from nctakt.messages.programs.checked_values import (
     ASYNCHRONOUS_INDEX,
     STRUCTURE_USED_AS_VALUE,
     VARIABLE_READ_ONLY,
     VARIABLE_WRITE_ONLY,
 )
-from nctakt.messages.memory import AGGREGATE_TYPE_MISMATCH
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Assignment, Expression, Parameter, Variable
-from nctakt.nc.vocabulary.cells import leaf_cells, same_type
-from nctakt.nc.vocabulary.realtime_variables import Access
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.variables.cells import leaf_cells, same_type
+from nctakt.nc.vocabulary.variables.realtime_variables import Access
+from nctakt.nc.vocabulary.variables.resolution import (
     indices_of,
     path_text,
     resolve,
     resolve_aggregate,
     variables_in,
 )
-from nctakt.nc.vocabulary.variable_table import (
+from nctakt.nc.vocabulary.variables.variable_table import (
     RIGHTS,
     Aggregate,
     Location,

@@ -10,17 +10,17 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
-from nctakt.messages.checked_blocks import G60_WITHOUT_MOTION, INVALID_COMMAND_FORM
-from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
-from nctakt.messages.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
-from nctakt.messages.tools import TANGENTIAL_ALONE
-from nctakt.nc.check.contour_lines import check_contour_line
-from nctakt.nc.check.corners import check_corners
+from nctakt.messages.path.motion import COMMAND_WORD_NOT_SIMULATED
+from nctakt.messages.path.tools import TANGENTIAL_ALONE
+from nctakt.messages.programs.checked_blocks import G60_WITHOUT_MOTION, INVALID_COMMAND_FORM
+from nctakt.messages.programs.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.frames import check_mirrored_axes, check_rotation_block
-from nctakt.nc.check.measuring import check_measuring_block
-from nctakt.nc.check.motion_words import RADIUS_WORD, check_arc, check_feed_ramps, functions_of
-from nctakt.nc.check.splines import check_spline_words
+from nctakt.nc.check.path.contour_lines import check_contour_line
+from nctakt.nc.check.path.corners import check_corners
+from nctakt.nc.check.path.frames import check_mirrored_axes, check_rotation_block
+from nctakt.nc.check.path.measuring import check_measuring_block
+from nctakt.nc.check.path.motion_words import RADIUS_WORD, check_arc, check_feed_ramps, functions_of
+from nctakt.nc.check.path.splines import check_spline_words
 from nctakt.nc.meaning.path import (
     ANGLE_WORD,
     CORNER_FEED_WORD,

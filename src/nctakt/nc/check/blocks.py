@@ -16,12 +16,13 @@ from nctakt.base.diagnostics import NOTHING, Text, number_text
 from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.channel_configuration import ChannelParameters, program_parameter
-from nctakt.messages.checked_axes import (
+from nctakt.messages.axes.spindles import NOT_A_SPINDLE_WORD
+from nctakt.messages.programs.checked_axes import (
     INDP_MISSING,
     INDP_OUTSIDE_REALTIME_CYCLE,
     UNKNOWN_AXIS_COMMAND,
 )
-from nctakt.messages.checked_blocks import (
+from nctakt.messages.programs.checked_blocks import (
     DUPLICATE_WORD,
     EXCLUSIVE_WORDS,
     EXTRA_PARAMETERS,
@@ -33,35 +34,34 @@ from nctakt.messages.checked_blocks import (
     WORD_VALUE_MISSING,
     WORD_VALUE_OUT_OF_RANGE,
 )
-from nctakt.messages.checked_cycles import (
+from nctakt.messages.programs.checked_cycles import (
     COMMAND_NOT_ALLOWED_IN_CYCLE,
     FUNCTION_GIVEN_TO_AXIS_IN_CYCLE,
 )
-from nctakt.messages.offsets import (
+from nctakt.messages.programs.offsets import (
     COMMAND_WITHOUT_AXIS,
     G159_WITHOUT_NUMBER,
     MOTION_WORD_WITH_OFFSETS,
     UNKNOWN_OFFSET_KIND,
     UNKNOWN_ZERO_OFFSET,
 )
-from nctakt.messages.program_structure import (
+from nctakt.messages.programs.program_structure import (
     PROGRAM_END_IN_SUBPROGRAM,
     SUBPROGRAM_END_IN_MAIN_PROGRAM,
 )
-from nctakt.messages.spindles import NOT_A_SPINDLE_WORD
+from nctakt.nc.check.axes.independent_axes import check_independent
+from nctakt.nc.check.axes.spindle_commands import SpindleChecker
 from nctakt.nc.check.block_rules import BlockChecker, GivenWords
-from nctakt.nc.check.dwells import check_dwell, dwell_of
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.frames import (
+from nctakt.nc.check.path.dwells import check_dwell, dwell_of
+from nctakt.nc.check.path.frames import (
     check_scale_factors,
 )
-from nctakt.nc.check.independent_axes import check_independent
-from nctakt.nc.check.motion_words import functions_of
-from nctakt.nc.check.path_commands import check_path_axis
+from nctakt.nc.check.path.motion_words import functions_of
+from nctakt.nc.check.path.path_commands import check_path_axis
+from nctakt.nc.check.path.weights import check_weight, is_neutral
 from nctakt.nc.check.returns import check_return
-from nctakt.nc.check.spindle_commands import SpindleChecker
-from nctakt.nc.check.weights import check_weight, is_neutral
 from nctakt.nc.meaning.path import SWITCHES, VECTORS
 from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
 from nctakt.nc.outline import AxisUse
@@ -79,8 +79,6 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary import support_level
-from nctakt.nc.vocabulary.axis_brackets import FORMS, form_of
-from nctakt.nc.vocabulary.axis_commands import INDP_WORDS, has_function, is_axis_command
 from nctakt.nc.vocabulary.entries import Entry, Support
 from nctakt.nc.vocabulary.file_names import CHANGE
 from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, Group
@@ -94,6 +92,8 @@ from nctakt.nc.vocabulary.functions import (
     TOOL_CHANGE,
 )
 from nctakt.nc.vocabulary.orientation import VECTOR_WORDS
+from nctakt.nc.vocabulary.single_axes.axis_brackets import FORMS, form_of
+from nctakt.nc.vocabulary.single_axes.axis_commands import INDP_WORDS, has_function, is_axis_command
 from nctakt.nc.vocabulary.spindle_commands import split
 
 #: Kinds of offsets in ``#SUPPRESS OFFSETS`` (RC-407).

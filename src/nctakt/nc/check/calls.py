@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.misspelling import nearest
-from nctakt.messages.checked_blocks import WORD_VALUE_MISSING
-from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD
-from nctakt.messages.program_structure import INVALID_CALL_PARAMETER
+from nctakt.messages.programs.checked_blocks import WORD_VALUE_MISSING
+from nctakt.messages.programs.checked_cycles import DUPLICATE_KEYWORD
+from nctakt.messages.programs.program_structure import INVALID_CALL_PARAMETER
 from nctakt.nc.check.blocks import WordChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings

@@ -18,7 +18,7 @@ from nctakt.base.line_shift import LineShift
 from nctakt.base.misspelling import nearest_first
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector
-from nctakt.messages.checked_blocks import (
+from nctakt.messages.programs.checked_blocks import (
     FORMAT_VALUE_COUNT,
     INVALID_COMMAND_FORM,
     INVALID_PLACEHOLDER,
@@ -26,34 +26,34 @@ from nctakt.messages.checked_blocks import (
     UNKNOWN_COMMAND,
     UNKNOWN_COMMAND_OPTION,
 )
-from nctakt.messages.checked_cycles import (
+from nctakt.messages.programs.checked_cycles import (
     DUPLICATE_KEYWORD,
     FREQUENCY_OUTSIDE_REALTIME_CYCLE,
     LOOP_CONTROL_OUTSIDE_LOOP,
 )
-from nctakt.messages.program_structure import BLOCK_NUMBER_BEFORE_HASH_IF
-from nctakt.nc.check.axis_commands import AxisCommandChecker
-from nctakt.nc.check.axis_exchange import ExchangeChecker
+from nctakt.messages.programs.program_structure import BLOCK_NUMBER_BEFORE_HASH_IF
+from nctakt.nc.check.axes.axis_exchange import ExchangeChecker
+from nctakt.nc.check.axes.couplings import check_coupling
+from nctakt.nc.check.axes.main_spindle import check_main_spindle
 from nctakt.nc.check.blocks import Role, WordChecker
 from nctakt.nc.check.calls import CallChecker
-from nctakt.nc.check.coordinate_systems import check_cs_command
-from nctakt.nc.check.couplings import check_coupling
+from nctakt.nc.check.cycles.axis_commands import AxisCommandChecker
+from nctakt.nc.check.cycles.realtime_cycles import CycleChecker
+from nctakt.nc.check.cycles.realtime_loops import LoopChecker
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
-from nctakt.nc.check.machine_coordinates import check_machine_command
-from nctakt.nc.check.main_spindle import check_main_spindle
-from nctakt.nc.check.measuring import check_meas
 from nctakt.nc.check.neutral_settings import check_setting
-from nctakt.nc.check.path_commands import check_path_command
+from nctakt.nc.check.path.coordinate_systems import check_cs_command
+from nctakt.nc.check.path.machine_coordinates import check_machine_command
+from nctakt.nc.check.path.measuring import check_meas
+from nctakt.nc.check.path.path_commands import check_path_command
+from nctakt.nc.check.path.rotating_planes import check_plane_command
+from nctakt.nc.check.path.splines import check_spline_command
+from nctakt.nc.check.path.tools import check_tool_command
+from nctakt.nc.check.path.transformations import check_transformation
 from nctakt.nc.check.program_variables import ProgramVariableChecker
-from nctakt.nc.check.realtime_cycles import CycleChecker
-from nctakt.nc.check.realtime_loops import LoopChecker
-from nctakt.nc.check.rotating_planes import check_plane_command
 from nctakt.nc.check.signals import SignalChecker
-from nctakt.nc.check.splines import check_spline_command
-from nctakt.nc.check.tools import check_tool_command
-from nctakt.nc.check.transformations import check_transformation
 from nctakt.nc.check.user_errors import UserErrorChecker
 from nctakt.nc.meaning.macros import MacroExpander
 from nctakt.nc.outline import AxisUse, SignalUse, labels_in
@@ -96,7 +96,7 @@ from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.message_formats import conversions
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 __all__ = ["Checker", "Role", "ends"]
 

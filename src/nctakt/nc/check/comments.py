@@ -13,7 +13,7 @@ from dataclasses import replace
 from nctakt.base.comment_keywords import heads, keyword_near
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.messages import diagnostic
-from nctakt.messages.inputs import MISSPELT_KEYWORD
+from nctakt.messages.commands.inputs import MISSPELT_KEYWORD
 
 
 def misspelt_keywords(

@@ -12,7 +12,7 @@ from nctakt.messages import Collector
 from nctakt.nc.check.checker import Checker
 from nctakt.nc.source import Source
 from nctakt.nc.tree import Statement
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 
 def first_mistake(

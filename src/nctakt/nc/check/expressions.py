@@ -14,13 +14,18 @@ from itertools import zip_longest
 
 from nctakt.base.diagnostics import NOTHING, number_text
 from nctakt.base.misspelling import nearest
-from nctakt.messages.checked_cycles import (
+from nctakt.messages.machines.memory import (
+    NUMBER_INSTEAD_OF_TEXT,
+    OPERATOR_WITH_TEXT,
+    TEXT_INSTEAD_OF_NUMBER,
+)
+from nctakt.messages.programs.checked_cycles import (
     ASYNCHRONOUS_WRITE_IN_CYCLE,
     TEXT_IN_REALTIME_CYCLE,
     TEXT_OF_ANOTHER_LENGTH,
     VALUE_LIST_IN_CYCLE,
 )
-from nctakt.messages.checked_values import (
+from nctakt.messages.programs.checked_values import (
     ACCESS_NOT_DEFINED,
     ASYNCHRONOUS_INDEX,
     CYCLE_INDEX_OUT_OF_RANGE,
@@ -34,11 +39,6 @@ from nctakt.messages.checked_values import (
     VARIABLE_READ_ONLY,
     VARIABLE_WRITE_ONLY,
     WRONG_ARGUMENT_COUNT,
-)
-from nctakt.messages.memory import (
-    NUMBER_INSTEAD_OF_TEXT,
-    OPERATOR_WITH_TEXT,
-    TEXT_INSTEAD_OF_NUMBER,
 )
 from nctakt.nc.check.aggregates import AggregateChecker
 from nctakt.nc.check.findings import Findings
@@ -57,12 +57,13 @@ from nctakt.nc.tree import (
     Unary,
     Variable,
 )
-from nctakt.nc.vocabulary import strings, support_level
-from nctakt.nc.vocabulary.cells import leaf_cells
+from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.entries import Support
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.realtime_variables import Access
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.nc.vocabulary.variables.cells import leaf_cells
+from nctakt.nc.vocabulary.variables.realtime_variables import Access
+from nctakt.nc.vocabulary.variables.resolution import (
     as_array,
     indices_of,
     is_program_variable,
@@ -73,8 +74,8 @@ from nctakt.nc.vocabulary.resolution import (
     resolve_aggregate,
     variables_in,
 )
-from nctakt.nc.vocabulary.system_variables import is_whole_offset, system_variable
-from nctakt.nc.vocabulary.variable_table import (
+from nctakt.nc.vocabulary.variables.system_variables import is_whole_offset, system_variable
+from nctakt.nc.vocabulary.variables.variable_table import (
     DECLARED,
     Aggregate,
     Location,

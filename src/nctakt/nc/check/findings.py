@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Message, Span, Text
 from nctakt.messages import Collector
-from nctakt.messages.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
-from nctakt.messages.motion import SIMPLIFIED
+from nctakt.messages.path.motion import SIMPLIFIED
+from nctakt.messages.programs.checked_blocks import ACCEPTED_WITHOUT_EFFECT, NOT_SIMULATED
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.entries import Entry, Support
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nctakt.base.misspelling import nearest_first
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
 from nctakt.nc.check.expressions import ValueChecker
-from nctakt.nc.check.feed_groups import check_feed_group
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.optional_parts import check_optional
-from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.check.path.feed_groups import check_feed_group
+from nctakt.nc.check.path.path_commands import check_item
 from nctakt.nc.check.single_steps import check_single_step
 from nctakt.nc.meaning.path import Form
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer

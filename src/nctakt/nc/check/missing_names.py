@@ -13,7 +13,7 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.base.misspelling import nearest
-from nctakt.messages.checked_values import (
+from nctakt.messages.programs.checked_values import (
     STRUCTURE_USED_AS_VALUE,
     UNKNOWN_AXIS_OF_VARIABLE,
     UNKNOWN_VARIABLE,
@@ -22,9 +22,19 @@ from nctakt.messages.checked_values import (
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import Part, Variable
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS
-from nctakt.nc.vocabulary.resolution import indices_of, path_text
-from nctakt.nc.vocabulary.system_variables import SystemVariable, known_paths, system_variable
-from nctakt.nc.vocabulary.variable_table import DECLARED, Location, NameTable, NotFound, Problem
+from nctakt.nc.vocabulary.variables.resolution import indices_of, path_text
+from nctakt.nc.vocabulary.variables.system_variables import (
+    SystemVariable,
+    known_paths,
+    system_variable,
+)
+from nctakt.nc.vocabulary.variables.variable_table import (
+    DECLARED,
+    Location,
+    NameTable,
+    NotFound,
+    Problem,
+)
 
 #: Family of a variable -> where its variables are declared.
 _DECLARED_IN = {

@@ -12,10 +12,10 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.check.path.path_commands import check_item
 from nctakt.nc.meaning.path import Form, command_name, keywords
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Number
 from nctakt.nc.vocabulary import support_level

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
-from nctakt.messages.backward import OPTIONAL_PART_SWITCHED_TWICE, OPTIONAL_PART_WORDS
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.motion import COMMAND_WORD_NOT_SIMULATED
+from nctakt.messages.path.backward import OPTIONAL_PART_SWITCHED_TWICE, OPTIONAL_PART_WORDS
+from nctakt.messages.path.motion import COMMAND_WORD_NOT_SIMULATED
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.check.path.path_commands import check_item
 from nctakt.nc.meaning.path import Form, keywords
 from nctakt.nc.tree import Bracket, HashCommand
 from nctakt.nc.vocabulary.commands import forms_of

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import NOTHING, number_text
 from nctakt.base.misspelling import nearest
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.checked_values import (
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.messages.programs.checked_values import (
     INVALID_ELEMENT_COUNT,
     NOT_A_PROGRAM_VARIABLE,
     UNKNOWN_TYPE,
@@ -27,7 +27,7 @@ from nctakt.nc.tree import (
     VariableDeclarations,
 )
 from nctakt.nc.vocabulary.commands import forms_of
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.variables.resolution import (
     PROGRAM_FAMILIES,
     indices_of,
     is_program_variable,

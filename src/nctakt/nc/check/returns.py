@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.program_structure import (
+from nctakt.messages.programs.program_structure import (
     INVALID_RETURN_OPTION,
     SUBPROGRAM_END_IN_MAIN_PROGRAM,
 )

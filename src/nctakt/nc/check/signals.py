@@ -12,12 +12,12 @@ from collections.abc import Sequence
 from nctakt.base.diagnostics import Span, Text
 from nctakt.base.misspelling import nearest_first
 from nctakt.base.whole_numbers import is_whole
-from nctakt.messages.checked_blocks import (
+from nctakt.messages.programs.checked_blocks import (
     INVALID_COMMAND_FORM,
     UNKNOWN_COMMAND_OPTION,
     WORD_VALUE_MISSING,
 )
-from nctakt.messages.signals import (
+from nctakt.messages.programs.signals import (
     AHEAD_TAKES_SIGNAL_EARLY,
     INVALID_SIGNAL_CHANNEL,
     INVALID_SIGNAL_NUMBER,

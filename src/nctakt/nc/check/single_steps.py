@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from nctakt.messages.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.messages.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
+from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
+from nctakt.messages.programs.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import check_item
+from nctakt.nc.check.path.path_commands import check_item
 from nctakt.nc.meaning.path import Form, keywords
 from nctakt.nc.meaning.words import SINGLE_STEP_OFF
 from nctakt.nc.tree import Bracket, HashCommand, Number

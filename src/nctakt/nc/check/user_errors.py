@@ -8,9 +8,9 @@ there is an ID, and constant values are within their bounds.
 from __future__ import annotations
 
 from nctakt.base.whole_numbers import is_whole
-from nctakt.messages.checked_blocks import UNKNOWN_COMMAND_OPTION, WORD_VALUE_MISSING
-from nctakt.messages.checked_cycles import DUPLICATE_KEYWORD, UNKNOWN_KEYWORD_IN_CYCLE
-from nctakt.messages.user_errors import (
+from nctakt.messages.programs.checked_blocks import UNKNOWN_COMMAND_OPTION, WORD_VALUE_MISSING
+from nctakt.messages.programs.checked_cycles import DUPLICATE_KEYWORD, UNKNOWN_KEYWORD_IN_CYCLE
+from nctakt.messages.programs.user_errors import (
     INVALID_USER_ERROR_ID,
     INVALID_USER_ERROR_MID,
     INVALID_USER_ERROR_RC,

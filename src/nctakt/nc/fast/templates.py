@@ -46,7 +46,7 @@ from nctakt.nc.tree import (
     Word,
 )
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.resolution import PROGRAM_FAMILIES
+from nctakt.nc.vocabulary.variables.resolution import PROGRAM_FAMILIES
 
 _Node = TypeVar("_Node", bound=Expression)
 

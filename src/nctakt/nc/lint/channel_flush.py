@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from nctakt.base.diagnostics import NOTHING
-from nctakt.messages.lints import FLUSH_DURING_COMPENSATION
+from nctakt.messages.programs.lints import FLUSH_DURING_COMPENSATION
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.tree import (
     Assignment,
@@ -40,8 +40,8 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary.commands import INITS
 from nctakt.nc.vocabulary.functions import COMPENSATION_OFF
-from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve, variables_in
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.variables.resolution import indices_of, path_text, resolve, variables_in
+from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
 
 class FlushChecker:

@@ -8,15 +8,15 @@ In: a condition of a program or of a realtime cycle. Out: a warning where the ty
 from __future__ import annotations
 
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.messages.lints import COMPARISON_OUTSIDE_TYPE_RANGE
+from nctakt.messages.programs.lints import COMPARISON_OUTSIDE_TYPE_RANGE
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.constants import constant
 from nctakt.nc.lint.reach import ALWAYS_TRUE, NEVER_TRUE, check_comparison
 from nctakt.nc.lint.uses import always, comparisons_in
 from nctakt.nc.meaning.cost import is_live
 from nctakt.nc.tree import Binary, Expression, Number, Variable
-from nctakt.nc.vocabulary.resolution import resolve
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.variables.resolution import resolve
+from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
 _MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 

@@ -13,14 +13,14 @@ from math import isfinite
 
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.messages.decoder import VALUE_OUTSIDE_TYPE_RANGE
-from nctakt.messages.lints import CONSTANT_NOT_BOOLEAN, CONSTANT_ROUNDED
-from nctakt.messages.realtime import CYCLE_VALUE_OUT_OF_RANGE
+from nctakt.messages.programs.decoder import VALUE_OUTSIDE_TYPE_RANGE
+from nctakt.messages.programs.lints import CONSTANT_NOT_BOOLEAN, CONSTANT_ROUNDED
+from nctakt.messages.programs.realtime import CYCLE_VALUE_OUT_OF_RANGE
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.uses import is_override
 from nctakt.nc.tree import Assignment, Binary, Expression, Number, Unary, Variable
-from nctakt.nc.vocabulary.resolution import path_text, resolve
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.variables.resolution import path_text, resolve
+from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
 _PERCENT = Text(
     "An override is in percent: 50 is one half.", "Ein Override ist in Prozent: 50 ist die Hälfte."

@@ -22,20 +22,20 @@ from nctakt.lists.declared.tools import Tool
 from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.machine.tool_selection import ToolSelection
 from nctakt.messages import Collector
-from nctakt.messages.lints import (
-    ARC_LIKELY_WITHOUT_CENTRE,
-    GLOBAL_CYCLE_NEVER_DELETED,
-    VARIABLE_WRITTEN_BY_SEVERAL_CYCLES,
-)
-from nctakt.messages.realtime import CYCLE_ID_IN_USE
-from nctakt.messages.tools import (
+from nctakt.messages.path.tools import (
     TOOL_NOT_IN_LIST,
     TOOL_NOT_VALID,
     UNKNOWN_TOOL,
 )
+from nctakt.messages.programs.lints import (
+    ARC_LIKELY_WITHOUT_CENTRE,
+    GLOBAL_CYCLE_NEVER_DELETED,
+    VARIABLE_WRITTEN_BY_SEVERAL_CYCLES,
+)
+from nctakt.messages.programs.realtime import CYCLE_ID_IN_USE
 from nctakt.nc.check.calls import may_call
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
+from nctakt.nc.check.path.motion_words import check_feed, has_radius, lacks_centre, leaves_arc
 from nctakt.nc.lint.channel_flush import FlushChecker
 from nctakt.nc.lint.conditions import check_condition
 from nctakt.nc.lint.constants import check_constant, check_value, constant
@@ -79,8 +79,8 @@ from nctakt.nc.vocabulary.functions import (
     INCH,
     MILLIMETRES,
 )
-from nctakt.nc.vocabulary.resolution import indices_of, path_text, resolve
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.variables.resolution import indices_of, path_text, resolve
+from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nctakt.messages.feed import INVALID_PROGRAM_OVERRIDE
-from nctakt.messages.lints import OVERRIDE_IS_PERCENT
+from nctakt.messages.path.feed import INVALID_PROGRAM_OVERRIDE
+from nctakt.messages.programs.lints import OVERRIDE_IS_PERCENT
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path_commands import SPINDLE_FACTOR
+from nctakt.nc.check.path.path_commands import SPINDLE_FACTOR
 from nctakt.nc.lint.constants import constant
 from nctakt.nc.meaning.path import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.tree import Keyword, Node

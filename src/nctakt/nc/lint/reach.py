@@ -9,15 +9,15 @@ refuse the target. Only positions of the axis coordinate system count: no offset
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Text
-from nctakt.messages.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
-from nctakt.messages.lints import POSITION_NEVER_REACHED
+from nctakt.messages.axes.axis_motions import INDP_TARGET_OUTSIDE_LIMITS
+from nctakt.messages.programs.lints import POSITION_NEVER_REACHED
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.lint.constants import constant
 from nctakt.nc.lint.uses import always, is_position
 from nctakt.nc.tree import Binary, Variable
-from nctakt.nc.vocabulary.axis_commands import AxisCommand
-from nctakt.nc.vocabulary.resolution import path_text
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.single_axes.axis_commands import AxisCommand
+from nctakt.nc.vocabulary.variables.resolution import path_text
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 ALWAYS_TRUE = Text("always true", "immer wahr")
 NEVER_TRUE = Text("never true", "nie wahr")

@@ -13,8 +13,8 @@ from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text, number_text
-from nctakt.messages.extensions import EXTENSION_USED
-from nctakt.messages.lints import (
+from nctakt.messages.programs.extensions import EXTENSION_USED
+from nctakt.messages.programs.lints import (
     ASYNCHRONOUS_CONDITION,
     ASYNCHRONOUS_VALUE,
     AXIS_COMMANDED_EACH_TICK,
@@ -63,15 +63,6 @@ from nctakt.nc.tree import (
     VariableBlock,
     Word,
 )
-from nctakt.nc.vocabulary.axis_commands import (
-    DIRECTION_OF_LINEAR_AXIS,
-    FEED_BESIDE_RAPID,
-    RAPID_BESIDE_ENDLESS_FEED,
-    AxisCommand,
-    is_axis_command,
-    read_axis_command,
-)
-from nctakt.nc.vocabulary.cells import leaf_cells
 from nctakt.nc.vocabulary.extensions import (
     BUFFERED_MOTION,
     COMPOUND_ASSIGNMENT,
@@ -80,7 +71,16 @@ from nctakt.nc.vocabulary.extensions import (
     TEXT_IN_CYCLE,
     Extension,
 )
-from nctakt.nc.vocabulary.resolution import (
+from nctakt.nc.vocabulary.single_axes.axis_commands import (
+    DIRECTION_OF_LINEAR_AXIS,
+    FEED_BESIDE_RAPID,
+    RAPID_BESIDE_ENDLESS_FEED,
+    AxisCommand,
+    is_axis_command,
+    read_axis_command,
+)
+from nctakt.nc.vocabulary.variables.cells import leaf_cells
+from nctakt.nc.vocabulary.variables.resolution import (
     indices_of,
     is_program_variable,
     is_text,
@@ -88,7 +88,7 @@ from nctakt.nc.vocabulary.resolution import (
     resolve,
     resolve_aggregate,
 )
-from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable
+from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location, NameTable
 
 _DECLARED = ("E", "CH")
 _THEN = Text(

@@ -25,8 +25,8 @@ from nctakt.nc.tree import (
     Unary,
     Variable,
 )
-from nctakt.nc.vocabulary.resolution import indices_of, name_of
-from nctakt.nc.vocabulary.variable_table import NameTable
+from nctakt.nc.vocabulary.variables.resolution import indices_of, name_of
+from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 COMPARISONS = ("==", "!=", "<", "<=", ">", ">=")
 

@@ -13,9 +13,9 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.nc.meaning.signals import axis_name
 from nctakt.nc.tree import Bracket, BracketCommand, Expression, HashCommand, Keyword, Name, Number
-from nctakt.nc.vocabulary.axis_brackets import INDP_ASYN, INDP_SYN, OSC, form_of
-from nctakt.nc.vocabulary.independent_axes import read_independent
-from nctakt.nc.vocabulary.oscillation import read_oscillation
+from nctakt.nc.vocabulary.single_axes.axis_brackets import INDP_ASYN, INDP_SYN, OSC, form_of
+from nctakt.nc.vocabulary.single_axes.independent_axes import read_independent
+from nctakt.nc.vocabulary.single_axes.oscillation import read_oscillation
 
 #: The words of the commands, and what they do.
 EXCHANGE_ACTIONS = {

@@ -29,10 +29,10 @@ from nctakt.nc.tree import (
     Variable,
     VariableBlock,
 )
-from nctakt.nc.vocabulary.cells import CELL_BYTES, cells_of
-from nctakt.nc.vocabulary.resolution import indices_of, resolve, resolve_aggregate
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
-from nctakt.nc.vocabulary.variable_table import Aggregate, Location, NameTable
+from nctakt.nc.vocabulary.variables.cells import CELL_BYTES, cells_of
+from nctakt.nc.vocabulary.variables.resolution import indices_of, resolve, resolve_aggregate
+from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location, NameTable
 
 
 def max_steps(statements: Sequence[Statement], names: NameTable) -> int:

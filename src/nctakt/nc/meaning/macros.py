@@ -18,8 +18,8 @@ from typing import Any, TypeVar, cast
 from nctakt.nc import tree
 from nctakt.nc.fast.templates import to_tree
 from nctakt.nc.vocabulary.operators import FUNCTIONS
-from nctakt.nc.vocabulary.resolution import is_text, may_be_text, resolve
-from nctakt.nc.vocabulary.variable_table import Location, NameTable
+from nctakt.nc.vocabulary.variables.resolution import is_text, may_be_text, resolve
+from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
 _Node = TypeVar("_Node", bound=Any)
 _Item = TypeVar("_Item")

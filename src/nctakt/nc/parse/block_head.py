@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from nctakt.messages.nc_text import INVALID_SKIP_LEVEL
+from nctakt.messages.programs.nc_text import INVALID_SKIP_LEVEL
 from nctakt.nc.parse.expressions import number_at, parse_expression
 from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.tree import NO_HEAD, Expression, Head, ProgramStart

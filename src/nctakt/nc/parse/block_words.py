@@ -15,8 +15,11 @@ from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.misspelling import nearest
-from nctakt.messages.nc_text import NAME_EXPECTED, TEXT_NOT_CLOSED
-from nctakt.messages.program_structure import CYCLE_CALL_WITHOUT_NAME, INVALID_CALL_PARAMETER
+from nctakt.messages.programs.nc_text import NAME_EXPECTED, TEXT_NOT_CLOSED
+from nctakt.messages.programs.program_structure import (
+    CYCLE_CALL_WITHOUT_NAME,
+    INVALID_CALL_PARAMETER,
+)
 from nctakt.nc.parse.block_head import parse_label
 from nctakt.nc.parse.expressions import (
     EQUALS,

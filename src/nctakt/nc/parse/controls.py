@@ -12,8 +12,8 @@ from collections.abc import Callable
 from typing import NamedTuple, cast
 
 from nctakt.base.diagnostics import Span
-from nctakt.messages.backward import RT_WHILE_NESTED
-from nctakt.messages.nc_text import (
+from nctakt.messages.path.backward import RT_WHILE_NESTED
+from nctakt.messages.programs.nc_text import (
     BRANCH_AFTER_ELSE,
     CYCLE_BEGIN_END_MISMATCH,
     EQUALS_BEFORE_CONDITION,

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from nctakt.messages.nc_text import NAME_EXPECTED, ONLY_DECLARATIONS_IN_VAR
+from nctakt.messages.programs.nc_text import NAME_EXPECTED, ONLY_DECLARATIONS_IN_VAR
 from nctakt.nc.parse.expressions import (
     EQUALS,
     OPENING,
@@ -22,7 +22,7 @@ from nctakt.nc.parse.expressions import (
 )
 from nctakt.nc.parse.lexer import BlockError, BlockText, Lexer
 from nctakt.nc.tree import PARAMETER_ARRAYS, Declaration, Expression, Head, Variable
-from nctakt.nc.vocabulary.resolution import as_array
+from nctakt.nc.vocabulary.variables.resolution import as_array
 
 _QUOTED = re.compile(r'"[^"]*"?')
 _COLON = re.compile(r"\s*:")

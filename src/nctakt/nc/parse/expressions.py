@@ -14,7 +14,7 @@ from math import isinf
 from typing import NamedTuple
 
 from nctakt.base.diagnostics import Message, Text
-from nctakt.messages.nc_text import (
+from nctakt.messages.programs.nc_text import (
     BRACKET_NOT_CLOSED,
     EXPRESSION_TOO_DEEP,
     INDIRECT_PARAMETER_ARRAY,

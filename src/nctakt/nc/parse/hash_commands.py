@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Literal, cast
 
 from nctakt.base.dataclass import dataclass
-from nctakt.messages.nc_text import BRACKET_NOT_CLOSED, NAME_EXPECTED, UNEXPECTED_TEXT
+from nctakt.messages.programs.nc_text import BRACKET_NOT_CLOSED, NAME_EXPECTED, UNEXPECTED_TEXT
 from nctakt.nc.parse.expressions import (
     CLOSING,
     COMMA,

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from nctakt.base.diagnostics import Message, Span
 from nctakt.messages import Collector
-from nctakt.messages.nc_text import (
+from nctakt.messages.programs.nc_text import (
     BINARY_FILE,
     BLOCK_LONGER_THAN_MANUAL,
     BLOCK_TOO_LONG,

@@ -13,8 +13,8 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.misspelling import nearest
-from nctakt.messages.checked_blocks import UNKNOWN_COMMAND
-from nctakt.messages.nc_text import UNKNOWN_CONTROL_WORD
+from nctakt.messages.programs.checked_blocks import UNKNOWN_COMMAND
+from nctakt.messages.programs.nc_text import UNKNOWN_CONTROL_WORD
 from nctakt.nc.parse.expressions import shown
 from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.parse.structure_stack import StructureStack

@@ -14,7 +14,11 @@ from collections.abc import Iterator
 
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.messages import Collector
-from nctakt.messages.nc_text import ONLY_DECLARATIONS_IN_VAR, PROGRAM_EMPTY, SECOND_MAIN_PROGRAM
+from nctakt.messages.programs.nc_text import (
+    ONLY_DECLARATIONS_IN_VAR,
+    PROGRAM_EMPTY,
+    SECOND_MAIN_PROGRAM,
+)
 from nctakt.nc.parse.block_head import parse_head, parse_program_start
 from nctakt.nc.parse.block_words import begins_with_word, parse_content
 from nctakt.nc.parse.controls import control_line, hash_line

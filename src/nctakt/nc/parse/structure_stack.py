@@ -13,8 +13,8 @@ from collections.abc import Callable
 
 from nctakt.base.diagnostics import Message, Span
 from nctakt.messages import Collector
-from nctakt.messages.backward import RT_WHILE_WITHOUT_END
-from nctakt.messages.nc_text import (
+from nctakt.messages.path.backward import RT_WHILE_WITHOUT_END
+from nctakt.messages.programs.nc_text import (
     CYCLE_BEGIN_END_MISMATCH,
     STATEMENT_BEFORE_CASE,
     STRUCTURE_NOT_CLOSED,

@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from nctakt.base.diagnostics import Message
 from nctakt.base.misspelling import nearest
-from nctakt.messages.slips import (
+from nctakt.messages.programs.slips import (
     ARGUMENTS_WITHOUT_BRACKETS,
     BODY_BEHIND_CONDITION,
     BODY_BEHIND_THEN,

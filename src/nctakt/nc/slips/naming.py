@@ -14,16 +14,16 @@ from dataclasses import replace
 
 from nctakt.base.diagnostics import Diagnostic, Message, Span
 from nctakt.messages import diagnostic
-from nctakt.messages.checked_blocks import (
+from nctakt.messages.programs.checked_blocks import (
     FUNCTION_NOT_DEFINED,
     INVALID_FUNCTION_NUMBER,
     NOT_NC_TEXT,
     UNKNOWN_WORD,
     WORD_VALUE_MISSING,
 )
-from nctakt.messages.checked_cycles import INVALID_KEYWORD_VALUE
-from nctakt.messages.checked_values import NOT_A_VALUE
-from nctakt.messages.nc_text import (
+from nctakt.messages.programs.checked_cycles import INVALID_KEYWORD_VALUE
+from nctakt.messages.programs.checked_values import NOT_A_VALUE
+from nctakt.messages.programs.nc_text import (
     CYCLE_BEGIN_END_MISMATCH,
     NAME_EXPECTED,
     STRUCTURE_NOT_CLOSED,
@@ -33,7 +33,7 @@ from nctakt.messages.nc_text import (
     UNKNOWN_CYCLE_KEYWORD,
     VALUE_EXPECTED,
 )
-from nctakt.messages.slips import (
+from nctakt.messages.programs.slips import (
     BODY_BEHIND_THEN,
     CURLY_BRACKETS,
     KEYWORDS_WITHOUT_EQUALS,

@@ -23,8 +23,8 @@ from nctakt.nc.vocabulary.entries import (
     Support,
     table,
 )
-from nctakt.nc.vocabulary.spindle_variables import SPINDLE_ROWS
-from nctakt.nc.vocabulary.system_names import ROWS
+from nctakt.nc.vocabulary.variables.spindle_variables import SPINDLE_ROWS
+from nctakt.nc.vocabulary.variables.system_names import ROWS
 
 CONTROLS = table(
     Kind.CONTROL,

@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Diagnostic, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.context import PlcContext
-from nctakt.kernel.st.probes import ALWAYS, Sought, SoughtStatement, StatementCounter
+from nctakt.kernel.st.observing.probes import ALWAYS, Sought, SoughtStatement, StatementCounter
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.wholes import Whole
 from nctakt.messages import diagnostic
@@ -41,9 +41,9 @@ from nctakt.st.types import (
 from nctakt.trace.events import number_text
 from nctakt.translation.body import CannotRunError
 from nctakt.translation.layout import kind_of
-from nctakt.translation.probing import Probes, statement_lines
-from nctakt.translation.single import translate_single
-from nctakt.translation.units import methods_of
+from nctakt.translation.observing.probing import Probes, statement_lines
+from nctakt.translation.observing.single import translate_single
+from nctakt.translation.observing.units import methods_of
 
 #: Values that are given at once, at most.
 MAX_VALUES = 1000

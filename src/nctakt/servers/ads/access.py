@@ -12,7 +12,7 @@ from struct import Struct, pack
 from typing import TypeVar
 
 from nctakt.base.failure import Failure, error_text
-from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.variables import strings
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Error, Group, State, Transmission
 from nctakt.servers.ads.data import Fixed, Readable

@@ -15,7 +15,7 @@ from typing import Any, Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.variables import strings
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.store import Scalar
 

@@ -18,11 +18,11 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure, error_text
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.lists.machine.variables import Node
-from nctakt.nc.vocabulary import strings
-from nctakt.nc.vocabulary.strings import encode
-from nctakt.nc.vocabulary.system_names import ROWS
-from nctakt.run.machine_names import prefix_of
+from nctakt.lists.machine.external.variables import Node
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.nc.vocabulary.variables.strings import encode
+from nctakt.nc.vocabulary.variables.system_names import ROWS
+from nctakt.run.access.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC, Item, Leaf, Readable
 from nctakt.servers.ads.object_values import ZeroOffsets

@@ -16,8 +16,8 @@ from nctakt.hli import table
 from nctakt.hli.interface_memory import AreaShape, NotWritable, shapes
 from nctakt.hli.table import LIST_NAME, Element
 from nctakt.lists.machine.machine import Machine
-from nctakt.run.interface_access import range_name
-from nctakt.run.machine_names import prefix_of
+from nctakt.run.access.interface_access import range_name
+from nctakt.run.access.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import STRING_TYPE, STRUCTURE_TYPE
 from nctakt.servers.ads.types import DataType, Member, Symbol

@@ -9,8 +9,8 @@ from struct import Struct, calcsize, iter_unpack, pack, unpack
 
 from nctakt.hli.interface_memory import ASKED, AreaShape
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.nc.vocabulary import strings
-from nctakt.run.interface_access import ASK, JOB, KEPT
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.run.access.interface_access import ASK, JOB, KEPT
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC
 from nctakt.servers.store import Scalar

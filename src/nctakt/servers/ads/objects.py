@@ -33,8 +33,8 @@ from nctakt.hli.interface_memory import AXIS_TYPES, AreaShape
 from nctakt.hli.table import read_tie
 from nctakt.lists.declared.offsets import MAX_GROUPS
 from nctakt.lists.machine.machine import Machine
-from nctakt.nc.vocabulary import strings
-from nctakt.run.machine_names import prefix_of
+from nctakt.nc.vocabulary.variables import strings
+from nctakt.run.access.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC, Fixed, Readable, Scaled
 from nctakt.servers.ads.object_values import (

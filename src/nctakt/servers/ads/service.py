@@ -16,7 +16,7 @@ from typing import Any
 
 from nctakt.base.failure import Failure
 from nctakt.base.version import __version__
-from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.variables import strings
 from nctakt.servers.ads.access import Access, Missing
 from nctakt.servers.ads.clients import Client
 from nctakt.servers.ads.codes import AdsError, Command, Error, Group, Port, State

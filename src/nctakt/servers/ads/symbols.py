@@ -16,10 +16,10 @@ from dataclasses import replace
 from nctakt.hli.table import LIST_NAME
 from nctakt.hli.variables_memory import sections
 from nctakt.lists.declared.variables import SCALARS
+from nctakt.lists.machine.external.variables import Node, Variable, VariableScope
+from nctakt.lists.machine.external.variables_layout import element_size, members, pack_of, size_of
 from nctakt.lists.machine.machine import Machine
-from nctakt.lists.machine.variables import Node, Variable, VariableScope
-from nctakt.lists.machine.variables_layout import element_size, members, pack_of, size_of
-from nctakt.run.machine_names import prefix_of
+from nctakt.run.access.machine_names import prefix_of
 from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import (
     NUMERIC,

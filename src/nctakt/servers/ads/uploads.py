@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from struct import pack
 
-from nctakt.nc.vocabulary import strings
+from nctakt.nc.vocabulary.variables import strings
 from nctakt.servers.ads.data import STRING_TYPE, STRUCTURE_TYPE
 from nctakt.servers.ads.symbols import SymbolTable
 from nctakt.servers.ads.types import DataType, Symbol

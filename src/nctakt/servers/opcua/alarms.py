@@ -21,13 +21,13 @@ from nctakt.results.run import ProgramMessage
 from nctakt.servers.clock import MachineClock
 from nctakt.servers.host import Host
 from nctakt.servers.notices import ServerNotice
-from nctakt.servers.opcua.client import Client
+from nctakt.servers.opcua.clients.client import Client
+from nctakt.servers.opcua.clients.subscriptions import Subscriptions
 from nctakt.servers.opcua.events import Event, EventTypes, Field, SeenEvent, base_fields
-from nctakt.servers.opcua.machine_space import MachineSpace
-from nctakt.servers.opcua.machine_tool_space import MachineToolSpace
-from nctakt.servers.opcua.nodes import standard
-from nctakt.servers.opcua.subscriptions import Subscriptions
-from nctakt.servers.opcua.types import CompanionTypes
+from nctakt.servers.opcua.model.nodes import standard
+from nctakt.servers.opcua.model.types import CompanionTypes
+from nctakt.servers.opcua.space.machine_space import MachineSpace
+from nctakt.servers.opcua.space.machine_tool_space import MachineToolSpace
 
 #: Alarms that are kept at most; the oldest that is not active goes first.
 MAX_ALARMS = 1_000

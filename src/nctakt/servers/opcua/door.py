@@ -18,26 +18,26 @@ from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.servers.address import is_loopback, listen_at
 from nctakt.servers.host import Host
-from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.alarms import Alarms
-from nctakt.servers.opcua.companion import CNC_URI
-from nctakt.servers.opcua.components import ProgramTexts
-from nctakt.servers.opcua.cycle_space import CycleSpace
+from nctakt.servers.opcua.clients.security import Security
+from nctakt.servers.opcua.clients.subscriptions import Subscriptions
 from nctakt.servers.opcua.events import EventTypes
 from nctakt.servers.opcua.history import History
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.live_space import LiveSpace
 from nctakt.servers.opcua.machine_services import MachineServices
-from nctakt.servers.opcua.machine_space import OWN_URI, MachineSpace
-from nctakt.servers.opcua.machine_tool import DI_URI, MACHINE_TOOL_URI, MACHINERY_URI
-from nctakt.servers.opcua.machine_tool_space import Indices, MachineToolSpace
 from nctakt.servers.opcua.methods import Methods
-from nctakt.servers.opcua.nodes import Nodes, standard
-from nctakt.servers.opcua.position import register_position
-from nctakt.servers.opcua.security import Security
+from nctakt.servers.opcua.model import nodes as refs
+from nctakt.servers.opcua.model.companion import CNC_URI
+from nctakt.servers.opcua.model.machine_tool import DI_URI, MACHINE_TOOL_URI, MACHINERY_URI
+from nctakt.servers.opcua.model.nodes import Nodes, standard
+from nctakt.servers.opcua.model.position import register_position
+from nctakt.servers.opcua.model.types import CompanionTypes
 from nctakt.servers.opcua.server import CncServer
-from nctakt.servers.opcua.subscriptions import Subscriptions
-from nctakt.servers.opcua.types import CompanionTypes
+from nctakt.servers.opcua.space.components import ProgramTexts
+from nctakt.servers.opcua.space.cycle_space import CycleSpace
+from nctakt.servers.opcua.space.machine_space import OWN_URI, MachineSpace
+from nctakt.servers.opcua.space.machine_tool_space import Indices, MachineToolSpace
 
 #: The port of OPC UA.
 PORT = 4840

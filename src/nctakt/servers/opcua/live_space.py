@@ -19,8 +19,8 @@ from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure, error_text
 from nctakt.servers.clock import MachineClock
 from nctakt.servers.host import Host
+from nctakt.servers.opcua.clients.publishing import now_units
 from nctakt.servers.opcua.library import AddressSpace, variant_to_binary
-from nctakt.servers.opcua.publishing import now_units
 from nctakt.servers.opcua.values import Live, Moment, Sample
 from nctakt.session.listening import Frame
 

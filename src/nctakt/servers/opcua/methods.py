@@ -13,11 +13,11 @@ from asyncua import ua
 
 from nctakt.base.failure import Failure
 from nctakt.servers.host import Busy, Host, Key
-from nctakt.servers.opcua import nodes as refs
 from nctakt.servers.opcua.alarms import Alarms
-from nctakt.servers.opcua.client import Client
-from nctakt.servers.opcua.machine_space import MachineSpace
-from nctakt.servers.opcua.nodes import Nodes, standard
+from nctakt.servers.opcua.clients.client import Client
+from nctakt.servers.opcua.model import nodes as refs
+from nctakt.servers.opcua.model.nodes import Nodes, standard
+from nctakt.servers.opcua.space.machine_space import MachineSpace
 
 #: Calls a method with its arguments; returns a status, and output arguments.
 Method = Callable[[Client, list[Any]], Awaitable[tuple[int, list[ua.Variant]]]]

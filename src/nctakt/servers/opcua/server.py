@@ -14,12 +14,18 @@ from asyncua import ua
 
 from nctakt.base.version import __version__
 from nctakt.servers.log import ServerLog
-from nctakt.servers.opcua.connection import Listener
+from nctakt.servers.opcua.clients.connection import Listener
+from nctakt.servers.opcua.clients.security import (
+    ANONYMOUS,
+    NAMED,
+    Anybody,
+    Security,
+    application_uri,
+)
+from nctakt.servers.opcua.clients.sessions import DOOR, ClientSession
 from nctakt.servers.opcua.library import LibraryInternalServer, LibraryServer, ServiceError
 from nctakt.servers.opcua.limits import Limits
 from nctakt.servers.opcua.machine_services import MachineServices
-from nctakt.servers.opcua.security import ANONYMOUS, NAMED, Anybody, Security, application_uri
-from nctakt.servers.opcua.sessions import DOOR, ClientSession
 
 #: The name that clients see.
 _NAME = "nctakt"

@@ -11,7 +11,7 @@ import re
 from collections.abc import Iterable, Iterator
 from operator import itemgetter
 
-from nctakt.messages.st_check import ADDRESSES_OVERLAP
+from nctakt.messages.plcs.st_check import ADDRESSES_OVERLAP
 from nctakt.st.program import Program
 from nctakt.st.reporting import Reporter
 from nctakt.st.types import Kind, Variable

@@ -11,7 +11,7 @@ from collections.abc import Callable
 
 from nctakt.base.diagnostics import NOTHING
 from nctakt.base.misspelling import KnownNames
-from nctakt.messages.st_check import (
+from nctakt.messages.plcs.st_check import (
     ARGUMENT_TWICE,
     ARGUMENTS_COUNT,
     CALL_OF_ABSTRACT,

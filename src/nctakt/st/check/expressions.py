@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from nctakt.base.diagnostics import NOTHING, Message
 from nctakt.base.misspelling import KnownNames
-from nctakt.messages.st_check import (
+from nctakt.messages.plcs.st_check import (
     BIT_OUTSIDE,
     CALL_WITHOUT_BRACKETS,
     CHARACTER_NOT_IN_STRING,
@@ -42,7 +42,7 @@ from nctakt.messages.st_check import (
     TYPES_NOT_COMPARABLE,
     VALUE_EXPECTED_NOT_TYPE,
 )
-from nctakt.messages.st_text import EXPRESSION_EXPECTED
+from nctakt.messages.plcs.st_text import EXPRESSION_EXPECTED
 from nctakt.st.check.conversions import Verdict, bases_of, conversion, round_real
 from nctakt.st.check.names import Ambiguous, Declared, Names, Scope
 from nctakt.st.check.resolver import Resolver, is_unknown

@@ -11,7 +11,7 @@ from collections.abc import Callable as CallableFunction
 from collections.abc import Iterator, Mapping
 from typing import Protocol
 
-from nctakt.messages.st_check import (
+from nctakt.messages.plcs.st_check import (
     CONSTANT_EXPECTED,
     INTERFACE_MEMBER_MISSING,
     OVERRIDE_DIFFERS,
@@ -19,7 +19,7 @@ from nctakt.messages.st_check import (
     PROGRAM_OF_TASK_UNKNOWN,
     RECURSION_REFUSED,
 )
-from nctakt.messages.st_text import NESTED_TOO_DEEP
+from nctakt.messages.plcs.st_text import NESTED_TOO_DEEP
 from nctakt.st.check.addresses import report_overlaps
 from nctakt.st.check.conversions import bases_of
 from nctakt.st.check.names import Names, Namespace, Scope

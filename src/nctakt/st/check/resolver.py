@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Protocol
 
 from nctakt.base.diagnostics import Message
-from nctakt.messages.st_check import (
+from nctakt.messages.plcs.st_check import (
     ARRAY_BOUNDS_REVERSED,
     BASE_OF_WRONG_KIND,
     BLOCK_BY_VALUE,
@@ -28,7 +28,7 @@ from nctakt.messages.st_check import (
     TYPE_IS_ABSTRACT,
     TYPE_UNKNOWN,
 )
-from nctakt.messages.st_text import VARIABLES_EXPECTED
+from nctakt.messages.plcs.st_text import VARIABLES_EXPECTED
 from nctakt.st.check.names import Declared, Names, Namespace, PendingVariable, Scope
 from nctakt.st.reporting import Reporter
 from nctakt.st.tree import (

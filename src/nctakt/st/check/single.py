@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
-from nctakt.messages.st_text import UNEXPECTED_TOKEN
+from nctakt.messages.plcs.st_text import UNEXPECTED_TOKEN
 from nctakt.st.check.names import Scope
 from nctakt.st.check.statements import StatementChecker
 from nctakt.st.parse.lexer import END, Definitions, Lexer

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from nctakt.messages.st_check import (
+from nctakt.messages.plcs.st_check import (
     CASE_LABEL_TWICE,
     CASE_OF_WRONG_TYPE,
     CONDITION_NOT_BOOL,
@@ -24,7 +24,7 @@ from nctakt.messages.st_check import (
     STEP_IS_ZERO,
     TYPE_MISMATCH,
 )
-from nctakt.messages.st_text import LONE_EXPRESSION, NESTED_TOO_DEEP
+from nctakt.messages.plcs.st_text import LONE_EXPRESSION, NESTED_TOO_DEEP
 from nctakt.st.check.calls import CallChecker, _fits_in_out
 from nctakt.st.check.expressions import _is_bool, _is_whole, _shown
 from nctakt.st.parse.parser import MAX_DEPTH

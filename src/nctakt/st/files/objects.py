@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 from nctakt.base.diagnostics import Span, Text
 from nctakt.base.text import decode_text, split_lines
-from nctakt.messages.st_text import (
+from nctakt.messages.plcs.st_text import (
     LANGUAGE_REFUSED,
     OBJECT_MISSING,
     PLC_FILE_TOO_LARGE,

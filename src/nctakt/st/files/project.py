@@ -13,7 +13,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.messages.st_text import PROJECT_FILE_MISSING
+from nctakt.messages.plcs.st_text import PROJECT_FILE_MISSING
 from nctakt.st.files.suffixes import OBJECT_SUFFIXES, PROJECT_SUFFIX, SYSTEM_SUFFIX
 from nctakt.st.files.xml_text import MAX_BYTES, Element, read_xml
 from nctakt.st.reporting import Reporter

@@ -13,7 +13,7 @@ from xml.parsers import expat
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.base.text import decode_text, split_lines
-from nctakt.messages.st_text import PLC_FILE_TOO_LARGE, XML_FAULT, XML_REFUSED
+from nctakt.messages.plcs.st_text import PLC_FILE_TOO_LARGE, XML_FAULT, XML_REFUSED
 from nctakt.st.reporting import Reporter
 from nctakt.st.sources import Piece
 

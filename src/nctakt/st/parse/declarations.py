@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 
 from nctakt.base.diagnostics import Text
-from nctakt.messages.st_text import (
+from nctakt.messages.plcs.st_text import (
     END_KEYWORD_MISSING,
     GENERIC_REFUSED,
     TASK_TIME_UNKNOWN,

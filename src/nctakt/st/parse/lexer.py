@@ -14,7 +14,7 @@ from collections.abc import Mapping
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message
-from nctakt.messages.st_text import (
+from nctakt.messages.plcs.st_text import (
     CHARACTER_UNKNOWN,
     CONDITION_NOT_CLOSED,
     CONDITION_NOT_KNOWN,

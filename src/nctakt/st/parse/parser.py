@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import NoReturn
 
 from nctakt.base.diagnostics import Message
-from nctakt.messages.st_text import (
+from nctakt.messages.plcs.st_text import (
     COMPARISON_AS_STATEMENT,
     END_KEYWORD_MISSING,
     EXPRESSION_EXPECTED,

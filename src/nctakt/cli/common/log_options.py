@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: MIT
+"""The options of commands that read a machine's log, and the log with its signals.
+
+In: the name of a log, what the command line says of it. Out: ``OpenedLog``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
+from nctakt.base.failure import Failure
+from nctakt.cli.common.help import option
+from nctakt.files.access import FileAccess
+from nctakt.messages import diagnostic
+from nctakt.messages.commands.comparison import TOLERANCE_UNREADABLE, TWO_PLACES
+
+if TYPE_CHECKING:
+    from nctakt.comparison.aligning_event import EventInLog
+    from nctakt.comparison.log import Log
+    from nctakt.comparison.mapping import Pair, Tolerance
+    from nctakt.run.controller import Controller
+
+_Command = TypeVar("_Command", bound=Callable[..., Any])
+
+_MAP = option(
+    "--map",
+    "mapping",
+    metavar="FILE.toml",
+    text=Text("Which column belongs to which signal.", "Welche Spalte zu welchem Signal gehört."),
+)
+_TOLERANCE = option(
+    "--tolerance",
+    "tolerances",
+    metavar="[NAME=]VALUE",
+    multiple=True,
+    text=Text(
+        "How far a signal, or each, may be off: in its unit, in % of its span, and with +Nticks "
+        "that much earlier or later; may be repeated.",
+        "Wie weit ein Signal oder jedes abweichen darf: in seiner Einheit, in % seiner Spanne, und "
+        "mit +Nticks so viele Takte früher oder später; mehrfach möglich.",
+    ),
+)
+_OFFSET = option(
+    "--offset",
+    metavar="TIME",
+    text=Text(
+        "When the run begins in the log [default: found by correlation].",
+        "Wann der Lauf in der Aufzeichnung beginnt [Vorgabe: über Korrelation gesucht].",
+    ),
+)
+
+_ALIGN = option(
+    "--align",
+    metavar="EVENT",
+    text=Text(
+        "An event that run and log have: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
+        "'M10 @ COLUMN rises', 'part.nc:4 @ COLUMN > 1'.",
+        "Ein Ereignis, das Lauf und Aufzeichnung haben: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
+        "'M10 @ SPALTE rises', 'part.nc:4 @ SPALTE > 1'.",
+    ),
+)
+
+
+def log_options(function: _Command) -> _Command:
+    """Add the options that say how a log is read."""
+    return _MAP(_TOLERANCE(_OFFSET(_ALIGN(function))))
+
+
+@dataclass(frozen=True, slots=True)
+class LogWords:
+    """The words of these options, and the name of the log."""
+
+    log: str
+    mapping: str | None
+    tolerances: tuple[str, ...]
+    offset: str | None
+    align: str | None = None
+
+    def read_limits(self) -> dict[str, Tolerance]:
+        """Return the tolerances by signals, "" for all others; raises ``Failure`` (902529)."""
+        return dict(_tolerance(text) for text in self.tolerances)
+
+
+@dataclass(frozen=True, slots=True)
+class OpenedLog:
+    """A log, its pairs of columns and signals; ``limits``: tolerances by signals."""
+
+    log: Log
+    pairs: Sequence[Pair]
+    limits: Mapping[str, Tolerance]
+    begin: float | EventInLog | None
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """The names of the signals that the run must record."""
+        from nctakt.comparison.aligning_event import EventInLog  # noqa: PLC0415 - as below
+
+        names = [pair.signal.name for pair in self.pairs]
+        if isinstance(self.begin, EventInLog) and self.begin.event.signal:
+            names.append(self.begin.event.signal)
+        return tuple(dict.fromkeys(names))
+
+
+def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> OpenedLog:
+    """Return the log and its signals; raises ``Failure`` for what cannot be used."""
+    from nctakt.comparison.aligning_event import AligningEvent, EventInLog  # noqa: PLC0415
+    from nctakt.comparison.log_file import open_log  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
+    from nctakt.lists.format.times import read_time  # noqa: PLC0415
+
+    limits = words.read_limits()
+    if words.offset is not None and words.align is not None:
+        raise Failure(diagnostic(TWO_PLACES))
+    said = MappingFile() if words.mapping is None else read_mapping(words.mapping, access)
+    log = open_log(words.log, access, said.log)
+    offset = words.offset
+    offset_us = None if offset is None else read_time(offset).us(controller.cycle_time_us)
+    signals = {one.name: one for one in controller.signals()}
+    event = None if words.align is None else AligningEvent.of(words.align)
+    own = () if event is None or not event.signal else (event.signal,)
+    for wished in (*said.wishes, *filter(None, limits), *own):
+        if wished not in signals:
+            controller.signal(wished)  # raises with the nearest name
+    axes = [axis.name for axis in controller.machine.axes]
+    pairs = pairs_of(log, list(signals.values()), axes, said.wishes)
+    begin: float | EventInLog | None = offset_us
+    if event is not None:
+        begin = EventInLog(event, *event.log_us(log, pairs, signals), signals)
+    return OpenedLog(log, pairs, limits, begin)
+
+
+def _tolerance(text: str) -> tuple[str, Tolerance]:
+    """Return signal ("" for all) and tolerance; raises ``Failure`` (902529)."""
+    from nctakt.comparison.mapping import Tolerance  # noqa: PLC0415 - the mode is chosen before
+
+    name, _, value = text.rpartition("=")
+    try:
+        return name.strip(), Tolerance.of(value)
+    except ValueError:
+        raise Failure(diagnostic(TOLERANCE_UNREADABLE, text=text)) from None

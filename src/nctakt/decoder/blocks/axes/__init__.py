@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Words that concern single axes and spindles."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Coordinate systems and transformations that a program selects."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Words that shape the path and its feed."""

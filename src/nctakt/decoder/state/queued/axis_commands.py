@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""Commands for single axes of the machine, by their numbers: homing, software limits."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.decoder.state.queued.commands import Command
+
+
+@dataclass(frozen=True, slots=True)
+class Home(Command):
+    """An axis begins to move to its zero pulse, by ``distance`` mm or degrees; ``speed``: per s."""
+
+    axis: int
+    distance: float
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class Refer(Command):
+    """The place where an axis is now is this position, in mm or degrees."""
+
+    axis: int
+    position: float
+
+
+@dataclass(frozen=True, slots=True)
+class FeedForward(Command):
+    """Another share of the command speed of an axis bypasses its position control."""
+
+    axis: int
+    share: float
+
+
+@dataclass(frozen=True, slots=True)
+class MoveAlone(Command):
+    """An axis begins to move beside the path: to a position, or by a distance, mm or degrees."""
+
+    axis: int
+    value: float
+    speed: float
+    is_relative: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Oscillate(Command):
+    """An axis begins to move to and fro between two positions, mm or degrees.
+
+    ``stroke``: the way from the first to the second. ``count``: how often it comes to the second
+    one, -1 until it is ended.
+    """
+
+    axis: int
+    first: float
+    second: float
+    stroke: float
+    speed: float
+    first_ticks: int
+    second_ticks: int
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class EndOscillation(Command):
+    """The oscillation of an axis ends; ``how``: ``codes.FINISHES`` …, ``speed`` of RETURNS."""
+
+    axis: int
+    how: int
+    speed: float
+
+
+@dataclass(frozen=True, slots=True)
+class SetSoftwareLimits(Command):
+    """The software limits of the independent motions of an axis, in mm or degrees."""
+
+    axis: int
+    low: float
+    high: float

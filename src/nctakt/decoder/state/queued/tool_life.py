@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""Tool life: the commands that the tick carries out (``kernel/tick/tool_lives.py``)."""
+
+from __future__ import annotations
+
+from nctakt.base.dataclass import dataclass
+from nctakt.decoder.state.queued.commands import Command
+
+#: Time or distance of ``#TOOL LIFE DEF`` that stays as it is.
+UNCHANGED = -1.0
+
+
+@dataclass(frozen=True, slots=True)
+class SetToolLife(Command):
+    """What becomes of the tool life: ``action`` ``codes.LIFE_SENT`` …
+
+    ``tool``: number of the text of the tool's ID, ``basic``: its first part. ``time``: seconds,
+    ``distance``: mm.
+    """
+
+    action: int
+    tool: int = 0
+    basic: int = 0
+    time: float = 0.0
+    distance: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class ToolLifeFactors(Command):
+    """Other factors of the tool life from here on (V.TLM)."""
+
+    time: float
+    distance: float

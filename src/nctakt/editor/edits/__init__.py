@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Findings -> the edits that remedy them."""

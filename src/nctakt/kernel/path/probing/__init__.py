@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Measuring and stops within a block: probes, edge joints, fixed stops."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Numbers, dates and texts of PLC code."""

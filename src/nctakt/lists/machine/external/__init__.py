@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The variables lists of a machine: V.E, their layout and checks."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Kinematic transformations in channel lists."""

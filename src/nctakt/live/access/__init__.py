@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Who may see the page: addresses, connections, places."""

@@ -1,0 +1,229 @@
+# SPDX-License-Identifier: MIT
+"""The lists below the program: findings, messages, events, why, stops, branches.
+
+In: rows. Out: tabs of NiceGUI; a click on a row shows its line.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import time
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from nicegui import background_tasks, ui
+from nicegui.element import Element
+
+from nctakt.base.failure import Failure, error_text
+from nctakt.live import view
+from nctakt.live.parts.branch_list import BranchList
+from nctakt.live.parts.commander import Commander, Newest
+from nctakt.live.parts.explaining import Moment
+from nctakt.live.parts.naming import card, explained, named
+from nctakt.live.parts.program_card import ProgramCard
+from nctakt.live.view import LogRow
+
+NAMES = ("findings", "messages", "events", "why", "stops", "branches")
+
+#: Rows of a list that are shown: the newest.
+_MAX_SHOWN = 80
+
+#: The lists of rows, and how long they stay as they are while the session plays, in seconds.
+_ROWS, _DISTANCE_S = ("findings", "messages", "events"), 0.4
+
+
+class RowsView(Element, component="rows.js"):
+    """Rows of a list."""
+
+
+class Lists:
+    """The lists of one browser."""
+
+    def __init__(self, commander: Commander, reveal: Callable[[int], None]) -> None:
+        self._commander = commander
+        self._shared = commander.shared
+        self._texts = commander.texts
+        self._reveal = reveal
+        self._shown: dict[str, object] = {}
+        self._asked = Newest(self._answer)
+        self._due_s = 0.0
+        self._program: ProgramCard | None = None
+        self._list_of: dict[str, Any] = {}
+        self._why_of: tuple[int, Moment] | None = None
+        with card(self._texts["lists"], "nc-lists"):
+            with ui.tabs().props("dense align=left no-caps outside-arrows mobile-arrows") as tabs:
+                for name in NAMES:
+                    ui.tab(name, self._texts[name]).props(f"data-testid=tab-{name}")
+            self._tabs = tabs
+            tabs.on_value_change(self._turn)
+            with ui.tab_panels(tabs, value="findings").classes("nc-scroll bg-transparent"):
+                for name in NAMES:
+                    with ui.tab_panel(name).classes("q-pa-none").props("tabindex=0"):
+                        self._build(name)
+
+    def _build(self, name: str) -> None:
+        if name == "stops":
+            with ui.element("div").classes("nc-row"):
+                self._new = ui.input(placeholder=self._texts["new_stop"])
+                self._new.props("dense outlined data-testid=new-stop").classes("col")
+                named(self._new, self._texts["stops"])
+                self._new.on("keydown.enter", self._add_stop)
+                ui.button(self._texts["add"], on_click=self._add_stop).props(
+                    "dense flat no-caps size=sm data-testid=add-stop"
+                )
+        if name == "events":
+            self._search = ui.input(placeholder=self._texts["search"], on_change=self._turn)
+            self._search.props("dense outlined clearable data-testid=search-events")
+            named(self._search, self._texts["search_events"])
+        if name in _ROWS:
+            view_of_rows = RowsView()
+            view_of_rows.props["rows"] = []
+            view_of_rows.props["word"] = self._texts["line"]
+            view_of_rows.props["empty"] = self._texts[f"no_{name}"]
+            view_of_rows.props["live"] = "off" if name == "events" else "polite"
+            view_of_rows.on("line", self._clicked)
+            self._list_of[name] = view_of_rows.props(f"data-testid={name}")
+            return
+        self._list_of[name] = ui.element("div").props(f"data-testid={name}")
+        if name == "branches":
+            with self._list_of[name]:
+                self._branches = BranchList(self._commander)
+        if name == "why":
+            with self._list_of[name]:
+                self._earlier = ui.label(self._texts["earlier_answer"]).classes("nc-soft")
+                self._earlier.set_visibility(False)
+                self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
+                self._why.props("role=status")
+
+    def _turn(self, _: Any) -> None:
+        """Show another list as it is now."""
+        self._due_s = 0.0
+        if self._program is not None:
+            self.show(self._program)
+
+    def choose(self, name: str) -> None:
+        """Show one of the lists."""
+        self._tabs.set_value(name)
+
+    # --- rows -----------------------------------------------------------------------------------
+
+    def show(self, program: ProgramCard) -> None:
+        """Show what is new in the list that is open."""
+        self._program = program
+        shared, log, language = self._shared, self._shared.log, self._texts.language
+        if shared.snapshot.is_playing and time.monotonic() < self._due_s:
+            return
+        self._due_s = time.monotonic() + _DISTANCE_S
+        messages = [view.message_row(one) for one in log.messages[-_MAX_SHOWN:]]
+        self._show_rows("messages", messages[::-1])
+        searched = (self._search.value or "").casefold()
+        rows = (view.event_row(one, language) for one in log.events)
+        events = [row for row in rows if searched in row.text.casefold()][-_MAX_SHOWN:]
+        if log.begin:
+            events.insert(0, LogRow("note", 0, self._texts["begins"].format(tick=log.begin)))
+        elif log.left_out:
+            events.insert(0, LogRow("note", 0, self._texts["left_out"].format(count=log.left_out)))
+        self._show_rows("events", events[::-1])
+        self.show_findings(program)
+        self._show_stops()
+        self._renew_why()
+        if self._tabs.value == "branches":
+            self._branches.show()
+
+    def show_findings(self, program: ProgramCard) -> None:
+        """Show findings of the text, and while it is the one that runs, those of the run."""
+        known = set(map(str, program.findings))
+        of_run = [one for one in self._shared.diagnostics if str(one) not in known]
+        found = program.findings if program.is_edited else [*program.findings, *of_run]
+        rows = view.finding_rows(found, program.document.file, self._texts.language)
+        self._show_rows("findings", rows)
+
+    def _show_rows(self, name: str, rows: Sequence[LogRow]) -> None:
+        shown = tuple(rows[: _MAX_SHOWN + 1])
+        if self._shown.get(name) == shown or self._tabs.value != name:
+            return
+        self._shown[name] = shown
+        cells = [[row.kind, row.line, row.text, row.remedy] for row in shown]
+        self._list_of[name].props["rows"] = cells
+        self._list_of[name].update()
+
+    def _clicked(self, event: Any) -> None:
+        if isinstance(event.args, int) and event.args:
+            self._reveal(event.args)
+
+    # --- why ------------------------------------------------------------------------------------
+
+    async def ask_why(self, line: int) -> None:
+        """Show why the condition in a line is as it is; anybody may ask."""
+        self.choose("why")
+        await self._asked.wish(line)
+
+    def _renew_why(self) -> None:
+        """Let the answer be that of the tick that is shown, or mark it as an earlier one."""
+        shared = self._shared
+        if self._why_of is None or self._tabs.value != "why":
+            return
+        line, moment = self._why_of
+        is_earlier = moment != shared.moment
+        if is_earlier and shared.explainer.knows(shared.moment):
+            background_tasks.create(self._asked.wish(line))
+        elif self._earlier.visible != is_earlier:
+            self._earlier.set_visibility(is_earlier)
+
+    async def _answer(self, line: int) -> None:
+        """Show the answer for a line."""
+        texts, shared = self._texts, self._shared
+        moment = shared.moment
+        if not shared.snapshot.tick:
+            self._set_why(texts["not_run"], (line, moment))
+            return
+        if not shared.explainer.knows(moment):
+            self._set_why(texts["explaining"], None)
+        try:
+            text = await asyncio.to_thread(shared.why, line, texts.language)
+        except (Failure, RuntimeError) as error:
+            text = "\n".join(
+                f"{one.id}: {one.text(texts.language)}\n{one.remedy(texts.language)}"
+                for one in getattr(error, "diagnostics", ())
+            )
+            text = text or error_text(error)
+        self._why.classes(remove="nc-soft")
+        self._set_why(text, (line, moment))
+
+    def _set_why(self, text: str, subject: tuple[int, Moment] | None) -> None:
+        self._why_of = subject
+        self._why.set_text(text)
+        self._earlier.set_visibility(False)
+
+    # --- stops ----------------------------------------------------------------------------------
+
+    def _show_stops(self) -> None:
+        stops = tuple(self._shared.stops)
+        if self._shown.get("stops") == stops:
+            return
+        self._shown["stops"] = stops
+        holder = self._list_of["stops"]
+        holder.clear()
+        with holder:
+            for stop in stops:
+                with ui.element("div").classes("nc-row nc-finding stop"):
+                    ui.label(stop).classes("col ellipsis")
+                    close = ui.button(
+                        icon="close", on_click=lambda stop=stop: self._remove_stop(stop)
+                    )
+                    explained(close.props("dense flat size=xs"), f"{self._texts['remove']}: {stop}")
+            if not stops:
+                ui.label(self._texts["no_stops"]).classes("nc-soft")
+
+    async def _add_stop(self) -> None:
+        text = (self._new.value or "").strip()
+        if not text or not self._commander.may():
+            return
+        stops = [*self._shared.stops, text]
+        if await self._commander.attempt(lambda: self._shared.set_stops(stops)):
+            self._new.set_value("")
+
+    async def _remove_stop(self, stop: str) -> None:
+        if self._commander.may():
+            stops = [one for one in self._shared.stops if one != stop]
+            await self._commander.attempt(lambda: self._shared.set_stops(stops))

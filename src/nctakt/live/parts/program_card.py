@@ -1,0 +1,330 @@
+# SPDX-License-Identifier: MIT
+"""The program on the page: the editor with its marks, stops, findings while one types.
+
+In: documents, snapshots. Out: an editor whose lines show what the session does; texts that are
+saved and run again.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Awaitable, Callable, Mapping
+from typing import Any
+
+from nicegui import run, ui
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
+from nctakt.live import view
+from nctakt.live.document import Document
+from nctakt.live.parts.commander import Commander, Newest
+from nctakt.live.parts.naming import card, named
+from nctakt.live.syntax import Syntax
+from nctakt.live.view import Snapshot
+
+#: How long the page waits for more typing, in seconds.
+_TYPING_S = 0.35
+
+#: Where the cursor is in the editor: its line.
+_LINE_OF_CURSOR = (
+    "const view = getElement(ID).editor; return view.state.doc.lineAt(view.state.selection.main."
+    "head).number"
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """A text that takes the place of another one in the editor.
+
+    ``begin``: the text of the file from which ``new`` was changed.
+    """
+
+    document: Document
+    begin: str
+    old: str
+    new: str
+
+
+class ProgramCard:
+    """The editor of one browser; ``findings``: of the text as it is there.
+
+    What somebody types is kept: another text takes its place only where the browser confirms that
+    it is the text that the server knows, and what was not saved comes back with its program.
+    """
+
+    def __init__(
+        self,
+        commander: Commander,
+        documents: Mapping[int, list[Document]],
+        ask_why: Callable[[int], Any],
+        on_findings: Callable[[], None],
+        play: Callable[[], Awaitable[None]],
+    ) -> None:
+        self._commander = commander
+        self._shared = commander.shared
+        self._texts = commander.texts
+        self._documents = documents
+        self._ask_why = ask_why
+        self._on_findings = on_findings
+        self._play = play
+        self._change: _Change | None = None
+        self._drafts: dict[str, tuple[str, str]] = {}
+        self._typed = 0
+        self._checks = Newest(self._check)
+        self._colours = Newest(self._send_colours)
+        self._marks: list[dict[str, Any]] | None = None
+        self.findings: list[Diagnostic] = []
+        self._checked_lines: list[str] = []
+        self.document = self._shown_document()
+        self._begin = self.document.text
+        self._syntax = Syntax(self.document.checker.synchronous)
+        self._build()
+        self._check_later()
+
+    def _shown_document(self) -> Document:
+        own = self._documents[self._shared.channel]
+        return next((one for one in own if one.file == self._shared.file), own[0])
+
+    # --- layout ---------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        texts = self._texts
+        with card(texts["program"], "nc-program"):
+            with ui.element("div").classes("nc-row"):
+                self._choice = (
+                    ui.select(self._choices(), value=self._key(), on_change=self._choose)
+                    .props("dense options-dense borderless data-testid=file")
+                    .classes("nc-file")
+                )
+                named(self._choice, texts["program"])
+                self._edited = ui.label().classes("nc-soft").props("role=status")
+                self._load = ui.button(texts["load"], icon="sync_problem", on_click=self._read)
+                self._load.props("dense flat no-caps size=sm color=warning data-testid=load")
+                self._load.set_visibility(False)
+                ui.space()
+                save = ui.button(texts["save_short"], icon="save", on_click=self.save)
+                save.props("dense flat no-caps size=sm data-testid=save").tooltip(texts["save"])
+            self._editor = ui.codemirror(
+                self.document.text,
+                theme="basicLight",
+                line_wrapping=True,
+                on_change=self._changed,
+            ).props("data-testid=editor")
+            ui.on("nctakt_line", self._click)
+            ui.on("nctakt_lines", self._wish_colours)
+
+    def _choices(self) -> dict[str, str]:
+        many = len(self._documents) > 1
+        word = self._texts["channel"]
+        return {
+            f"{channel} {document.file}": (f"{word} {channel}: " if many else "") + document.file
+            for channel, own in self._documents.items()
+            for document in own
+        }
+
+    def _key(self) -> str:
+        return f"{self._shared.channel} {self.document.file}"
+
+    @property
+    def editor_id(self) -> int:
+        """The number of the editor's element."""
+        return self._editor.id
+
+    # --- what is shown --------------------------------------------------------------------------
+
+    @property
+    def is_edited(self) -> bool:
+        """Whether the editor's text is not the one that was saved."""
+        return (self._editor.value or "") != self.document.text
+
+    def show(self, snapshot: Snapshot) -> None:
+        """Show the blocks, conditions and stops of a tick."""
+        self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
+        shared, file = self._shared, self.document.file
+        marks = view.finding_marks(self._checked_lines, file, self.findings)
+        if not self.is_edited:
+            stops = view.stop_lines(shared.stops, file)
+            marks += view.program_marks(shared.lines, file, snapshot, self._texts, stops)
+        if marks != self._marks and (self.is_checked or not self.is_edited):
+            self._marks = marks
+            self._editor.run_method("setDecorations", marks)
+
+    @property
+    def is_checked(self) -> bool:
+        """Whether the findings are those of the editor's text as it stands."""
+        return (self._editor.value or "").split("\n") == self._checked_lines
+
+    def follow(self) -> None:
+        """Show the program that is chosen, as it was saved last unless it is changed here."""
+        shown, value = self._shown_document(), self._editor.value or ""
+        is_behind = self._begin != self.document.text and value == self._begin
+        if shown is not self.document:
+            begin, text = self._drafts.get(shown.file, (shown.text, shown.text))
+            self._replace(_Change(shown, begin, value, text))
+        elif is_behind:
+            self._replace(_Change(shown, shown.text, value, shown.text))
+
+    def _replace(self, change: _Change) -> None:
+        """Let the editor have another text; where somebody types meanwhile, the next look does."""
+        if change == self._change:
+            return  # the browser has been asked
+        self._change = change
+        if change.new == change.old:
+            self._take_over()
+            return
+        ui.run_javascript(
+            f"nctaktEditor.replace({json.dumps(change.old)}, {json.dumps(change.new)})"
+        )
+
+    def _changed(self) -> None:
+        """Take over what somebody has typed, or what has taken the place of another text."""
+        if self._change is not None and self._editor.value == self._change.new:
+            self._take_over()
+        self._change = None
+        self._check_later()
+
+    def _take_over(self) -> None:
+        """Go on with the text that the editor has now."""
+        change, self._change = self._change, None
+        assert change is not None
+        self._drafts.pop(change.document.file, None)
+        if change.document is not self.document and change.old != self._begin:
+            self._drafts[self.document.file] = self._begin, change.old
+        self.document, self._begin = change.document, change.begin
+        self._marks, self.findings, self._checked_lines = None, [], []
+        self._choice.set_value(self._key())
+        self.show(self._shared.snapshot)
+
+    @property
+    def _is_replaced(self) -> bool:
+        """Whether the file on disk is another than the one that this browser shows or changes."""
+        return self._begin != self.document.text or self.document.is_replaced
+
+    def look_at_disk(self) -> None:
+        """Tell when the file on disk is another than what this browser shows, or the PLC's is."""
+        is_replaced = self._is_replaced
+        is_plc = self._shared.plc_files.are_replaced
+        self._load.set_visibility(is_replaced or is_plc)
+        if is_replaced or is_plc:
+            self._edited.set_text(self._texts["on_disk" if is_replaced else "plc_on_disk"])
+
+    def set_dark(self, is_dark: bool) -> None:
+        """Use dark or light colours."""
+        # not as a property of the element: with it the browser gets the text that the server knows
+        self._editor.run_method("setTheme", "vscodeDark" if is_dark else "basicLight")
+
+    def reveal(self, line: int) -> None:
+        """Scroll to a line."""
+        if 1 <= line <= len((self._editor.value or "").split("\n")):
+            self._editor.reveal_line(line)
+
+    # --- lines ----------------------------------------------------------------------------------
+
+    async def line_of_cursor(self) -> int:
+        """Return the line of the cursor in the editor."""
+        code = _LINE_OF_CURSOR.replace("ID", str(self._editor.id))
+        return int(await ui.run_javascript(code, timeout=5.0))
+
+    async def _click(self, event: Any) -> None:
+        """A click on a line number sets a stop, one beside a condition asks why."""
+        words = event.args if isinstance(event.args, dict) else {}
+        line = words.get("line")
+        if not isinstance(line, int):
+            return
+        if words.get("what") == "stop":
+            await self.toggle_stop(line)
+        else:
+            await self._ask_why(line)
+
+    async def _wish_colours(self, event: Any) -> None:
+        """Colour the lines that a browser has in view."""
+        words = event.args if isinstance(event.args, dict) else {}
+        first, last = words.get("first"), words.get("last")
+        if isinstance(first, int) and isinstance(last, int):
+            await self._colours.wish((first, last))
+
+    async def _send_colours(self, bounds: tuple[int, int]) -> None:
+        lines = await run.io_bound(self._syntax.shown, self._editor.value or "", *bounds)
+        found = json.dumps([max(bounds[0], 1), lines])
+        self._editor.client.run_javascript(f"nctaktEditor.colour(...{found})")
+
+    async def toggle_stop(self, line: int) -> None:
+        """Set a stop in a line, or take those in it away."""
+        shared, file = self._shared, self.document.file
+        if not self._commander.may() or not 1 <= line <= len(shared.lines):
+            return
+        kept = [stop for stop in shared.stops if line not in view.stop_lines([stop], file)]
+        if len(kept) == len(shared.stops):
+            kept.append(view.stop_for(file, line, shared.lines[line - 1]))
+        await self._commander.attempt(lambda: shared.set_stops(kept))
+
+    # --- text -----------------------------------------------------------------------------------
+
+    def _check_later(self) -> None:
+        """Check the text once no one has typed for a moment."""
+        self._typed += 1
+        ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.wish(typed), once=True)
+
+    async def _check(self, typed: int) -> None:
+        if typed != self._typed:
+            return
+        text = self._editor.value or ""
+        found = await run.io_bound(self.document.check, text)
+        if typed == self._typed and found is not None:
+            self.findings, self._checked_lines = found, text.split("\n")
+            self._on_findings()
+
+    async def save(self) -> None:
+        """Save the text and run the programs again."""
+        if not self._commander.may():
+            return
+        text = self._editor.value or ""
+
+        def save_and_run() -> None:
+            if text != self.document.text:
+                self.document.save(text, self._begin)
+            self._begin = text  # from which further changes begin
+            self._shared.reopen(self._shared.program)
+
+        if await self._commander.attempt(save_and_run):
+            self._marks = None
+            ui.notify(self._texts["saved"], type="positive", timeout=2000)
+            await self._play()
+
+    async def _read(self) -> None:
+        """Show the file as it is on disk now, and run it; with a saved PLC run it as it is here."""
+        if not self._is_replaced:
+            if await self._commander.attempt(lambda: self._shared.reopen(self._shared.program)):
+                self.look_at_disk()
+        elif self._commander.may():
+
+            def read_and_run() -> None:
+                self.document.read()
+                self._shared.reopen(self._shared.program)
+
+            if await self._commander.attempt(read_and_run):
+                own, text = self.document, self.document.text
+                self._replace(_Change(own, text, self._editor.value or "", text))
+
+    async def _choose(self, event: Any) -> None:
+        """Show another program, of this channel or another one."""
+        channel, _, file = str(event.value).partition(" ")
+        if event.value == f"{self._shared.channel} {self._shared.file}":
+            return
+        if not self._commander.may():
+            self._choice.set_value(self._key())
+            return
+        await self._commander.attempt(lambda: self._shared.look_at(int(channel), file))
+        self._check_later()
+
+    async def choose_program(self, file: str | None) -> None:
+        """Run only one of the programs from the start, or all of them."""
+        if not self._commander.may():
+            return
+
+        def run_it() -> None:
+            self._shared.reopen(file)
+            if file is not None:
+                self._shared.look_at(1, file)
+
+        await self._commander.attempt(run_it)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Messages about single axes and spindles."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Messages about machine folders and their lists."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Checks of commands to single axes and spindles."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Checks of realtime cycles and realtime loops."""

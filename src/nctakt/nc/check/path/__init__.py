@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Checks of the path: blocks that move, their shapes and coordinates."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The commands in brackets after the name of an axis."""

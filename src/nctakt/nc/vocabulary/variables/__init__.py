@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The variables of the language: names, types, rights, cells."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Why a run waits, and what its errors mean."""

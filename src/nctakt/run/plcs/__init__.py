@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""PLCs and simulations in the loop of ticks."""

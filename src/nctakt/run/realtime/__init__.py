@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The realtime part of a machine: assembled, kept, put back."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Bounds in closed form, margins, suggestions, comparisons."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Simulation and analysis as text, and for other programs."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Clients: their connections, sessions and subscriptions."""

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The machine as nodes of the companion models."""

@@ -1,0 +1,710 @@
+# SPDX-License-Identifier: MIT
+"""The past of a session: branches of its tape, parked controllers, the way to any moment.
+
+In: runs forward, inputs, wishes to be elsewhere. Out: the live controller, at the moment that was
+asked for. The past is not stored but run again: from the nearest parked controller over the tape.
+An input in the past begins another branch; the old one stays.
+"""
+
+from __future__ import annotations
+
+import bisect
+import contextlib
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import cast
+
+from nctakt.base.diagnostics import Language
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.connections.session import NO_SUCH_BRANCH, PLC_HOLDS_OPEN, TICK_NOT_REACHED
+from nctakt.messages.scheduling.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
+from nctakt.run.access.inputs import PLC, SCHEDULE, Input, in_order
+from nctakt.run.plcs.realtime_plc import is_structured
+from nctakt.session.engine import Evidence, Slice, joined
+from nctakt.session.history.branch import Branch, index_of
+from nctakt.session.history.columns import WRITE_KINDS, Necessary
+from nctakt.session.history.comparing import BranchDifference, fork_of
+from nctakt.session.history.comparing import first_difference as differing
+from nctakt.session.history.confirmed import Confirmed
+from nctakt.session.history.parked import Parked, ParkedControllers
+from nctakt.session.history.parking import DENSE_US, SPARSE_US, approach, first_gap
+from nctakt.session.history.record import (
+    BranchRecord,
+    PastMark,
+    check_programs,
+    first_difference,
+    past_differs,
+    ticks_of,
+)
+from nctakt.session.process.workshop import ProcessPool, RemoteEngine
+from nctakt.session.schedules import CLOSE, RESTART, TABLE
+from nctakt.session.setup import Setup
+from nctakt.session.stops import BLOCKS, StopAt
+
+#: Ticks, and marks, between two calls of ``poll`` while the past is run again.
+PART_TICKS = 100_000
+PART_MARKS = 12
+
+#: Work that a step back may do for those to come, in microseconds.
+REFINED_US = 20_000.0
+
+#: How far before a moment that somebody has travelled to controllers are parked at once, in us.
+FAR_US = 100_000.0
+
+#: Ticks before a moment whose events come with the arrival there.
+ARRIVAL_TICKS = 100
+
+#: Steps back, or on, by blocks and by ticks, that need no proof of their own after another one.
+NEAR_TICKS = 8
+
+#: Work of the latest stretch that a search runs again, in microseconds, and how much longer each
+#: earlier one is at least: a copy of a controller takes as long as some 30 ms of a run.
+SEARCHED_US = 100_000.0
+SEARCHED_GROWTH = 3.0
+
+#: How often a stop may hold that only notes when it did last.
+_NEVER = 1 << 60
+
+Poll = Callable[[], None]
+
+
+class Timeline:
+    """The moments of a session, and the live controller that is at one of them.
+
+    Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in. ``poll``
+    is called while the past is run again, and may end that by an exception. ``progress``: how many
+    of how many ticks of the past have been run again by now, ``None`` while none are. ``took_s``:
+    how long the controller took for the latest ``run``, in seconds.
+    """
+
+    def __init__(self, setup: Setup, poll: Poll) -> None:
+        self._setup = setup
+        self._poll = poll
+        self._workshop = ProcessPool()
+        try:
+            self._live, self.description = self._workshop.open(setup)
+        except BaseException:
+            self._workshop.close()
+            raise
+        self._has_past = setup.rtconf is None
+        # a controller with threads cannot be copied
+        self._can_copy = self._workshop.can_copy and self._has_past
+        self.branch = Branch(1, None, 0, list(self.description.inputs))
+        self.branches = [self.branch]
+        self._plc: dict[int, list[Input]] = {1: []}
+        self._parked = ParkedControllers()
+        self._fault: Failure | None = None
+        self._held: Failure | None = None
+        self._confirmed = Confirmed()
+        self.progress: tuple[int, int] | None = None
+        self.took_s = 0.0
+        if self._can_copy:
+            self._park()
+
+    @property
+    def tick(self) -> int:
+        """The tick at which the live controller is."""
+        return self._live.tick
+
+    @property
+    def live(self) -> RemoteEngine:
+        """The live controller; raises ``Failure`` (901901) where it is not as it was."""
+        if self._fault is not None:
+            raise self._fault
+        return self._live
+
+    # --- forward --------------------------------------------------------------------------------
+
+    def run(
+        self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True, rests: bool = False
+    ) -> Slice:
+        """Run the live controller as ``Engine.run``.
+
+        What has been run before must be as it was; raises ``Failure`` (901901) where it is not.
+        """
+        live, branch, again = self.live, self.branch, None
+        self.took_s = 0.0
+        if self._has_past and self.tick < branch.latest:
+            again = self._run_again(min(end, branch.latest), stops, events=events)
+            is_there = again.hits or again.run_state is not None or again.tick >= end
+            if is_there or again.tick < branch.latest:
+                return again
+        done = live.run(
+            end, stops, events=events, marks=None if self._has_past else (), rests=rests
+        )
+        self.took_s += live.took_s
+        branch.record.add(done.marks, done.rows, done.columns)
+        done = replace(done, marks=(), rows=b"", columns=((), b""))
+        if done.tick > branch.latest:
+            if not self._has_past:
+                own = (PLC, SCHEDULE)
+                self._plc[branch.number] += [one for one in done.inputs if one.source in own]
+            elif self._setup.plcs:
+                news = [one for one in done.inputs if one.tick > branch.latest]
+                self._plc[branch.number] += [one for one in news if one.source == PLC]
+            branch.latest = done.tick
+        if self._can_copy and self._is_far_from_parked():
+            self._park()
+        return done if again is None else joined(again, done)
+
+    def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> Slice:
+        """Let the live controller run over what it has run before."""
+        marks = self.branch.marks_between(self.tick, end)
+        self._confirmed.enter(self.branch.number)
+        asked = _asked(marks, self._confirmed.between(self.tick, end, NEAR_TICKS))
+        try:
+            done = self._live.run(end, stops, events=events, marks=asked)
+            self.took_s = self._live.took_s
+            done = self._compared(self.branch, done, marks, asked)
+            self._confirm(self._live, self.branch)
+        except Failure as failure:
+            self._fault = failure
+            raise
+        return done
+
+    def _is_far_from_parked(self) -> bool:
+        nearest = self._parked.nearest(self.branch, self.tick)
+        before_us = 0.0 if nearest is None else nearest.work_us
+        return self.branch.work_at(self.tick) - before_us > SPARSE_US
+
+    def _park(self, engine: RemoteEngine | None = None) -> None:
+        """Park a copy of the live controller, or one that has been brought to a tick."""
+        tick = self.tick if engine is None else engine.tick
+        nearest = self._parked.nearest(self.branch, tick)
+        if nearest is not None and nearest.tick == tick:
+            if engine is not None:
+                engine.close()
+            return
+        try:
+            parked = self._live.copy() if engine is None else engine
+        except Failure as failure:
+            if failure.diagnostics[0].id == PLC_HOLDS_OPEN.id:
+                self._held, self._can_copy = failure, False
+                return
+            raise
+        self._parked.add(Parked(self.branch, tick, self.branch.work_at(tick), parked))
+        self._parked.thin_out(self.branch.work_at(self.tick))
+
+    # --- what has been run again ----------------------------------------------------------------
+
+    def _compared(
+        self, branch: Branch, done: Slice, marks: Sequence[PastMark], asked: Sequence[int] = ()
+    ) -> Slice:
+        """Return what ticks have done that were run again; raises ``Failure`` (901901).
+
+        ``asked``: where the slice has marks, by default at ``marks`` alone. Where a PLC has done
+        otherwise than before, the slice says so. Where a program is another one now, what it has
+        decoded may not have been carried out yet: raises ``Failure`` (901900).
+        """
+        check_programs(done.diagnostics)
+        ends = ticks_of(marks)
+        found = list(zip(asked or ends, done.marks, strict=False))
+        differs = first_difference([mark for tick, mark in found if tick in ends], marks)
+        if differs is None and not self._setup.plcs:
+            near = (mark for tick, mark in found if tick == mark.tick)
+            differs = self._confirmed.compare(branch.number, near)
+        done = replace(done, marks=(), rows=b"")
+        if differs is None or done.differs is not None:
+            return done
+        if self._setup.plcs:
+            return replace(done, differs=differs)
+        raise past_differs(differs)
+
+    def _confirm(self, engine: RemoteEngine, branch: Branch) -> None:
+        """Let a copy run on to the next mark, so that what is shown here is as it was."""
+        tick = engine.tick
+        following = branch.mark_after(tick)
+        if following is None or not self._can_copy or self._setup.plcs:
+            return
+        if self._confirmed.is_proved(tick):
+            return
+        if following.end > tick:
+            asked = _asked([following], _near_ahead(branch, tick, following.tick))
+            scout = engine.copy()
+            try:
+                done = scout.run(following.end, events=False, marks=asked, since=tick)
+            finally:
+                scout.close()
+            self._compared(branch, done, [following], asked)
+        self._confirmed.prove()
+
+    def _rerun(
+        self,
+        engine: RemoteEngine,
+        branch: Branch,
+        end: int,
+        *,
+        first: int | None = None,
+        since: int | None = None,
+        near: Sequence[int] = (),
+    ) -> Slice:
+        """Run a controller over ticks of the past, up to ``end``; ``first``: where it began.
+
+        Returns what the ticks from ``since`` on have done, by default none. ``near``: ticks to
+        which somebody may go next.
+        """
+        begin = engine.tick if first is None else first
+        forgotten: int | None = end if since is None else max(since, engine.tick)
+        done: Slice | None = None
+        while done is None or (engine.tick < end and done.run_state is None):
+            if engine.tick < end:
+                self._report(engine.tick - begin, end - begin)
+            part, marks = _next_part(branch, engine.tick, end)
+            asked = _asked(marks, [one for one in near if engine.tick < one <= part])
+            again = engine.run(part, events=part == end, marks=asked, since=forgotten)
+            again = self._compared(branch, again, marks, asked)
+            done, forgotten = again if done is None else joined(done, again), None
+        return done
+
+    def _report(self, done: int, whole: int) -> None:
+        self.progress = done, whole
+        self._poll()
+
+    # --- inputs ---------------------------------------------------------------------------------
+
+    def post(self, inputs: Sequence[Input]) -> bool:
+        """Let inputs reach the next tick, or a later one; return whether a branch has begun.
+
+        Raises ``Failure`` for a wrong name or value, and nothing has happened.
+        """
+        arriving = [one._replace(tick=max(one.tick, self.tick)) for one in inputs]
+        self.live.post(arriving)
+        return self._keep(arriving)
+
+    def post_each(self, groups: Sequence[Sequence[Input]]) -> tuple[bool, list[Failure | None]]:
+        """Post groups of inputs for the next tick, of which some may be refused.
+
+        Returns whether a branch has begun, and for each group why it was refused, or ``None``.
+        """
+        answers = self.live.ask("post_each", groups)
+        kept = [
+            one
+            for group, answer in zip(groups, answers, strict=True)
+            if answer is None
+            for one in group
+        ]
+        begins = self._keep(kept) if kept else False
+        return begins, [None if answer is None else Failure(*answer) for answer in answers]
+
+    def _keep(self, arriving: Sequence[Input]) -> bool:
+        """Note inputs that the live controller has; return whether a branch has begun."""
+        branch = self.branch
+        begins = self.tick < branch.latest
+        if begins:
+            later = [one for one in branch.all_inputs() if one.tick >= self.tick]
+            planned = [one for one in later if one.source == "stimuli"]
+            record = BranchRecord(branch.work_at(self.tick))
+            self.branch = Branch(len(self.branches) + 1, branch, self.tick, [], self.tick, record)
+            self.branches.append(self.branch)
+            self._plc[self.branch.number] = []
+            self.branch.inputs = planned
+        _insert(self.branch.inputs, arriving)
+        if begins:
+            self.live.plan(self.branch.inputs)
+        return begins
+
+    # --- anywhere -------------------------------------------------------------------------------
+
+    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+        """Bring the live controller to just before a tick of a branch, by default of this one.
+
+        Returns what its last ticks have done. Raises ``Failure`` (901154, 901157, 901901), and it
+        stays where it was.
+        """
+        target = self.branch if branch is None else self._branch(branch)
+        if not 0 <= tick <= target.latest:
+            raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
+        if target is self.branch and tick == self.tick and self._fault is None:
+            return self._live.run(tick)
+        is_front = self._can_copy and self.tick == self.branch.latest and self._fault is None
+        if is_front and self._setup.plcs:
+            with contextlib.suppress(Failure):  # one that is gone is left behind
+                self._park()  # what holds a file open shows now
+        before_us = self.branch.work_at(self.tick)
+        self._confirmed.enter(target.number)
+        engine = self._on_the_way(target, tick)
+        begin_us = target.work_at(engine.tick)
+        try:
+            done = self._approach(engine, target, tick)
+            self._confirm(engine, target)
+        except BaseException:
+            if engine is not self._live:
+                engine.close()
+            self._parked.give_up_candidate()
+            raise
+        finally:
+            self.progress = None
+        if engine is not self._live:
+            self._leave(is_front=is_front)
+        present_us = target.work_at(tick)
+        self._parked.keep_candidate(present_us)
+        self._live, self.branch, self._fault = engine, target, None
+        self._refine(present_us - begin_us, is_step=abs(present_us - before_us) < SPARSE_US)
+        return done
+
+    def _leave(self, *, is_front: bool) -> None:
+        """Give the live controller up; at the front it is parked: so the way back is short."""
+        if is_front:
+            self._park(self._live)
+        else:
+            self._live.close()
+
+    def _branch(self, number: int) -> Branch:
+        if not 0 < number <= len(self.branches):
+            raise Failure(diagnostic(NO_SUCH_BRANCH, branch=number, count=len(self.branches)))
+        return self.branches[number - 1]
+
+    def _on_the_way(self, target: Branch, tick: int) -> RemoteEngine:
+        """Return a controller before a tick of a branch, as near to it as there is one."""
+        self._refuse_without_past()
+        nearest = self._parked.nearest(target, tick)
+        if target is self.branch and self._fault is None and self.tick <= tick:
+            if nearest is None or nearest.tick <= self.tick:
+                return self._live.copy() if self._can_copy else self._live
+        return self._woken(target, nearest)
+
+    def _woken(self, target: Branch, parked: Parked | None) -> RemoteEngine:
+        """Return a copy of a parked controller with the inputs of a branch, else a new one."""
+        engine = self._workshop.open(self._setup)[0] if parked is None else parked.engine.copy()
+        engine.plan(self._planned(target, engine.tick))
+        return engine
+
+    def _refuse_without_past(self) -> None:
+        if self._held is not None:
+            raise self._held
+        if not self._has_past:
+            raise Failure(diagnostic(REAL_SCHEDULE_HAS_NO_PAST))
+
+    def _planned(self, branch: Branch, tick: int) -> list[Input]:
+        """Return the inputs of a branch from a tick on, with those that its PLC gave."""
+        planned = branch.inputs_from(tick)
+        given: list[Input] = []
+        story: Branch | None = branch
+        last = branch.latest
+        while story is not None and last > tick:
+            own = self._plc[story.number]
+            given = own[index_of(own, tick + 1) : index_of(own, last + 1)] + given
+            last, story = story.first_tick, story.parent
+        return planned + given
+
+    def _approach(self, engine: RemoteEngine, branch: Branch, tick: int) -> Slice:
+        """Run a controller up to a tick; park on the way where that is dear."""
+        first = engine.tick
+        for work_us in approach(branch.work_at(first), branch.work_at(tick)):
+            mark = branch.mark_before_work(work_us)
+            if self._can_copy and mark is not None and engine.tick < mark.tick < tick:
+                self._rerun(engine, branch, mark.tick, first=first)
+                self._parked.add(Parked(branch, mark.tick, mark.work_us, engine.copy()))
+        near = self._near(branch, engine.tick, tick)
+        if near and engine.tick < near[0] < tick:
+            self._rerun(engine, branch, near[0], first=first, near=near)
+            work_us = branch.work_at(near[0])
+            self._parked.candidate = Parked(branch, near[0], work_us, engine.copy())
+        since = tick - ARRIVAL_TICKS
+        done = self._rerun(engine, branch, tick, first=first, since=since, near=near)
+        self._parked.thin_out(branch.work_at(tick))
+        return done
+
+    def _near(self, branch: Branch, first: int, tick: int) -> list[int]:
+        """Return ``tick`` and those after ``first`` to which somebody goes back from there."""
+        if not self._can_copy or self._setup.plcs:
+            return []
+        if tick in self._confirmed:
+            return [tick]
+        mark = branch.mark_before_work(branch.work_at(tick) - DENSE_US)
+        first = max(first, 0 if mark is None else mark.tick)
+        blocks = branch.ticks_between(BLOCKS, first, tick - 1)[-NEAR_TICKS:]
+        steps = range(max(first + 1, tick - NEAR_TICKS), tick + 1)
+        return sorted({*(one + 1 for one in blocks), *steps})
+
+    def _refine(self, spent_us: float, *, is_step: bool) -> None:
+        """Park where it is far to the next parked controller, for those who go back from here.
+
+        Where somebody goes step by step this takes ``REFINED_US`` at most, with the work that the
+        step itself has been.
+        """
+        if not self._can_copy or self._setup.plcs:
+            return
+        while spent_us < REFINED_US or not is_step:
+            present_us = self.branch.work_at(self.tick)
+            parked = self._parked.before(self.branch, self.tick)
+            gap = first_gap([one.work_us for one in parked], present_us)
+            if gap is None:
+                return
+            older, mark = parked[gap[0]], self.branch.mark_before_work(gap[1])
+            is_far = present_us - gap[1] > FAR_US
+            if mark is None or mark.tick <= older.tick or (is_far and not is_step):
+                return
+            limit_us = REFINED_US - spent_us if is_step else math.inf
+            try:
+                spent_us += self._fill(older, mark, limit_us)
+            except Failure:
+                return  # whoever goes there learns why, and no one has asked for it yet
+
+    def _fill(self, older: Parked, mark: PastMark, limit_us: float) -> float:
+        """Bring a copy of a parked controller to a mark, or some work nearer; return the work."""
+        branch = self.branch
+        filler = self._parked.filler
+        if (
+            filler is None
+            or filler.branch is not branch
+            or not older.tick <= filler.tick < mark.tick
+        ):
+            self._parked.give_up_filler()
+            filler = Parked(branch, older.tick, older.work_us, self._woken(branch, older))
+        self._parked.filler = None
+        end = branch.mark_before_work(filler.work_us + limit_us)
+        last = mark if end is None or end.tick > mark.tick else end
+        engine = filler.engine
+        try:
+            self._rerun(engine, branch, last.tick)
+        except BaseException:
+            engine.close()
+            raise
+        finally:
+            self.progress = None
+        moved = Parked(branch, engine.tick, last.work_us, engine)
+        if engine.tick >= mark.tick:
+            self._parked.add(moved)
+            self._parked.thin_out(branch.work_at(self.tick))
+        else:
+            self._parked.filler = moved
+        return max(last.work_us - filler.work_us, DENSE_US)
+
+    # --- looking --------------------------------------------------------------------------------
+
+    def trial(self, tick: int, branch: Branch | None = None) -> RemoteEngine:
+        """Return a controller before a tick of a branch that never joins the session.
+
+        Close it after use; ``confirm`` what it shows. Raises ``Failure`` (901154, 901901).
+        """
+        target = self.branch if branch is None else branch
+        if not 0 <= tick <= target.latest:
+            raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
+        if self._can_copy and target is self.branch and self.tick == tick:
+            return self.live.copy()
+        self._refuse_without_past()
+        engine = self._woken(target, self._parked.nearest(target, tick))
+        try:
+            self._rerun(engine, target, tick)
+        except BaseException:
+            engine.close()
+            raise
+        finally:
+            self.progress = None
+        return engine
+
+    def inside(self) -> RemoteEngine:
+        """Return a controller before the last tick that this one has run, kept for the next time.
+
+        Close it after use. Raises ``Failure`` as ``trial``.
+        """
+        engine = self.trial(self.tick - 1)
+        if self._can_copy:
+            self._parked.add(
+                Parked(self.branch, engine.tick, self.branch.work_at(engine.tick), engine.copy())
+            )
+            self._parked.thin_out(self.branch.work_at(self.tick))
+        return engine
+
+    def ahead(self) -> RemoteEngine | None:
+        """Return a controller at the end of this branch to run ahead, in whichever thread.
+
+        ``None`` where what comes depends on somebody outside who cannot be copied: a PLC in Python
+        or a model that may reach beyond this process, a schedule on the real clock.
+        """
+        is_outside = not all(map(is_structured, self._setup.plcs))
+        if not self._can_copy or is_outside or self._setup.options.get("fmu") is not None:
+            return None
+        engine = self.trial(self.branch.latest)
+        engine.is_apart = True
+        return engine
+
+    def compare(self, one: int, other: int, signals: Sequence[str], poll: Poll) -> BranchDifference:
+        """Return where two branches differ first; raises ``Failure`` (901157)."""
+        branches = self._branch(one), self._branch(other)
+        fork = fork_of(*branches)
+        engines: list[RemoteEngine] = []
+        try:
+            for branch in branches:
+                engines.append(self.trial(fork, branch))
+            end = min(branch.latest for branch in branches)
+            return differing((engines[0], engines[1]), end, signals, poll)
+        finally:
+            for engine in engines:
+                engine.close()
+            self.progress = None
+
+    def happened(self, first: int, end: int) -> Slice:
+        """Return what the ticks of this branch from ``first`` up to ``end`` have done."""
+        engine = self.trial(first)
+        try:
+            done = self._rerun(engine, self.branch, end, since=first)
+            self.confirm(engine, end)
+        finally:
+            engine.close()
+            self.progress = None
+        return done
+
+    def confirm(self, engine: RemoteEngine, tick: int) -> None:
+        """Let a trial, which has come to a tick, run on to the next mark.
+
+        Raises ``Failure`` (901901) if it is not as it was there.
+        """
+        following = self.branch.mark_after(tick)
+        if following is not None and self._has_past:
+            asked = ticks_of([following])
+            done = engine.run(following.end, events=False, marks=asked, since=engine.tick)
+            self._compared(self.branch, done, [following], asked)
+
+    def previous(self, stops: Sequence[StopAt]) -> int | None:
+        """Return the last tick before the present at which one of the stops held, or ``None``.
+
+        The record tells where there were events and writes. For other stops the past is run again,
+        from the latest parked controller to the earliest: where they depend on a recorded signal,
+        only up to the ticks in which it can have been.
+        """
+        end, found = self.tick - 1, 0
+        if end <= 0:
+            return None
+        self._refuse_without_past()
+        self._poll()
+        others: list[tuple[StopAt, int, Necessary | None]] = []
+        evidence: list[Evidence] = self.live.ask("evidence", stops)
+        for stop, (requested, needed) in zip(stops, evidence, strict=True):
+            if requested is None:
+                others.append((replace(stop, count=_NEVER), end, needed))
+            for one in requested or ():
+                found = max(found, self.branch.last_event(one, end) + 1)
+                if one.kinds & WRITE_KINDS and self.branch.writes_from:
+                    known = replace(stop, count=_NEVER), min(end, self.branch.writes_from), None
+                    others.append(known)
+        if others:
+            found = self._searched(others, found, end)
+        return found or None
+
+    def _possible_end(self, stops: Sequence[tuple[StopAt, int, Necessary | None]], end: int) -> int:
+        """Return up to which tick before ``end`` one of some stops can have held at last."""
+        ends = [(min(end, last), needed) for _, last, needed in stops]
+        return max(
+            last if needed is None else self.branch.possible_end(needed, last)
+            for last, needed in ends
+        )
+
+    def _searched(
+        self, others: Sequence[tuple[StopAt, int, Necessary | None]], found: int, end: int
+    ) -> int:
+        """Return the last tick up to ``end`` at which a stop held, ``found`` if that is later.
+
+        ``others``: stops, each with the tick up to which it is looked for and what it needs.
+        """
+        stops = [stop for stop, _, _ in others]
+        end = self._possible_end(others, end)
+        whole, stretch_us = end - found, SEARCHED_US / SEARCHED_GROWTH
+        try:
+            while end > found:
+                before_us = SEARCHED_GROWTH * stretch_us
+                parked = self._parked.before_by(self.branch, end - 1, before_us)
+                stretch_us = self.branch.work_at(end) - (parked.work_us if parked else 0.0)
+                engine = self._woken(self.branch, parked)
+                try:
+                    begin = engine.tick
+                    hit = self._last_hit(engine, end, stops, whole - end + found, whole)
+                finally:
+                    engine.close()
+                if hit:
+                    return max(hit, found)
+                end = self._possible_end(others, begin)
+        finally:
+            self.progress = None
+        return found
+
+    def _last_hit(
+        self, engine: RemoteEngine, end: int, stops: Sequence[StopAt], before: int, whole: int
+    ) -> int:
+        """Run a controller up to a tick; return the last tick at which a stop held, or 0."""
+        first, hit, has_plc = engine.tick, 0, bool(self._setup.plcs)
+        marks: Sequence[PastMark] = ()
+        while engine.tick < end:
+            self._report(before + engine.tick - first, whole)
+            part, marks = _next_part(self.branch, engine.tick, end)
+            tick = engine.tick
+            hit, _, found = engine.last_hit(part, stops, ticks_of(marks))
+            differs = first_difference(found, marks)
+            if differs is not None and not has_plc:
+                raise past_differs(differs)
+            if engine.tick == tick:
+                break  # the run is over
+        if not marks or marks[-1].tick != end:
+            self.confirm(engine, end)
+        return hit
+
+    @property
+    def setup(self) -> Setup:
+        """What the session was opened with."""
+        return self._setup
+
+    def tape(self) -> list[Input]:
+        """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
+        return sorted(self._planned(self.branch, -1), key=lambda one: one.tick)
+
+    def news(self, first: int) -> tuple[int, int, list[Input]]:
+        """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
+        end = self.branch.latest
+        found = sorted(self._planned(self.branch, first - 1), key=lambda one: one.tick)
+        kept = found[index_of(found, first) : index_of(found, end)]
+        return self.branch.number, end, kept
+
+    def restart_schedule(self) -> None:
+        """Let a real schedule begin anew after a pause."""
+        if self._setup.rtconf is not None:
+            self.live.ask("schedule", RESTART)
+
+    def schedule_table(self, language: Language) -> str:
+        """Return the table of a real schedule; empty without one."""
+        return cast("str | None", self.live.ask("schedule", TABLE, language)) or ""
+
+    # --- the end --------------------------------------------------------------------------------
+
+    def abandon(self) -> None:
+        """Kill a controller that does not answer; callable from any thread."""
+        self._workshop.abandon()
+
+    def close(self) -> None:
+        """Let all controllers end."""
+        self._parked.close()
+        for branch in self.branches:
+            branch.record.close()
+        if self._setup.rtconf is not None:
+            with contextlib.suppress(Failure, RuntimeError):
+                self._live.ask("schedule", CLOSE)
+        self._live.close()
+        self._workshop.close()
+
+
+def _asked(marks: Sequence[PastMark], near: Sequence[int]) -> list[int]:
+    """Return up to where a run goes for some marks, and for other ticks on its way."""
+    return sorted({*ticks_of(marks), *near})
+
+
+def _near_ahead(branch: Branch, tick: int, end: int) -> list[int]:
+    """Return the ticks before ``end`` to which somebody goes on from a tick."""
+    blocks = branch.ticks_between(BLOCKS, tick - 1, end - 1)[:NEAR_TICKS]
+    return [*(one + 1 for one in blocks), *range(tick + 1, min(tick + 1 + NEAR_TICKS, end))]
+
+
+def _next_part(branch: Branch, tick: int, end: int) -> tuple[int, list[PastMark]]:
+    """Return up to where a controller runs again in one go, and the marks on the way."""
+    marks = branch.marks_between(tick, end)[:PART_MARKS]
+    part = min(end, tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :]))
+    return part, [mark for mark in marks if mark.tick <= part]
+
+
+def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:
+    """Insert inputs into a list in its order, whose end they nearly always concern."""
+    first = min(map(in_order, arriving), default=None)
+    if first is not None:
+        at = bisect.bisect_right(inputs, first, key=in_order)
+        inputs[at:] = sorted([*inputs[at:], *arriving], key=in_order)

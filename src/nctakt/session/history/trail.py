@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""What the ticks of a controller leave behind, by which a run of the same ticks is recognized.
+
+In: the events of a run, the memory of its machine. Out: a mark after some ticks, with a digest of
+the memory and of all events so far; the rows of events that a session keeps.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Sequence
+
+import numpy as np
+
+from nctakt.base.dataclass import dataclass
+from nctakt.kernel import rows
+from nctakt.session.history.columns import WRITES, ColumnTrail, Extent
+from nctakt.trace.chunks import EventChunk
+from nctakt.trace.events import Event
+from nctakt.trace.sinks import TraceHeader
+
+#: Work between two marks, in microseconds.
+MARK_US = 4_000.0
+
+#: Ticks between two marks at most.
+MAX_MARK_TICKS = 100_000
+
+#: Length of a digest in bytes.
+DIGEST_SIZE = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """A run after the ticks before ``tick``.
+
+    ``digest``: of its memory and of all events so far. ``work_us``: the time of the processor since
+    the mark before, in microseconds. ``is_over``: the run has ended there.
+    """
+
+    tick: int
+    digest: bytes
+    work_us: float
+    is_over: bool = False
+
+
+class Trail:
+    """A sink that digests all events.
+
+    ``keeps``: it keeps their rows as well, and what is recorded of signals and writes, until
+    ``take`` and ``take_columns``.
+    """
+
+    def __init__(self, memory: bytearray) -> None:
+        self._memory = memory
+        self._plc_memories: Sequence[memoryview] = ()
+        self._events = hashlib.blake2b(digest_size=DIGEST_SIZE)
+        self._rows: list[bytes] = []
+        self._columns = ColumnTrail()
+        self.keeps = False
+        self._since_us = 0.0
+        self.part = 64
+
+    def follow(self, memories: Sequence[memoryview]) -> None:
+        """Digest the data of PLCs that run in the tick, too."""
+        self._plc_memories = memories
+
+    def open(self, header: TraceHeader) -> None:
+        """Do nothing."""
+
+    def explore(self, signals: Sequence[float]) -> None:
+        """Keep all that ticks leave from now on; ``signals``: their values before the next one."""
+        self.keeps = True
+        self._columns.begin(signals)
+
+    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
+        """Keep the values of the signals."""
+        if self.keeps:
+            self._columns.rows(first_tick, rows, width)
+
+    def events(self, events: Sequence[Event]) -> None:
+        """Digest events."""
+        assert isinstance(events, EventChunk)
+        self._events.update(events.data)
+        if self.keeps:
+            found = np.frombuffer(events.data, np.float64).reshape(-1, rows.EVENT_WIDTH)
+            is_write = np.isin(found[:, rows.EVENT_KIND], WRITES)
+            if is_write.any():
+                self._columns.writes(found[is_write])
+                self._rows.append(found[~is_write].tobytes())
+            else:
+                self._rows.append(events.data)
+
+    def close(self) -> None:
+        """Do nothing."""
+
+    def take(self) -> bytes:
+        """Return the rows since the last call."""
+        taken, self._rows = b"".join(self._rows), []
+        return taken
+
+    def take_columns(self) -> tuple[tuple[Extent, ...], bytes]:
+        """Return what the ticks since the last call have left of signals and writes."""
+        return self._columns.take()
+
+    def digest(self) -> bytes:
+        """Return the digest of the machine's memory, of the PLC's data and of all events so far."""
+        whole = self._events.copy()
+        whole.update(self._memory)
+        for memory in self._plc_memories:
+            whole.update(memory)
+        return whole.digest()
+
+    def note(self, ticks: int, work_us: float) -> bool:
+        """Note what some ticks have cost; return whether a mark is due.
+
+        ``part``: how many ticks should follow in one go, so that marks are about as far from each
+        other as they should be.
+        """
+        self._since_us += work_us
+        if work_us < 0.5 * MARK_US and ticks >= self.part:
+            self.part = min(2 * self.part, MAX_MARK_TICKS)
+        elif work_us > 2.0 * MARK_US:
+            self.part = max(self.part // 2, 1)
+        return self._since_us >= MARK_US
+
+    def mark(self, tick: int, *, is_over: bool) -> Mark:
+        """Return the mark after the latest tick."""
+        work_us, self._since_us = self._since_us, 0.0
+        return Mark(tick, self.digest(), work_us, is_over)
+
+
+def now_us() -> float:
+    """Return the time that this process has had of its processor, in microseconds."""
+    return time.process_time() * 1e6

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: MIT
+"""The thread that a session lives in: it does what others ask for, and between that goes on.
+
+In: methods to call, from any thread; a clock. Out: their results, and slices when the clock says.
+"""
+
+from __future__ import annotations
+
+import queue
+import threading
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future
+from contextlib import contextmanager
+from typing import ParamSpec, TypeVar
+
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.connections.session import INTERRUPTED, SESSION_IS_CLOSED
+from nctakt.session.clock import AnyClock
+
+#: Commands that wait for the thread at most; whoever brings one more waits.
+MAX_COMMANDS = 1000
+
+#: How long a thread that is closed may take for what it has begun, in seconds.
+CLOSING_S = 10.0
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
+
+
+class SessionThread:
+    """Does commands, and between them the slices that ``clock`` asks for.
+
+    ``run_slice`` runs one; without a clock nothing goes on by itself. ``interruptions`` counts the
+    calls of ``interrupt``: a command that was asked for before the last one shall end.
+    """
+
+    def __init__(self, run_slice: Callable[[AnyClock], None]) -> None:
+        self._run_slice = run_slice
+        self.clock: AnyClock | None = None
+        self.interruptions = 0
+        self._asked_at = 0
+        self._together = threading.local()
+        self.is_closed = False
+        self._commands: queue.Queue[Callable[[], None] | None] = queue.Queue(MAX_COMMANDS)
+        self._entry = threading.Lock()
+        self._thread = threading.Thread(target=self._live, name="nctakt session", daemon=True)
+        self._thread.start()
+
+    def _live(self) -> None:
+        while True:
+            clock = self.clock
+            wait_s = None if clock is None else clock.wait_s(time.monotonic())
+            try:
+                command = self._commands.get(block=wait_s != 0.0, timeout=wait_s or None)
+            except queue.Empty:
+                assert clock is not None
+                self._run_slice(clock)
+                continue
+            if command is None:
+                return
+            command()
+
+    def interrupt(self) -> None:
+        """Let whatever has been asked for so far end soon."""
+        self.interruptions += 1
+
+    @contextmanager
+    def together(self) -> Iterator[None]:
+        """Count the commands that this thread asks for inside as one, asked for at the beginning.
+
+        An interruption between two of them ends the second.
+        """
+        self._together.since = self.interruptions
+        try:
+            yield
+        finally:
+            del self._together.since
+
+    @property
+    def is_interrupted(self) -> bool:
+        """Whether the command that runs shall end."""
+        return self.interruptions != self._asked_at
+
+    def poll(self) -> None:
+        """Raise ``Failure`` (901474) if the command that runs shall end."""
+        if self.is_interrupted:
+            raise Failure(diagnostic(INTERRUPTED))
+
+    def poller(self) -> Callable[[], None]:
+        """Return a function that does so once ``interrupt`` is called from now on."""
+        asked_at = self.interruptions
+
+        def poll() -> None:
+            if self.interruptions != asked_at:
+                raise Failure(diagnostic(INTERRUPTED))
+
+        return poll
+
+    def ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
+        """Return what a method gives in this thread.
+
+        Raises ``Failure`` (901155) once it is closed.
+        """
+        if threading.current_thread() is self._thread:
+            return method(*words, **keywords)
+        answer: Future[_T] = Future()
+        asked_at = getattr(self._together, "since", self.interruptions)
+
+        def command() -> None:
+            self._asked_at = asked_at
+            try:
+                answer.set_result(method(*words, **keywords))
+            except BaseException as error:  # noqa: BLE001 - whoever has asked gets it
+                answer.set_exception(error)
+
+        with self._entry:
+            if self.is_closed:
+                raise Failure(diagnostic(SESSION_IS_CLOSED))
+            self._commands.put(command)
+        try:
+            return answer.result()
+        except KeyboardInterrupt:
+            self.interrupt()
+            answer.exception()  # the run stops between two slices
+            raise
+
+    def close(self, abandon: Callable[[], None] = lambda: None) -> None:
+        """Do what has been asked for, then end; ``abandon`` ends what takes too long."""
+        self.interrupt()
+        with self._entry:
+            self.is_closed = True
+        self._commands.put(None)
+        self._thread.join(CLOSING_S)
+        if self._thread.is_alive():
+            abandon()
+            self._thread.join(CLOSING_S)

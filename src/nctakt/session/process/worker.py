@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""The process that a session's controller lives in; started as ``python -m
+nctakt.session.process.worker``.
+
+It has one thread: it takes a request from its connection, does it, and answers. So it can fork
+between two requests: the child is a parked controller, a copy of the whole state at that tick (the
+decoder's generators and a scripted PLC included), which takes a few milliseconds and shares its
+memory until it runs. A parked controller that is woken forks again, and its copy goes on; so it can
+be woken any number of times.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import os
+import pickle
+import signal
+import socket
+import sys
+import time
+import traceback
+from collections.abc import Callable
+from multiprocessing.connection import Client, Connection
+from typing import Any
+
+from nctakt.base import interrupts
+from nctakt.base.failure import Failure
+from nctakt.session.engine import Engine
+from nctakt.session.process.open_files import check_open_files, open_again
+from nctakt.session.setup import Setup
+
+#: What a request is answered with: the result, or the reason why there is none; and how long it
+#: took, in seconds.
+DONE, REFUSED, BROKEN = "done", "refused", "broken"
+
+#: The length of the secret that a worker and its session share, in bytes.
+KEY_SIZE = 32
+
+
+def can_fork() -> bool:
+    """Return whether this system can park controllers as processes."""
+    return hasattr(os, "fork") and sys.platform == "linux"
+
+
+def send(connection: Connection[Any, Any], value: object) -> None:
+    """Send a value, from a copy: the library's own way leaves a buffer that no one may free."""
+    connection.send_bytes(pickle.dumps(value, pickle.HIGHEST_PROTOCOL))
+
+
+def receive(connection: Connection[Any, Any]) -> Any:
+    """Return the next value."""
+    return pickle.loads(connection.recv_bytes())
+
+
+class Worker:
+    """One controller and its connection to the session."""
+
+    def __init__(self, address: str, key: bytes) -> None:
+        self._address = address
+        self._key = key
+        self._connection: Connection[Any, Any] | None = None
+        self._engine: Engine | None = None
+
+    def connect(self, name: str) -> None:
+        """Connect to the session as ``name``."""
+        self._connection = Client(self._address, authkey=self._key)
+        send(self._connection, name)
+
+    def serve(self) -> None:
+        """Answer requests until the session closes the connection."""
+        while self._connection is not None:
+            try:
+                request, words = receive(self._connection)
+            except (EOFError, OSError):
+                return
+            begin_s = time.monotonic()
+            answer = self._answer(request, words)
+            if answer is None:
+                continue  # it has been given, or this is the copy
+            try:
+                send(self._connection, (*answer, time.monotonic() - begin_s))
+            except OSError:
+                return
+
+    def _answer(self, request: str, words: tuple[Any, ...]) -> tuple[str, Any] | None:
+        try:
+            if request == "open":
+                (setup,) = words
+                if not isinstance(setup, Setup):
+                    raise TypeError(setup)
+                self._engine = Engine(setup)
+                return DONE, self._engine.description
+            if request == "copy":
+                self._copy()
+                return None
+            method: Callable[..., Any] = getattr(self._engine, request)
+            return DONE, method(*words)
+        except Failure as failure:
+            return REFUSED, failure.diagnostics
+        except Exception:  # noqa: BLE001 - the session shows it as an internal error
+            return BROKEN, traceback.format_exc()
+
+    def _copy(self) -> None:
+        """Copy this process; the session gets the copy's number and its end of a connection."""
+        for stream in (sys.stdout, sys.stderr):  # else what a PLC has printed is printed by each
+            with contextlib.suppress(OSError, ValueError):
+                stream.flush()
+        shared = self._shared()
+        gc.freeze()  # a search for garbage would touch, and so copy, all of the shared memory
+        connection = self._connection
+        assert connection is not None
+        own, others = socket.socketpair()
+        child = os.fork()
+        if child:
+            own.close()
+            with others, contextlib.suppress(OSError):  # the session may have ended meanwhile
+                connection.send((DONE, child, 0.0))
+                with socket.fromfd(connection.fileno(), own.family, own.type) as carrier:
+                    socket.send_fds(carrier, [b"0"], [others.fileno()])
+            return
+        others.close()
+        connection.close()
+        open_again(shared)
+        self._connection = Connection(own.detach())
+
+    def _shared(self) -> list[int]:
+        """Return which files a copy opens again; raises ``Failure`` (902060) for what it cannot."""
+        if self._engine is None or not self._engine.has_plc:
+            return []
+        assert self._connection is not None
+        return check_open_files({self._connection.fileno()})
+
+
+def main() -> None:
+    """Serve the session whose address is the first word; the key comes by standard input."""
+    key = sys.stdin.buffer.read(KEY_SIZE)
+    interrupts.ignore()  # they may go to a whole group; the session ends its workers itself
+    if can_fork():
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no one waits for the copies
+    worker = Worker(sys.argv[1], key)
+    with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
+        worker.connect(sys.argv[2])
+        worker.serve()
+
+
+if __name__ == "__main__":
+    main()

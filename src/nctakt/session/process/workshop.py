@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: MIT
+"""The processes of a session: opens controllers, copies them, speaks with them.
+
+In: a ``Setup``. Out: ``RemoteEngine`` objects, each a controller in a process of its own.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import secrets
+import signal
+import socket
+import subprocess
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from multiprocessing import AuthenticationError
+from multiprocessing.connection import Client, Connection, Listener
+from typing import Any, cast
+
+from nctakt.base import interrupts
+from nctakt.base.failure import Failure
+from nctakt.base.python_process import python_command, python_environment
+from nctakt.messages import diagnostic
+from nctakt.messages.connections.session import CONTROLLER_LOST
+from nctakt.run.access.inputs import Input
+from nctakt.session.engine import CycleState, Found, Slice
+from nctakt.session.process.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
+from nctakt.session.setup import Description, Setup
+from nctakt.session.stops import StopAt
+
+#: How long a new process may take to report, in seconds.
+START_S = 60.0
+
+#: How often a process that has not reported yet is looked at, in seconds.
+_LOOK_S = 0.1
+
+#: The name of a connection that only wakes; those of processes are numbers.
+_NOBODY = "nobody"
+
+
+class RemoteEngine:
+    """A controller in another process, with the methods of ``Engine``.
+
+    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it is;
+    ``process``: the number of its process; ``took_s``: how long the latest request has taken there.
+    ``is_apart``: a thread of its own asks it, and no one is to abandon it.
+    """
+
+    def __init__(
+        self, connection: Connection[Any, Any], process: int, workshop: ProcessPool, tick: int
+    ) -> None:
+        self._connection = connection
+        self.process = process
+        self._workshop = workshop
+        self.tick = tick
+        self._listed: Sequence[str] = ()
+        self._unread = 0
+        self.took_s = 0.0
+        self.is_apart = False
+
+    def ask(self, request: str, *words: Any) -> Any:
+        """Return the answer to a request; raises as well what an order before it has led to."""
+        self._send(request, words)
+        self._unread += 1
+        answers = self._received()
+        for verdict, answer, took_s in answers:
+            self.took_s = took_s
+            if verdict == REFUSED:
+                raise Failure(*answer)
+            if verdict == BROKEN:
+                raise RuntimeError(answer)
+        return answers[-1][1]
+
+    def order(self, request: str, *words: Any) -> None:
+        """Make a request without waiting for its answer: no one has to wake for that alone."""
+        self._send(request, words)
+        self._unread += 1
+
+    def _send(self, request: str, words: tuple[Any, ...]) -> None:
+        with self._watched():
+            send(self._connection, (request, words))
+
+    def _received(self) -> list[tuple[str, Any, float]]:
+        """Return the answers to all requests so far."""
+        with self._watched():
+            answers = [receive(self._connection) for _ in range(self._unread)]
+        self._unread = 0
+        return answers
+
+    @contextlib.contextmanager
+    def _watched(self) -> Iterator[None]:
+        """Let the process be killed while it is spoken to; raises ``Failure`` where it is gone."""
+        if not self.is_apart:
+            self._workshop.asked = self
+        try:
+            yield
+        except (EOFError, OSError) as error:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        finally:
+            if not self.is_apart:
+                self._workshop.asked = None
+
+    def copy(self) -> RemoteEngine:
+        """Return a copy at the same tick, in a process of its own."""
+        process = cast("int", self.ask("copy"))
+        try:
+            with socket.fromfd(
+                self._connection.fileno(), socket.AF_UNIX, socket.SOCK_STREAM
+            ) as own:
+                _, (descriptor,), *_ = socket.recv_fds(own, 1, 1, socket.MSG_CMSG_CLOEXEC)
+        except (OSError, ValueError) as error:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        return RemoteEngine(Connection(descriptor), process, self._workshop, self.tick)
+
+    def run(
+        self,
+        end: int,
+        stops: Sequence[StopAt] = (),
+        *,
+        events: bool = True,
+        marks: Sequence[int] | None = (),
+        rests: bool = False,
+        since: int | None = None,
+    ) -> Slice:
+        """Run as ``Engine.run``."""
+        done = cast("Slice", self.ask("run", end, stops, events, marks, rests, since))
+        self.tick = done.tick
+        return done
+
+    def read(self, names: Sequence[str]) -> list[float | bool | str]:
+        """Read as ``Engine.read``; names that were asked for last are not sent again."""
+        known, self._listed = self._listed, ()
+        answer = self.ask("read_listed", None if names == known else names)
+        self._listed = names
+        return cast("list[float | bool | str]", answer)
+
+    def last_hit(self, end: int, stops: Sequence[StopAt], marks: Sequence[int]) -> Found:
+        """Search as ``Engine.last_hit``."""
+        found = cast("Found", self.ask("last_hit", end, stops, marks))
+        self.tick = found[1]
+        return found
+
+    def plan(self, inputs: Sequence[Input]) -> None:
+        """Plan as ``Engine.plan``."""
+        self.order("plan", inputs)
+
+    def post(self, inputs: Sequence[Input]) -> None:
+        """Post as ``Engine.post``."""
+        self.ask("post", inputs)
+
+    def cycles(self) -> list[CycleState]:
+        """Return the living realtime cycles."""
+        return cast("list[CycleState]", self.ask("cycles"))
+
+    def close(self) -> None:
+        """Let the process end."""
+        self._connection.close()
+
+
+class ProcessPool:
+    """Opens controllers in processes of their own; ``close`` ends them all.
+
+    ``asked``: the one that has been asked something and has not answered yet.
+    """
+
+    def __init__(self) -> None:
+        self.asked: RemoteEngine | None = None
+        self._key = secrets.token_bytes(KEY_SIZE)
+        self._listener = Listener(authkey=self._key)
+        self._count = 0
+        self._waiting: dict[str, Connection[Any, Any]] = {}
+        self._processes: list[subprocess.Popen[bytes]] = []
+
+    def next_name(self) -> str:
+        """Return the name of the next process."""
+        self._count += 1
+        return str(self._count)
+
+    def open(self, setup: Setup) -> tuple[RemoteEngine, Description]:
+        """Return a new controller before its first tick; raises ``Failure`` with its mistakes."""
+        name = self.next_name()
+        address = self._listener.address
+        with interrupts.kept_back():
+            process = subprocess.Popen(
+                python_command("nctakt.session.process.worker", str(address), name),
+                stdin=subprocess.PIPE,
+                env=python_environment(),
+            )
+        self._processes.append(process)
+        assert process.stdin is not None
+        with contextlib.suppress(OSError):
+            process.stdin.write(self._key)
+            process.stdin.close()
+        engine = RemoteEngine(self.accept(name, process), process.pid, self, 0)
+        try:
+            return engine, cast("Description", engine.ask("open", setup))
+        except Failure:
+            engine.close()
+            raise
+
+    def accept(
+        self, name: str, process: subprocess.Popen[bytes] | None = None
+    ) -> Connection[Any, Any]:
+        """Return the connection of the process of this name, once it has reported.
+
+        Raises ``Failure`` (901153) if it ends before, or does not report in time.
+        """
+        has_reported, is_given_up = threading.Event(), threading.Event()
+
+        def watch() -> None:
+            end_s = time.monotonic() + START_S
+            while not has_reported.wait(_LOOK_S):
+                if time.monotonic() > end_s or (process and process.poll() is not None):
+                    is_given_up.set()
+                    self._wake()
+                    return
+
+        threading.Thread(target=watch, name="nctakt start", daemon=True).start()
+        try:
+            while name not in self._waiting:
+                connection = self._listener.accept()
+                self._waiting[receive(connection)] = connection
+                if _NOBODY in self._waiting:
+                    self._waiting.pop(_NOBODY).close()
+                    if is_given_up.is_set():
+                        raise EOFError
+        except (EOFError, OSError) as error:
+            raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        finally:
+            has_reported.set()
+        return self._waiting.pop(name)
+
+    def _wake(self) -> None:
+        """Wake whoever waits for a process to report: closing the listener would not."""
+        with (
+            contextlib.suppress(OSError, EOFError, AuthenticationError),
+            Client(self._listener.address, authkey=self._key) as connection,
+        ):
+            send(connection, _NOBODY)
+
+    @property
+    def can_copy(self) -> bool:
+        """Whether a controller can be copied here."""
+        return can_fork()
+
+    def abandon(self) -> None:
+        """Kill the process that does not answer: whoever has asked it gets 901153."""
+        asked = self.asked
+        if asked is not None:
+            with contextlib.suppress(OSError):  # it has ended just now
+                os.kill(asked.process, getattr(signal, "SIGKILL", signal.SIGTERM))
+
+    def close(self) -> None:
+        """Close the door, and wait for the first processes; the others end by themselves."""
+        self._listener.close()
+        for connection in self._waiting.values():
+            connection.close()
+        for process in self._processes:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                process.wait(timeout=5.0)

@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: MIT
+"""The results of a study in a folder of parts while its runs are made.
+
+In: blocks, of which workers have written the rows already, or which this process writes. Out: which
+runs are finished, and the rows in the order of their runs.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+from pathlib import Path
+
+from nctakt.studies.plans.plan import Plan
+from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder
+from nctakt.studies.rows.row_store import RunNumbers, fingerprint, lock, open_stores
+from nctakt.studies.runs.row_block import RowBlock
+
+#: Rows that this process gathers for a part.
+GATHERED = 500
+
+
+class FolderStore:
+    """As ``RowStore``, in a folder that can be anywhere; on this machine no two studies have it.
+
+    Raises ``Failure`` as ``PartFolder``, and for a folder that another study writes (900919).
+    """
+
+    def __init__(self, folder: PartFolder, plan: Plan, *, resumes: bool) -> None:
+        self.folder = folder
+        self.name = folder.address
+        self.done = RunNumbers()
+        self._lock = -1
+        self._rows: list[RowBlock] = []
+        digits = fingerprint(plan)
+        if folder.is_local and Path(folder.address, "_study.json").exists():
+            self._take_lock()
+        try:
+            folder.begin(digits, resumes=resumes)
+            if folder.is_local and self._lock < 0:
+                self._take_lock()
+            for part in folder.parts():
+                for number in folder.numbers(part):
+                    self.done.add(number)
+        except BaseException:
+            self.leave()
+            raise
+
+    def _take_lock(self) -> None:
+        path = Path(self.folder.address, "_study.json")
+        self._lock = os.open(path, os.O_RDWR)
+        open_stores.add(self)
+        try:
+            lock(self._lock, path)
+        except BaseException:
+            self.leave()
+            raise
+
+    def add(self, block: RowBlock) -> None:
+        """Record that the runs of a block are done; write its rows unless a worker has."""
+        for number in block.numbers:
+            self.done.add(number)
+        if block.has_rows:
+            self._rows.append(block)
+            if sum(map(len, self._rows)) >= GATHERED:
+                self._write()
+
+    def _write(self) -> None:
+        rows = [row for block in self._rows for row in block.rows]
+        self._rows = []
+        self.folder.written(RowBlock(sorted(rows, key=lambda row: int(row["run"] or 0))))
+
+    def rows(self) -> RowsOfFolder:
+        """Return the rows so far."""
+        self._write()
+        return RowsOfFolder(self.folder)
+
+    def close(self) -> None:
+        """Write what is left; another study may have the folder then."""
+        try:
+            self._write()
+        finally:
+            self.leave()
+
+    def leave(self) -> None:
+        """Let others have the folder."""
+        if self._lock >= 0:
+            with contextlib.suppress(OSError):
+                os.close(self._lock)
+            self._lock = -1
+
+    def remove(self) -> None:
+        """Close it; the parts are the results."""
+        self.close()

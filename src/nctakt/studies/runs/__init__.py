@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""The runs of a plan in one process."""

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""A run of a study in a file that shows it again: a tape, or a list and a load.
+
+In: a bench and the values of a run. Out: files, and the command that shows the run by them. A tape
+has the run whole, with all that no option of ``nctakt run`` says: what the PLC has done, parameters
+that the lists do not have, other numbers in the program.
+"""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from nctakt.files.access import FileAccess
+from nctakt.files.output import OutputFile, write_file
+from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
+from nctakt.run.access.tape import TapeWriter, name_on_tape
+from nctakt.run.options import merged
+from nctakt.run.tape_words import words_of_run
+from nctakt.studies.plans.changed_lists import changed_texts
+from nctakt.studies.plans.changed_schedule import ScheduleFiles
+from nctakt.studies.plans.dimension import Value
+from nctakt.studies.plans.inputs import RunInputs, inputs_of
+from nctakt.studies.plans.plan import Plan
+from nctakt.studies.runs.bench import Bench
+from nctakt.studies.runs.schedule_bench import DURATION, ScheduleBench
+
+#: The load of a recorded run whose plan has none.
+_LOAD = Path("load.toml")
+
+
+def record_run(bench: Bench, point: Sequence[Value], path: Path) -> str:
+    """Write the files of a run; return the command that shows it.
+
+    ``path``: of the tape; list and load of a schedule are beside it, with endings of their own.
+    Raises ``Failure`` as the run, and for files that cannot be written.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if isinstance(bench, ScheduleBench):
+        return _write_schedule(bench, point, path)
+    inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
+    with OutputFile(path, "--record", _inputs(bench)) as file:
+        tape = TapeWriter(
+            file.write,
+            _words(bench.plan, inputs),
+            _texts(bench, inputs),
+            bench.plan.plc is not None or bool(inputs.faults),
+            _lists(bench, inputs),
+        )
+        run = bench.begin(inputs, tape=tape).finish().outcome.run
+        tape.finish(run.state, run.ticks, _files(bench))
+    return shlex.join(["nctakt", "replay", str(path), *_roots(path, _files(bench))])
+
+
+def _roots(tape: Path, files: Mapping[str, Path]) -> list[str]:
+    """Return the options that let a tape reach its files where they are not in its folder."""
+    access = FileAccess([tape.parent])
+    outside = [file for file in files.values() if not access.admits(file)]
+    if not outside:
+        return []
+    working_folder = FileAccess(["."])
+    folders = (
+        ["."]
+        if all(map(working_folder.admits, (tape, *outside)))
+        else [*dict.fromkeys(str(file.parent) for file in (*outside, tape))]
+    )
+    return [word for folder in folders for word in ("--root", folder)]
+
+
+def _inputs(bench: Bench) -> FileAccess:
+    """Return the files of a study, which no run may overwrite."""
+    access, plan = FileAccess(), bench.plan
+    access.note_all(bench.access)
+    for path in (*plan.files, *([] if plan.plc is None else [plan.plc])):
+        access.note(path)
+    return access
+
+
+def _write_schedule(bench: ScheduleBench, point: Sequence[Value], path: Path) -> str:
+    plan = bench.plan
+    text, load = bench.texts(point)
+    words = ["nctakt", "schedule", "simulate", str(path.with_suffix(".lis"))]
+    access = _inputs(bench)
+    write_file(words[-1], text, "--record", access)
+    if load is not None:
+        words += ["--load", str(path.with_suffix(".toml"))]
+        write_file(words[-1], load, "--record", access)
+    words += ["--os", plan.system, "--duration", str(plan.until or DURATION).replace(" ", "")]
+    return shlex.join(words)
+
+
+def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
+    """Return the options of the run, as ``nctakt run`` has them."""
+    changes = inputs.schedule
+    load = changes.load or plan.load or (_LOAD if changes.entries else None)
+    return words_of_run(
+        merged(plan.options, {"set": inputs.assignments}),
+        programs=[str(plan.program)],
+        others=[],
+        machine=None if plan.machine is None else str(plan.machine),
+        rtconf=None if plan.rtconf is None else str(changes.rtconf or plan.rtconf),
+        load=None if load is None else str(load),
+        system=None if plan.rtconf is None else plan.system,
+        confined=[],
+    )
+
+
+def _texts(bench: Bench, inputs: RunInputs) -> dict[str, str]:
+    """Return the program if it is not that of its file."""
+    if bench.plan.text is None and not inputs.program_variables:
+        return {}
+    return {str(bench.plan.program): bench.text_with(inputs.program_variables)}
+
+
+def _lists(bench: Bench, inputs: RunInputs) -> dict[str, str]:
+    """Return the lists that are not those of their files."""
+    lists = changed_texts(bench.machine, inputs.parameters)
+    changes, plan = inputs.schedule, bench.plan
+    if plan.rtconf is not None and (changes.parameters or changes.entries):
+        files = ScheduleFiles(plan.rtconf, plan.load, plan.system)
+        text, load = files.texts(changes, bench.access)
+        lists[changes.rtconf or plan.rtconf] = text
+        if load is not None:
+            lists[changes.load or plan.load or _LOAD] = load
+    return {name_on_tape(path): text for path, text in lists.items()}
+
+
+def _files(bench: Bench) -> dict[str, Path]:
+    """Return the programs and lists that the run has read, by their names on a tape."""
+    own = (OWN_NAME, PYTHON_NAME)
+    files = [path for path in bench.access.read_files if path.name not in own]
+    return {name_on_tape(path): path for path in files if path != bench.plan.plc}

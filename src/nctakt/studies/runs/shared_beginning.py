@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: MIT
+"""Injections that share the beginning of their runs, which is run once.
+
+In: a bench whose plan injects a value at each tick. Out: the same rows as ``Bench.row`` makes. The
+unchanged run goes forward from injection to injection. At each, the ticks after it are tried and
+the realtime part is put back (``trial.py``). What cannot be tried is made by a copy of the process
+(``fork``), which goes on until the injection is decided and hands its row over; a process that does
+so has one thread. Where a copy takes longer than the beginning, or must not be made, the run is
+made from its start: that is measured, and changes no row.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import time
+from collections.abc import Sequence
+
+from nctakt.base import interrupts
+from nctakt.base.diagnostics import Severity
+from nctakt.base.failure import Failure
+from nctakt.run.access.machine_names import names_of_machine
+from nctakt.run.access.stimuli import Stimulus, as_inputs
+from nctakt.studies.measuring.window import Injection
+from nctakt.studies.plans.dimension import Value
+from nctakt.studies.plans.inputs import RunInputs, inputs_of
+from nctakt.studies.plans.plan import Plan
+from nctakt.studies.runs.begun_run import BegunRun, FinishedRun
+from nctakt.studies.runs.bench import Bench, Row, crashed_row
+from nctakt.studies.runs.trial import Trials
+
+#: From which length of the unchanged run on copying may be cheaper than running from the start.
+MIN_COPIED_TICKS = 10_000
+
+
+def is_shared(plan: Plan) -> bool:
+    """Return whether the runs of a plan share their beginning."""
+    is_single = len(plan.dimensions) == 1 and not plan.is_schedule
+    return is_single and plan.dimensions[0].is_each_tick
+
+
+def is_copied(plan: Plan, cycle_time_us: int) -> bool:
+    """Return whether copies of a process may make the runs of a plan faster."""
+    is_long = is_shared(plan) and plan.dimensions[0].high / cycle_time_us >= MIN_COPIED_TICKS
+    return is_long and hasattr(os, "fork")
+
+
+def maker_of(bench: Bench, *, may_copy: bool) -> Bench | SharedBeginning:
+    """Return what makes the rows of a bench; ``may_copy``: this process may copy itself."""
+    return SharedBeginning(bench, may_copy=may_copy) if is_shared(bench.plan) else bench
+
+
+class SharedBeginning:
+    """Makes the rows of a bench; each number should be higher than the one before.
+
+    ``may_copy``: this process has one thread and may copy itself.
+    """
+
+    def __init__(self, bench: Bench, *, may_copy: bool) -> None:
+        self._bench = bench
+        self._may_copy = may_copy and is_copied(bench.plan, bench.cycle_time_us)
+        self._begun: BegunRun | None = None
+        self._trials: Trials | None = None
+        stimuli = (Stimulus(*one) for one in bench.plan.stimuli)
+        self._planned = as_inputs(stimuli, 0, bench.cycle_time_us)
+        self._beginning_s = 0.0
+        self._copy_s = 0.0
+
+    def row(self, number: int) -> Row:
+        """Return the row of a run; of one whose process ends by itself, a row that says so."""
+        plan, bench = self._bench.plan, self._bench
+        point = plan.point(number)
+        injected_us = plan.injection_us(point)
+        assert injected_us is not None
+        injection = bench.injection(injected_us)
+        if injection is None and not self._may_copy:
+            return bench.row(number)
+        tick = -(-injected_us // bench.cycle_time_us)
+        try:
+            begun = self._advanced(tick)
+        except Failure:
+            self._begun = None
+            return bench.row(number)
+        if begun.controller.tick != tick:  # the unchanged run has ended before
+            return bench.row(number)
+        finished = None if injection is None else self._tried(begun, injection, point)
+        if finished is not None:
+            return bench.row_head(number, point) | bench.judge(finished)
+        if self._may_copy and self._copying_pays():
+            return self._copied(begun, number, point)
+        return bench.row(number)
+
+    def _advanced(self, tick: int) -> BegunRun:
+        """Return the unchanged run at a tick, and note how long it takes to get there."""
+        begin_s = time.perf_counter()
+        if self._begun is None or self._begun.controller.tick > tick:
+            plan = self._bench.plan
+            inputs = RunInputs(dict(plan.assignments), list(plan.stimuli))
+            self._begun = self._bench.begin(inputs)
+            self._trials = None
+            self._beginning_s = 0.0
+        self._begun.run.advance(tick)
+        self._beginning_s += time.perf_counter() - begin_s
+        return self._begun
+
+    # --- trials ---------------------------------------------------------------------------------
+
+    def _tried(
+        self, begun: BegunRun, injection: Injection, point: Sequence[Value]
+    ) -> FinishedRun | None:
+        """Return the run that a trial has made; ``None`` if there can be no trial."""
+        bench, controller = self._bench, begun.controller
+        is_due = any(injection.tick <= one.tick < injection.end for one in self._planned)
+        has_errors = any(one.severity is Severity.ERROR for one in controller.diagnostics)
+        if is_due or has_errors or bench.plan.plc is not None or injection.end > begun.run.end:
+            return None
+        if controller.state != "running" or begun.lent is None:
+            return None
+        if self._trials is None:
+            names = names_of_machine(bench.machine)
+            self._trials = Trials(begun.lent.part, names, bench.signals)
+        inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
+        own = [Stimulus(*one) for one in inputs.stimuli[len(bench.plan.stimuli) :]]
+        try:
+            tried = self._trials.make(
+                injection, as_inputs(own, 0, bench.cycle_time_us), begun.before, begun.values()
+            )
+        except Failure:
+            return None
+        if tried is None:
+            return None
+        digest = begun.digest.with_more(tried.events, tried.rows)
+        return FinishedRun(tried.outcome, inputs, digest)
+
+    # --- copies of the process ------------------------------------------------------------------
+
+    def _copying_pays(self) -> bool:
+        """Return whether a copy of this process takes less time than the beginning of a run."""
+        if self._copy_s == 0.0:
+            begin_s = time.perf_counter()
+            process = os.fork()
+            if process == 0:
+                os._exit(0)
+            os.waitpid(process, 0)
+            self._copy_s = time.perf_counter() - begin_s
+        return self._copy_s < self._beginning_s
+
+    def _copied(self, begun: BegunRun, number: int, point: Sequence[Value]) -> Row:
+        """Let a copy of this process make the run, and return its row."""
+        reader, writer = os.pipe()
+        process = os.fork()
+        if process == 0:
+            try:
+                interrupts.ignore()
+                interrupts.end_with_parent()
+                os.close(reader)
+                row = self._finished(begun, number, point)
+                with os.fdopen(writer, "wb") as file:
+                    pickle.dump(row, file)
+            finally:
+                os._exit(0)
+        os.close(writer)
+        try:
+            with os.fdopen(reader, "rb") as file:
+                data = file.read()
+        except KeyboardInterrupt:
+            os.kill(process, signal.SIGKILL)
+            raise
+        finally:
+            os.waitpid(process, 0)
+        if not data:
+            return crashed_row(self._bench.plan, number)
+        copied: Row = pickle.loads(data)
+        return copied
+
+    def _finished(self, begun: BegunRun, number: int, point: Sequence[Value]) -> Row:
+        """Take the injection, go on until it is decided, and return the row."""
+        bench = self._bench
+        inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
+        own = [Stimulus(*one) for one in inputs.stimuli[len(bench.plan.stimuli) :]]
+        begun.add(as_inputs(own, 0, bench.cycle_time_us))
+        injected_us = bench.plan.injection_us(point)
+        finished = begun.finish(injected_us, bench.injection(injected_us))
+        return bench.row_head(number, point) | bench.judge(finished)

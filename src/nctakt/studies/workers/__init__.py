@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Other processes that make runs: on this machine, or on a cluster."""

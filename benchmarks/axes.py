@@ -28,7 +28,7 @@ TARGETS = 100_000 if is_compiled() else 5_000
 SPEED, ACCELERATION, JERK = 500.0, 4000.0, 80_000.0
 
 
-class Bench:
+class StudyRunner:
     """So many axes, ±10 m, and nothing else."""
 
     def __init__(self, count: int, jerk: float) -> None:
@@ -66,8 +66,8 @@ def best_ns(run: Callable[[], None], count: int) -> float:
 
 def tick_costs(count: int, jerk: float) -> tuple[float, float]:
     """ns per tick while all axes stand, and while all move."""
-    standing = Bench(count, jerk)
-    moving = Bench(count, jerk)
+    standing = StudyRunner(count, jerk)
+    moving = StudyRunner(count, jerk)
     moving.move(9000.0, 1.0)
     moving.ticks(1000)
     return (
@@ -78,20 +78,20 @@ def tick_costs(count: int, jerk: float) -> tuple[float, float]:
 
 def target_cost(jerk: float) -> tuple[float, float]:
     """ns of a call of the kernel for one tick of a moving axis, and with a new target before."""
-    bench = Bench(1, jerk)
+    runner = StudyRunner(1, jerk)
 
     def ticks() -> None:
-        bench.move(9000.0, 1.0)
+        runner.move(9000.0, 1.0)
         for _ in range(TARGETS):
-            bench.ticks(1)
-        bench.record.take_events()
+            runner.ticks(1)
+        runner.record.take_events()
 
     def targets() -> None:
         for i in range(TARGETS):
-            bench.single.absolute(0, 100.0 if i & 64 else -100.0, SPEED, 0, 2, codes.PLC_OWNER)
-            bench.ticks(1)
+            runner.single.absolute(0, 100.0 if i & 64 else -100.0, SPEED, 0, 2, codes.PLC_OWNER)
+            runner.ticks(1)
             if i & 1023 == 0:
-                bench.record.take_events()
+                runner.record.take_events()
 
     return best_ns(ticks, TARGETS), best_ns(targets, TARGETS)
 

@@ -154,7 +154,7 @@ CASES = (
 
 def by_search(case: Case, runs: int) -> tuple[int, int]:
     """Return how many branches guided search leaves, and how many runs it makes."""
-    reached = reach(SearchRuns(case.study.bench, covers=True), runs)
+    reached = reach(SearchRuns(case.study.runner, covers=True), runs)
     return reached.coverage.branches - reached.coverage.ran, reached.coverage.runs
 
 
@@ -175,7 +175,7 @@ def _ran(case: Case, points: Iterator[Coordinates]) -> tuple[int, int]:
     space = PlanCoordinates(study.plan)
     reached: set[object] = set()
     for coordinates in points:
-        coverage = covered(study.bench, space.point(coordinates))
+        coverage = covered(study.runner, space.point(coordinates))
         found = distances(coverage)
         made += 1
         reached.update(key for key, distance in found.items() if not distance.levels)
@@ -202,7 +202,7 @@ def by_hypothesis(case: Case, runs: int) -> tuple[int, int]:
         if made >= runs:
             return
         made += 1
-        for key, distance in distances(covered(study.bench, space.point(coordinates))).items():
+        for key, distance in distances(covered(study.runner, space.point(coordinates))).items():
             left[key] = left.get(key, True) and bool(distance.levels)
             if left[key]:
                 hypothesis.target(-(distance.levels + distance.rest / 10), label=str(key))

@@ -25,9 +25,9 @@ from benchmarks.live_page import measure_page
 from nctakt import Controller, NcText, Plc
 from nctakt.run.access.tape import TapeWriter
 from nctakt.run.plcs.plc_view import PlcView
+from nctakt.session.core import SessionCore
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
-from nctakt.session.story import Story
 
 TICKS = 10_000_000
 REPEATS = 5
@@ -73,23 +73,23 @@ def measure_speed() -> None:
 def measure_back() -> None:
     """Print how long a step back takes."""
     program = oscillating(100_000, 100_000)
-    story = Story(Setup({1: [program]}, until="20 min"))
+    core = SessionCore(Setup({1: [program]}, until="20 min"))
     try:
-        while story.tick < 600_000 and not story.is_over:
-            story.run(min(story.tick + 20_000, 600_000))
+        while core.tick < 600_000 and not core.is_over:
+            core.run(min(core.tick + 20_000, 600_000))
         steps = []
         for _ in range(20):
             begin = time.perf_counter()
-            story.back()
+            core.back()
             steps.append(1000 * (time.perf_counter() - begin))
-        print(f"first step back of {story.branch.latest} ticks: {steps[0]:8.0f} ms")
+        print(f"first step back of {core.branch.latest} ticks: {steps[0]:8.0f} ms")
         others = f"{statistics.median(steps[1:]):8.1f} {max(steps[1:]):8.1f}"
         print(f"others, median and worst:   {others} ms")
         begin = time.perf_counter()
-        story.go_to(story.branch.latest)
+        core.go_to(core.branch.latest)
         print(f"to the front:               {1000 * (time.perf_counter() - begin):8.0f} ms")
     finally:
-        story.close()
+        core.close()
 
 
 def measure_wall_clock(seconds: float) -> None:

@@ -22,9 +22,9 @@ import nctakt.plc
 from benchmarks.tick import LAWS, program
 from nctakt.base.mode import is_compiled
 from nctakt.run.controller import Controller, NcText
-from nctakt.studies.runs.bench import Bench
 from nctakt.studies.runs.blocks import make_runs
 from nctakt.studies.runs.shared_beginning import maker_of
+from nctakt.studies.runs.study_runner import StudyRunner
 from nctakt.studies.study import Study
 
 SLICES = 200
@@ -158,8 +158,8 @@ def runs_per_second(plc: Path | None, folder: Path, count: int = 200) -> tuple[f
         vary=[{"variable": "V.E.COUNT", "from": 0, "to": count, "step": 1}],
         measure={"crossed": "time of M100"},
     )
-    bench: Bench = study.bench
-    maker = maker_of(bench, may_copy=True)
+    runner: StudyRunner = study.runner
+    maker = maker_of(runner, may_copy=True)
     ticks = maker.row(0)["ticks"]
     gc.collect()
     best = 1e9

@@ -25,9 +25,9 @@ from nctakt.run.controller import Controller
 from nctakt.studies.rows.folder_store import FolderStore
 from nctakt.studies.rows.part_folder import PartFolder
 from nctakt.studies.rows.results import write_rows
-from nctakt.studies.runs.bench import Bench, Row
 from nctakt.studies.runs.blocks import make_runs
 from nctakt.studies.runs.shared_beginning import maker_of
+from nctakt.studies.runs.study_runner import Row, StudyRunner
 from nctakt.studies.study import Study
 from nctakt.studies.workers.processes import rows_of_processes
 
@@ -48,7 +48,7 @@ def crossing(count: int, after: str = "0 s") -> Study:
 
 def on_processes(study: Study, count: int) -> None:
     """Make the runs of a study on so many processes, without this one."""
-    study.run(executor=lambda plan, left: rows_of_processes(plan, left, count, study.bench))
+    study.run(executor=lambda plan, left: rows_of_processes(plan, left, count, study.runner))
 
 
 def injections() -> Study:
@@ -60,9 +60,9 @@ def injections() -> Study:
     )
 
 
-def per_cpu_second(bench: Bench, count: int) -> float:
-    """How many rows of a bench are made in a second of its processor."""
-    maker = maker_of(bench, may_copy=True)
+def per_cpu_second(runner: StudyRunner, count: int) -> float:
+    """How many rows of a runner are made in a second of its processor."""
+    maker = maker_of(runner, may_copy=True)
     maker.row(0)
     gc.collect()
     gc.freeze()  # as a worker does
@@ -130,7 +130,7 @@ def at_length(count: int) -> None:
     """Make so many runs into a folder of parts; print what they take, and 10^9 at that rate."""
     study = crossing(count)
     with tempfile.TemporaryDirectory() as name:
-        folder = PartFolder(f"{name}/rows/", study.plan, dict(study.bench.units))
+        folder = PartFolder(f"{name}/rows/", study.plan, dict(study.runner.units))
         store = FolderStore(folder, study.plan, resumes=False)
         begin = time.perf_counter()
         rows = study.run(processes=1, store=store).rows
@@ -155,18 +155,19 @@ def main() -> int:
         at_length(int(sys.argv[1]))
         return 0
     print(f"CPython {platform.python_version()}, {platform.machine()}")
-    bench = crossing(100_000).bench
-    runs = per_cpu_second(bench, RUNS)
+    runner = crossing(100_000).runner
+    runs = per_cpu_second(runner, RUNS)
     print(f"runs per second of a core: {runs:.0f} (goal 2800)")
     own = runs / loop_per_cpu_second(RUNS)
     print(f"a run of a reusable controller takes {own:.2f} times as long (goal 1.3)")
     each_tick = injections()
     print(
-        f"injections per second of a core: {per_cpu_second(each_tick.bench, RUNS):.0f} (goal 10000)"
+        f"injections per second of a core: {per_cpu_second(each_tick.runner, RUNS):.0f}"
+        " (goal 10000)"
     )
     before = memory_megabytes()
     for number in range(5 * RUNS):
-        bench.row(number)
+        runner.row(number)
     grown = memory_megabytes() - before
     print(f"memory grows by {grown:.1f} MB over {5 * RUNS} runs (goal 0)")
     study = crossing(20 * RUNS)

@@ -89,7 +89,7 @@ def test_a_debugger_at_a_pipe_attaches_at_a_port(session: Session) -> None:
         client.ask("initialize")
         with pytest.raises(Refused, match="no nctakt live answers"):
             client.ask("attach", port=1)
-        client.ask("attach", port=server.door.port)
+        client.ask("attach", port=server.endpoint.port)
         client.event("initialized")
         client.ask("configurationDone")
         assert client.stopped()["reason"] == "entry"
@@ -105,16 +105,16 @@ def test_a_port_lets_nobody_attach_without_its_token(session: Session) -> None:
     server = PortServer(0, folders=["."], session=lambda: session)
     Thread(target=server.serve, daemon=True).start()
     for arguments, number in (({}, "901921"), ({"token": "x" * 32}, "901922")):
-        with DebugClient(port=server.door.port) as client:
+        with DebugClient(port=server.endpoint.port) as client:
             client.ask("initialize")
             with pytest.raises(Refused) as refused:
                 client.ask("attach", **arguments)
             assert number in refused.value.error["format"]
             with pytest.raises((AssertionError, OSError)):
                 client.ask("threads")
-    with DebugClient(port=server.door.port) as client:
+    with DebugClient(port=server.endpoint.port) as client:
         client.ask("initialize")
-        client.ask("attach", token=server.door.token)
+        client.ask("attach", token=server.endpoint.token)
         client.ask("configurationDone")
         assert client.stopped()["reason"] == "entry"
     server.close()

@@ -384,7 +384,7 @@ def test_a_client_that_breaks_off_leaves_no_traceback(monkeypatch: pytest.Monkey
     server = PortServer(0)
     threading.Thread(target=server.serve, daemon=True).start()
     before = set(threading.enumerate())
-    client = socket.create_connection(("127.0.0.1", server.door.port), timeout=20)
+    client = socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=20)
     client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
     client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}') * 200)
     client.recv(1)
@@ -399,12 +399,12 @@ def test_a_port_serves_several_clients_and_refuses_others(folder: Path) -> None:
     server = PortServer(0)
     threading.Thread(target=server.serve, daemon=True).start()
     with pytest.raises(Failure, match="901920"):
-        PortServer(server.door.port)
-    with socket.create_connection(("127.0.0.1", server.door.port), timeout=20) as browser:
+        PortServer(server.endpoint.port)
+    with socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=20) as browser:
         browser.sendall(b"GET / HTTP/1.1\r\n\r\n")
         assert b"901220" in browser.makefile("rb").read()
     for _ in range(2):
-        with socket.create_connection(("127.0.0.1", server.door.port), timeout=20) as client:
+        with socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=20) as client:
             client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}'))
             answer = MessageReader(client.makefile("rb"), is_strict=True).read()
             assert answer is not None
@@ -423,7 +423,7 @@ def test_a_port_runs_programs_for_who_has_the_token(folder: Path, tmp_path: Path
     ):
         server = PortServer(0, folders=folders)
         threading.Thread(target=server.serve, daemon=True).start()
-        with DebugClient(port=server.door.port) as client:
+        with DebugClient(port=server.endpoint.port) as client:
             client.ask("initialize")
             with pytest.raises(Refused) as refused:
                 client.ask("launch", program=program, **arguments)
@@ -432,8 +432,8 @@ def test_a_port_runs_programs_for_who_has_the_token(folder: Path, tmp_path: Path
     for folders, has_token in (((), True), ((str(folder),), False)):
         server = PortServer(0, folders=folders)
         threading.Thread(target=server.serve, daemon=True).start()
-        token = server.door.token
-        with DebugClient(port=server.door.port) as client:
+        token = server.endpoint.token
+        with DebugClient(port=server.endpoint.port) as client:
             client.begin(program, **({"token": token} if has_token else {}))
             client.ask("configurationDone")
             assert client.stopped()["reason"] == "end"

@@ -140,7 +140,7 @@ def test_a_rapid_motion_goes_at_its_programmed_override() -> None:
     queue = Rig().channel.queue
     zeros = [0.0] * queue.path.count
     for number in range(2):
-        pace = [0.5 if number else 0.0] + [0.0] * (rows.PACE_WIDTH - 1)
+        pace = [0.5 if number else 0.0] + [0.0] * (rows.FEED_MODIFIER_WIDTH - 1)
         start, target = [100.0 * number, *zeros[1:]], [100.0 * (number + 1), *zeros[1:]]
         queue.put_segment(0, 0, start, target, rows.RAPID_MOTION, 0.0, True, 0.0, False, None, pace)
     assert queue.command(0)[rows.SPEED] == 500.0

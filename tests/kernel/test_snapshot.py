@@ -24,7 +24,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.realtime.realtime_part import RealtimePart
 from nctakt.run.realtime.snapshot import Snapshot
-from nctakt.studies.runs.bench import Digest
+from nctakt.studies.runs.study_runner import Digest
 
 RUNS = Path(__file__).parent.parent / "runs"
 

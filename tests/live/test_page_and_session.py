@@ -79,8 +79,8 @@ def in_the_session(session: Session, tick: int, names: Sequence[str], file: str)
     if session.branches[1] <= tick:
         session.step(tick + 1 - session.branches[1])
     session.go_to(tick + 1)
-    glance = session.glance()
-    branches = view.branches_in([*glance.ended, *glance.cycles], file)
+    state_view = session.state_view()
+    branches = view.branches_in([*state_view.ended, *state_view.cycles], file)
     beside = [
         view.branch_text(branch, LINES[line - 1], TEXTS, has_ended=cycle.state == "ended")
         for line, (cycle, branch) in sorted(branches.items())

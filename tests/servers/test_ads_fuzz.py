@@ -124,8 +124,8 @@ def test_damaged_frames_crash_nothing_and_hit_no_other_client() -> None:
             one.connection_lost(None)
             await asyncio.sleep(0.05)
             assert data_of(await found.ask(other, other_wire, get)) == bytes(2)
-            assert len(found.door.connections) == 1
-            assert len(found.door.service.notifier) == 0
+            assert len(found.endpoint.connections) == 1
+            assert len(found.endpoint.service.notifier) == 0
             assert len(found.log) < len(seeds) / 10
         assert failures == []
 
@@ -152,8 +152,8 @@ def test_a_storm_of_connections_leaves_nothing_behind() -> None:
                 one.connection_lost(None)
             await asyncio.sleep(0.05)
             assert result(await found.ask(other, other_wire, info)) == 0
-            assert len(found.door.connections) == 1
-            assert len(found.door.service.notifier) == 0
+            assert len(found.endpoint.connections) == 1
+            assert len(found.endpoint.service.notifier) == 0
         assert failures == []
 
     asyncio.run(live())

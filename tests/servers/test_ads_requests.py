@@ -211,7 +211,7 @@ def test_a_connection_from_elsewhere_ends_before_anything_is_read_whatever_its_n
         assert wire.is_closed
         one.data_received(read(VARIABLES, 0, 8))
         assert not wire.sent
-        assert not found.door.connections
+        assert not found.endpoint.connections
 
     async def permitted(found: Bench) -> None:
         one, wire = found.connect()
@@ -311,9 +311,9 @@ def test_notifications_carry_the_time_of_their_tick_and_end_with_their_client() 
         assert all(moment - begin == tick * 10_000 for tick, moment, _ in moments)
         clock = found.host.clock  # FILETIME counts from 1601, which was 134,774 days before 1970
         assert begin // 10 == clock.unix_us(0) + 134_774 * 86_400 * 1_000_000
-        assert len(found.door.service.notifier) == 2
+        assert len(found.endpoint.service.notifier) == 2
         one.connection_lost(None)
-        assert len(found.door.service.notifier) == 0
+        assert len(found.endpoint.service.notifier) == 0
         found.session.advance(20)
         await asyncio.sleep(0)
         assert not wire.sent
@@ -332,7 +332,7 @@ def test_objects_describe_themselves_to_who_knows_nothing() -> None:
 
         assert await get(0x123401, 0) == b"channel 1\0"
         names = []
-        for group in found.door.service.access.objects.groups():
+        for group in found.endpoint.service.access.objects.groups():
             count = int.from_bytes(await get(group, 0), "little")
             names.append((await get(group + 0x100, 0))[:-1].decode())
             for element in range(1, count + 1):
@@ -441,7 +441,7 @@ def test_a_newcomer_gets_a_notification_where_others_hold_all(
         for source in (1, 1, 2, 2, 2):
             request = notification(VARIABLES, 0, 8, source=source)
             assert result(await found.ask(greedy, its, request)) == 0
-        notifier = found.door.service.notifier
+        notifier = found.endpoint.service.notifier
         oldest = handles_of(notifier)[0]
         for _ in range(2):
             assert result(await found.ask(other, wire, notification(VARIABLES, 0, 8))) == 0
@@ -477,7 +477,7 @@ def test_what_is_remembered_of_large_ranges_is_bounded(monkeypatch: pytest.Monke
     monkeypatch.setattr(symbols, "MAX_KEPT", 25)
 
     async def act(found: Bench) -> None:
-        table = found.door.service.access.symbols
+        table = found.endpoint.service.access.symbols
         start = table.symbols["V.E.LIST"]
         for count in range(1, 11):
             item = table.item(start.group, start.offset, 8 * count)
@@ -519,7 +519,7 @@ def test_values_that_nobody_reads_any_more_are_let_go(monkeypatch: pytest.Monkey
 
     async def act(found: Bench) -> None:
         one, wire = found.connect()
-        store, access = found.host.store, found.door.service.access
+        store, access = found.host.store, found.endpoint.service.access
         (first,) = access.symbols.item(VARIABLES, 0, 8).names
         found.session.written[first] = 3.0
         assert data_of(await found.ask(one, wire, read(VARIABLES, 0, 8))) == pack("<d", 3)

@@ -21,7 +21,7 @@ from nctakt.servers.ads import server as ads
 from nctakt.servers.connections import NO_END, RESERVE, Deadline, provide_descriptors
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
-from nctakt.servers.mtconnect import MtconnectDoor
+from nctakt.servers.mtconnect import MtconnectEndpoint
 from nctakt.session.session import Session
 
 VARIABLES = 0x4040
@@ -86,19 +86,19 @@ def test_ads_ends_what_never_ends_and_makes_room(monkeypatch: pytest.MonkeyPatch
 
 
 def with_agents(act: Callable[[str, int], Awaitable[None]]) -> list[dict[str, Any]]:
-    """Let something happen to the door of MTConnect; the log."""
+    """Let something happen to the endpoint of MTConnect; the log."""
     lines: list[str] = []
 
     async def live(session: Session) -> None:
         host = await Host(session, load_machine(), ServerLog(lines.append)).open()
-        door = MtconnectDoor(host, ("127.0.0.1", 0))
-        await door.prepare()
+        endpoint = MtconnectEndpoint(host, ("127.0.0.1", 0))
+        await endpoint.prepare()
         host.clock.begin(0)
-        name, _, port = (await door.open()).rpartition(":")
+        name, _, port = (await endpoint.open()).rpartition(":")
         try:
             await act(name, int(port))
         finally:
-            await door.close()
+            await endpoint.close()
             await host.close()
 
     with Session(NcText("part.nc", "M30"), stays=True) as session:
@@ -140,7 +140,7 @@ def test_mtconnect_ends_what_never_ends_and_makes_room(monkeypatch: pytest.Monke
 
 
 def test_descriptors_are_provided_or_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The soft limit is raised to what all doors may need; above the hard one it is 902041."""
+    """The soft limit is raised to what all endpoints may need; above the hard one it is 902041."""
     resource = pytest.importorskip("resource", reason="Windows has no such limit")
     given: list[tuple[int, int]] = []
     monkeypatch.setattr(resource, "getrlimit", lambda _: (256, 1000))

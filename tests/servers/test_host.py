@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The host of all doors: values without asking the session, writes of several clients, notices."""
+"""The host of all endpoints: values without asking the session, writes of clients, notices."""
 
 from __future__ import annotations
 
@@ -82,8 +82,8 @@ def test_an_unknown_name_is_refused_with_the_nearest() -> None:
     in_host(act)
 
 
-def test_writes_of_all_clients_act_in_the_order_of_their_doors() -> None:
-    """Of two doors that write one value in one tick the later one wins; both stand on the tape."""
+def test_writes_of_all_clients_act_in_the_order_of_their_endpoints() -> None:
+    """Of two endpoints that write a value in one tick the later one wins; both are on the tape."""
 
     async def act(host: Host) -> None:
         await host.store.subscribe(["V.E.COUNT"])
@@ -104,17 +104,17 @@ def test_writes_of_all_clients_act_in_the_order_of_their_doors() -> None:
         ]
 
     refused = [line for line in in_host(act) if line["event"] == "refused"]
-    assert [(line["door"], line["client"]) for line in refused] == [("ads", "other")]
+    assert [(line["endpoint"], line["client"]) for line in refused] == [("ads", "other")]
 
 
-def test_what_a_frame_listener_breaks_reaches_no_other_door() -> None:
-    """An exception in one door's listener stands in the log; the others hear on."""
+def test_what_a_frame_listener_breaks_reaches_no_other_endpoint() -> None:
+    """An exception in one endpoint's listener stands in the log; the others hear on."""
 
     async def act(host: Host) -> None:
         heard: list[int] = []
 
         def fail(_: object) -> None:
-            raise KeyError("door")
+            raise KeyError("endpoint")
 
         host.store.listen(fail)
         host.store.listen(lambda frame: heard.append(frame.tick))
@@ -159,7 +159,7 @@ def test_notices_by_the_thousand_at_once_do_not_end_the_servers() -> None:
 
     async def act(host: Host) -> None:
         def fail(_: object) -> None:
-            raise KeyError("door")
+            raise KeyError("endpoint")
 
         host.notices.listen(fail)
         end = EndSignal(host)
@@ -217,11 +217,11 @@ def test_whoever_writes_while_the_session_breaks_gets_an_answer() -> None:
     in_host(act)
 
 
-def test_time_begins_when_the_doors_open_however_long_they_take_to_be_built() -> None:
-    """A tick has the time at which it begins, not that at which the first door was built."""
+def test_time_begins_when_the_endpoints_open_however_long_they_take_to_be_built() -> None:
+    """A tick has the time at which it begins, not that at which the first endpoint was built."""
     times: list[int] = []
 
-    class SlowDoor:
+    class SlowEndpoint:
         max_connections = 0
 
         def __init__(self, host: Host) -> None:
@@ -243,8 +243,10 @@ def test_time_begins_when_the_doors_open_however_long_they_take_to_be_built() ->
 
     with Session(PROGRAM, stays=True) as session:
         session.run("5 ms")
-        doors = {"first": SlowDoor, "second": SlowDoor}
-        asyncio.run(serve(session, load_machine(), ServerLog(None), doors, speed=1.0, ready=end))
+        endpoints = {"first": SlowEndpoint, "second": SlowEndpoint}
+        asyncio.run(
+            serve(session, load_machine(), ServerLog(None), endpoints, speed=1.0, ready=end)
+        )
     _, built, *begun = times
     assert begun[0] == begun[1] >= built - 1000  # whole milliseconds
 
@@ -290,7 +292,7 @@ def test_a_client_that_comes_from_each_port_has_a_line_and_then_a_count() -> Non
 
 
 def test_a_client_that_calls_itself_otherwise_each_time_does_not_fill_the_log() -> None:
-    """A hundred lines of a door in ten seconds, then their number; other doors are not silenced."""
+    """A hundred lines of an endpoint in ten seconds, then their number; others are not silenced."""
     now = 0.0
     lines: list[str] = []
     log = ServerLog(lines.append, lambda: now)
@@ -314,7 +316,7 @@ def test_a_client_that_calls_itself_otherwise_each_time_does_not_fill_the_log() 
     ],
 )
 def test_addresses_are_host_and_port(text: str, address: tuple[str, int]) -> None:
-    """A door's address is a host with a port, or a host alone."""
+    """An endpoint's address is a host with a port, or a host alone."""
     assert read_address("--ads", text, 7) == address
     assert shown_address(*address).startswith(text)
 
@@ -323,7 +325,7 @@ def test_addresses_are_host_and_port(text: str, address: tuple[str, int]) -> Non
     "text", ["part.nc", "part.nc:", "dir/part.nc", "part", ":5", "h:70000", ""]
 )
 def test_what_is_no_address_is_refused(text: str) -> None:
-    """A program behind the option of a door is told from an address (901352)."""
+    """A program behind the option of an endpoint is told from an address (901352)."""
     with pytest.raises(Failure) as caught:
         read_address("--ads", text, 7)
     assert caught.value.diagnostics[0].id == 901352

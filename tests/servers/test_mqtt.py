@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The door for MQTT at a broker that others wrote: mosquitto where it is installed, else amqtt."""
+"""The endpoint for MQTT at a broker that others wrote: mosquitto if it is installed, else amqtt."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from nctakt.plc.structured_text import structured_programs
 from nctakt.run.program_loader import NcText
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
-from nctakt.servers.mqtt import MqttDoor
+from nctakt.servers.mqtt import MqttEndpoint
 from nctakt.servers.mqtt_requests import Broker, read_broker
 from nctakt.session.session import Session
 
@@ -95,25 +95,25 @@ class Client:
 
 def at_the_broker(
     port: int,
-    act: Callable[[Host, MqttDoor, Client], Awaitable[None]],
+    act: Callable[[Host, MqttEndpoint, Client], Awaitable[None]],
     plc: Path | None = None,
 ) -> list[dict[str, Any]]:
-    """Let a client see what the door publishes; the log."""
+    """Let a client see what the endpoint publishes; the log."""
     aiomqtt = pytest.importorskip("aiomqtt", reason="the extra mqtt")
     lines: list[str] = []
 
     async def live(session: Session) -> None:
         programs = [] if plc is None else structured_programs(plc)
         host = await Host(session, load_machine(), ServerLog(lines.append), programs).open()
-        door = MqttDoor(host, read_broker(f"mqtt://127.0.0.1:{port}/cell"))
+        endpoint = MqttEndpoint(host, read_broker(f"mqtt://127.0.0.1:{port}/cell"))
         async with aiomqtt.Client("127.0.0.1", port) as client:
             await client.subscribe("cell/#", 1)
-            await door.prepare()
-            await door.open()
+            await endpoint.prepare()
+            await endpoint.open()
             try:
-                await act(host, door, Client(client))
+                await act(host, endpoint, Client(client))
             finally:
-                await door.close()
+                await endpoint.close()
                 await host.close()
 
     with Session(PROGRAM, stays=True, plc=plc) as session:
@@ -125,7 +125,7 @@ def at_the_broker(
 def test_a_client_sees_the_machine_and_writes(port: int) -> None:
     """Values by topic with their types; writes and keys are inputs of a tick, and are answered."""
 
-    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+    async def act(host: Host, endpoint: MqttEndpoint, client: Client) -> None:
         await client.until(lambda: "axis/X" in client.latest and "channel/1" in client.latest)
         assert client.latest["status"] == {"online": True}
         assert client.latest["channel/1"]["state"] == 0
@@ -154,7 +154,7 @@ def test_a_client_sees_the_machine_and_writes(port: int) -> None:
         await host.ask(host.session.run, "200 ms")
         await client.until(lambda: client.latest["variable/V.E.VALUE"]["value"] == 5.0)
         await client.until(lambda: client.latest["channel/1"]["feed_hold"] is True)
-        await door.close()
+        await endpoint.close()
         await client.until(lambda: client.latest["status"] == {"online": False})
 
     log = at_the_broker(port, act)
@@ -177,7 +177,7 @@ def test_what_a_plc_marks_has_a_topic(port: int, tmp_path: Path) -> None:
         "utf-8",
     )
 
-    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+    async def act(host: Host, endpoint: MqttEndpoint, client: Client) -> None:
         await client.until(lambda: "plc/MAIN.eGate" in client.latest)
         assert client.latest["plc/MAIN.bOpen"]["value"] is False
         text = '{"id": 1, "values": {"MAIN.bOpen": true}}'
@@ -202,7 +202,7 @@ def test_a_retained_request_is_refused(port: int) -> None:
         async with aiomqtt.Client("127.0.0.1", port) as client:
             await client.publish("cell/press", text, 1, retain=True)
 
-    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+    async def act(host: Host, endpoint: MqttEndpoint, client: Client) -> None:
         await client.until(lambda: "axis/X" in client.latest)
         await client.client.publish("cell/press", '{"id": 1, "key": "go_on"}', 1)
         await client.until(lambda: bool(client.answers))
@@ -221,7 +221,7 @@ def test_a_broker_that_is_not_there_is_told(port: int) -> None:
         host = await Host(session, load_machine(), ServerLog(None)).open()
         try:
             with pytest.raises(Failure) as caught:
-                await MqttDoor(host, Broker("127.0.0.1", 1, False, "x")).open()
+                await MqttEndpoint(host, Broker("127.0.0.1", 1, False, "x")).open()
             assert caught.value.diagnostics[0].id == 901451
         finally:
             await host.close()
@@ -230,10 +230,10 @@ def test_a_broker_that_is_not_there_is_told(port: int) -> None:
         asyncio.run(live(session))
 
 
-def test_no_request_ends_the_door(port: int) -> None:
+def test_no_request_ends_the_endpoint(port: int) -> None:
     """A number beyond all types, and a text without UTF-8, have an answer as any other request."""
 
-    async def act(host: Host, door: MqttDoor, client: Client) -> None:
+    async def act(host: Host, endpoint: MqttEndpoint, client: Client) -> None:
         await client.until(lambda: "status" in client.latest)
         huge = '{"values": {"V.E.COUNT": 1' + "0" * 400 + "}}"
         for request in (huge, '{"values": {"V.E.\\udc80": 1}, "id": "\\udc81"}', "{}"):
@@ -312,13 +312,13 @@ def test_a_topic_that_nobody_can_read_is_dropped() -> None:
         server = await asyncio.start_server(broker, "127.0.0.1", 0)
         port = server.sockets[0].getsockname()[1]
         host = await Host(session, load_machine(), ServerLog(lines.append)).open()
-        door = MqttDoor(host, Broker("127.0.0.1", port, False, "cell"))
-        await door.prepare()
+        endpoint = MqttEndpoint(host, Broker("127.0.0.1", port, False, "cell"))
+        await endpoint.prepare()
         host.clock.begin(0)
-        await door.open()
+        await endpoint.open()
         while not session.tape():
             await asyncio.sleep(0.05)
-        await door.close()
+        await endpoint.close()
         await host.close()
         server.close()
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The door for MTConnect: lines of the adapter's protocol, as an agent reads them.
+"""The endpoint for MTConnect: lines of the adapter's protocol, as an agent reads them.
 
 The words and types are compared with ``pymtconnect``, which is generated from the standard's model.
 """
@@ -23,7 +23,7 @@ from nctakt.run.program_loader import NcText
 from nctakt.servers.catalogue import Catalogue
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
-from nctakt.servers.mtconnect import HEARTBEAT_MS, MtconnectDoor, escaped
+from nctakt.servers.mtconnect import HEARTBEAT_MS, MtconnectEndpoint, escaped
 from nctakt.servers.mtconnect_device import data_items, describe_device
 from nctakt.servers.notices import ServerNotice
 from nctakt.session.session import Session
@@ -74,21 +74,21 @@ class Agent:
             await self.take()
 
 
-def at_the_door(act: Callable[[Host, MtconnectDoor, Agent], Awaitable[None]]) -> list[str]:
+def at_the_endpoint(act: Callable[[Host, MtconnectEndpoint, Agent], Awaitable[None]]) -> list[str]:
     """Let an agent connect; the reasons of what was refused."""
     lines: list[str] = []
 
     async def live(session: Session) -> None:
         host = await Host(session, load_machine(), ServerLog(lines.append)).open()
-        door = MtconnectDoor(host, ("127.0.0.1", 0))
-        await door.prepare()
-        name, _, port = (await door.open()).rpartition(":")
+        endpoint = MtconnectEndpoint(host, ("127.0.0.1", 0))
+        await endpoint.prepare()
+        name, _, port = (await endpoint.open()).rpartition(":")
         try:
             agent = Agent(*await asyncio.open_connection(name, int(port)))
-            await act(host, door, agent)
+            await act(host, endpoint, agent)
             agent.writer.close()
         finally:
-            await door.close()
+            await endpoint.close()
             await host.close()
 
     with Session(PROGRAM, stays=True) as session:
@@ -101,7 +101,7 @@ def test_an_agent_gets_all_values_and_then_what_changes() -> None:
     answered; a text with the divider is one field.
     """
 
-    async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
+    async def act(host: Host, endpoint: MtconnectEndpoint, agent: Agent) -> None:
         await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
         assert "* shdrVersion: 2.0" in agent.commands
         ids = [item.get("id") for item in ElementTree.fromstring(agent.device).iter("DataItem")]
@@ -121,17 +121,17 @@ def test_an_agent_gets_all_values_and_then_what_changes() -> None:
         await host.ask(host.session.run, "110 ms")
         await agent.until(lambda: agent.values["p1_execution"] == "FEED_HOLD")
         assert agent.stamp == host.clock.text(110)
-        await door.close()
+        await endpoint.close()
         await agent.until(lambda: agent.values["avail"] == "UNAVAILABLE")
         assert await agent.line() == ""
 
-    at_the_door(act)
+    at_the_endpoint(act)
 
 
 def test_an_error_is_a_fault_until_it_is_cleared() -> None:
     """The condition of the path has the number of the error."""
 
-    async def act(host: Host, _: MtconnectDoor, agent: Agent) -> None:
+    async def act(host: Host, _: MtconnectEndpoint, agent: Agent) -> None:
         await agent.until(lambda: agent.values.get("p1_logic") == "NORMAL||||")
         await host.ask(host.session.write, {"HLI.RESET": 1})
         await host.ask(host.session.run, "10 ms")
@@ -140,41 +140,41 @@ def test_an_error_is_a_fault_until_it_is_cleared() -> None:
         host.store.take(replace(host.store.frame, values=values))
         await agent.until(lambda: agent.values["p1_logic"] == "FAULT|20847|||error 20847")
 
-    at_the_door(act)
+    at_the_endpoint(act)
 
 
 def test_what_an_agent_must_not_send_is_refused() -> None:
     """An unknown command is told; a line without end closes the connection, and no other's."""
 
-    async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
+    async def act(host: Host, endpoint: MtconnectEndpoint, agent: Agent) -> None:
         agent.writer.write(b"x|y\n" + b"z" * 5000)
         while await agent.reader.read(65536):
             pass
         assert host.session.tick == 0
-        assert door is not None
+        assert endpoint is not None
 
-    assert at_the_door(act) == ["an unknown command", "a line is too long"]
+    assert at_the_endpoint(act) == ["an unknown command", "a line is too long"]
 
 
 def test_an_agent_that_asks_and_never_reads_is_disconnected() -> None:
     """Neither texts nor answers to its pings wait without a limit."""
 
-    async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
+    async def act(host: Host, endpoint: MtconnectEndpoint, agent: Agent) -> None:
         await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
-        (client,) = door.clients
+        (client,) = endpoint.clients
         for _ in range(1001):  # nothing is sent meanwhile
             queue_line(client, "* PONG 10000")
         async with asyncio.timeout(30.0):
-            while door.clients:
+            while endpoint.clients:
                 await asyncio.sleep(0.01)
 
-    assert at_the_door(act) == ["reads too slowly"]
+    assert at_the_endpoint(act) == ["reads too slowly"]
 
 
 def test_many_texts_at_once_do_not_end_what_an_agent_hears() -> None:
-    """The door hears the notices of a thousand ticks at once, and those after them."""
+    """The endpoint hears the notices of a thousand ticks at once, and those after them."""
 
-    async def act(host: Host, door: MtconnectDoor, agent: Agent) -> None:
+    async def act(host: Host, endpoint: MtconnectEndpoint, agent: Agent) -> None:
         await agent.until(lambda: agent.values.get("avail") == "AVAILABLE")
         message = ProgramMessage(0, "last")
         for tick in range(1001):
@@ -182,7 +182,7 @@ def test_many_texts_at_once_do_not_end_what_an_agent_hears() -> None:
         host.notices.tell(ServerNotice("message", 1001, "last", message=message))
         await agent.until(lambda: agent.values["message"] == "|last")
 
-    at_the_door(act)
+    at_the_endpoint(act)
 
 
 @pytest.mark.parametrize(

@@ -31,10 +31,10 @@ from support.random_seeds import FIRST, all_seeds
 from nctakt.base.long_text import SHORT_FILE_BYTES
 from nctakt.run.access.tape import Tape
 from nctakt.run.controller import Controller
+from nctakt.session.core import SessionCore
 from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
-from nctakt.session.story import Story
 
 #: Rules of one session.
 STEPS = 22
@@ -82,22 +82,22 @@ class AnySession(RuleBasedStateMachine):
 
     def __init__(self) -> None:
         super().__init__()
-        self.story: Story | None = None
+        self.core: SessionCore | None = None
         self.setup: Setup
         #: What was seen before a tick of a branch, its own one.
         self.seen: dict[tuple[int, int], list[float | bool | str]] = {}
 
     @property
-    def there(self) -> Story:
+    def there(self) -> SessionCore:
         """The session."""
-        assert self.story is not None
-        return self.story
+        assert self.core is not None
+        return self.core
 
     @initialize(number=st.integers(0, 3), stays=st.booleans())
     def open(self, number: int, stays: bool) -> None:
         """Open the session."""
         self.setup = Setup({1: [self.paths[number]]}, options={"stays": stays})
-        self.story = Story(self.setup)
+        self.core = SessionCore(self.setup)
         self.there.step(500)
 
     @rule(ticks=st.integers(1, 2500))
@@ -124,12 +124,12 @@ class AnySession(RuleBasedStateMachine):
     @rule(text=st.sampled_from(BY_EVENTS))
     def back_to_an_event(self, text: str) -> None:
         """Go back to an event: the record leads to where running again does."""
-        stop, story = read_stop(text), self.there
-        before = story.tick
-        by_running = story.timeline.previous([replace(stop, only_if="1 > 0")])
-        done = story.back_to([stop])
-        assert (None if done is None else story.tick) == by_running
-        assert done is None or story.tick < before
+        stop, core = read_stop(text), self.there
+        before = core.tick
+        by_running = core.timeline.previous([replace(stop, only_if="1 > 0")])
+        done = core.back_to([stop])
+        assert (None if done is None else core.tick) == by_running
+        assert done is None or core.tick < before
 
     @rule(text=st.sampled_from(BY_RUNNING))
     def back_to_a_condition(self, text: str) -> None:
@@ -137,14 +137,14 @@ class AnySession(RuleBasedStateMachine):
 
         What is recorded of signals leads to where running all again does.
         """
-        story = self.there
+        core = self.there
         stop = read_stop(text)
-        by_running = story.timeline.previous([replace(stop, kind="condition", text="0 > 1"), stop])
-        assert story.timeline.previous([stop]) == by_running
-        if story.back_to([stop]) is not None and story.tick > 1:
-            tick = story.tick
-            story.back()
-            assert story.run(tick, stops=[stop]).tick == tick
+        by_running = core.timeline.previous([replace(stop, kind="condition", text="0 > 1"), stop])
+        assert core.timeline.previous([stop]) == by_running
+        if core.back_to([stop]) is not None and core.tick > 1:
+            tick = core.tick
+            core.back()
+            assert core.run(tick, stops=[stop]).tick == tick
 
     @rule(name=st.sampled_from(["V.E.VALUE", "HLI.OVERRIDE"]), value=st.sampled_from([0, 1, 60]))
     def write(self, name: str, value: int) -> None:
@@ -156,13 +156,13 @@ class AnySession(RuleBasedStateMachine):
         """Select a program; a channel whose program runs keeps that."""
         self.there.select(str(self.paths[number]), 1, "page")
 
-    @precondition(lambda self: self.story is not None and self.story.branch.latest > 1)
+    @precondition(lambda self: self.core is not None and self.core.branch.latest > 1)
     @rule(share=st.floats(0, 1), ticks=st.integers(1, 300))
     def look(self, share: float, ticks: int) -> None:
         """Look at some ticks from where the session is: as they were seen."""
-        story = self.there
-        first = int(share * (story.branch.latest - 1))
-        every, cells = story.look(first, first + ticks, SIGNALS)
+        core = self.there
+        first = int(share * (core.branch.latest - 1))
+        every, cells = core.look(first, first + ticks, SIGNALS)
         assert every == 1
         for (number, tick), values in self.seen.items():
             row = (tick - 1 - first) * len(SIGNALS)
@@ -171,41 +171,41 @@ class AnySession(RuleBasedStateMachine):
 
     def is_ours(self, number: int, tick: int) -> bool:
         """Return whether what was seen on a branch is of the present one's past or future."""
-        story = self.there
-        return story.branch.shares(story.branches[number - 1], tick)
+        core = self.there
+        return core.branch.shares(core.branches[number - 1], tick)
 
     @invariant()
     def sees_what_was_there(self) -> None:
         """Compare what is seen with what was seen here before."""
-        if self.story is None:
+        if self.core is None:
             return
-        story = self.there
-        values = story.read(NAMES)
-        for branch in story.branches:
-            known = self.seen.get((branch.number, story.tick))
-            if known is not None and self.is_ours(branch.number, story.tick):
+        core = self.there
+        values = core.read(NAMES)
+        for branch in core.branches:
+            known = self.seen.get((branch.number, core.tick))
+            if known is not None and self.is_ours(branch.number, core.tick):
                 assert values == known
-        self.seen[story.branch.number, story.tick] = values
+        self.seen[core.branch.number, core.tick] = values
 
     def teardown(self) -> None:
         """Compare all that was seen on this branch with a straight run of its tape."""
-        if self.story is None:
+        if self.core is None:
             return
-        story = self.there
+        core = self.there
         try:
-            inputs = tuple(one for one in story.tape() if one.tick < story.branch.latest)
+            inputs = tuple(one for one in core.tape() if one.tick < core.branch.latest)
             run = Controller().run(
                 *self.setup.programs[1],
                 stays=self.setup.options.get("stays", False),
                 replay=Tape({}, {}, False, inputs, {}, 0, "", {}),
-                ticks=story.branch.latest,
+                ticks=core.branch.latest,
                 signals=SIGNALS,
             )
             for (number, tick), values in self.seen.items():
                 if 0 < tick <= run.ticks and self.is_ours(number, tick):
                     assert [run.trace[name][tick - 1] for name in SIGNALS] == values
         finally:
-            story.close()
+            core.close()
 
 
 @contextmanager

@@ -47,10 +47,10 @@ def test_functions_are_acknowledged_after_a_delay(session: Session) -> None:
 def test_the_delay_can_begin_while_a_function_waits(session: Session) -> None:
     """Its time has passed, so it is acknowledged at once; none begins before a tick."""
     session.run("0.15 s")
-    assert [entry.name for _, entry in session.glance().waiting] == ["M100"]
+    assert [entry.name for _, entry in session.state_view().waiting] == ["M100"]
     session.acknowledge_after(7)
     session.step(2)
-    assert session.glance().waiting == ()
+    assert session.state_view().waiting == ()
     with pytest.raises(ValueError, match="0"):
         session.acknowledge_after(0)
 
@@ -58,9 +58,9 @@ def test_the_delay_can_begin_while_a_function_waits(session: Session) -> None:
 def test_a_glance_is_of_one_tick(session: Session) -> None:
     """Values, cycles and what waits; the decoder is ahead of the path."""
     session.step(20)
-    glance = session.glance("X.ACS.ACT_POS", "V.E.COUNT")
-    assert glance.values == tuple(session.read("X.ACS.ACT_POS", "V.E.COUNT"))
-    assert glance.cycles == tuple(session.cycles())
+    state_view = session.state_view("X.ACS.ACT_POS", "V.E.COUNT")
+    assert state_view.values == tuple(session.read("X.ACS.ACT_POS", "V.E.COUNT"))
+    assert state_view.cycles == tuple(session.cycles())
     assert session.latest.blocks[1].line == 6
     assert session.latest.decoding[1].line == 9
 

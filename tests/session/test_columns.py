@@ -14,6 +14,7 @@ from support.random_seeds import each_seed
 
 from nctakt import NcText
 from nctakt.kernel import rows
+from nctakt.session.core import SessionCore
 from nctakt.session.history import columns
 from nctakt.session.history.branch import Branch
 from nctakt.session.history.columns import ColumnRecord, ColumnTrail, Necessary
@@ -21,7 +22,6 @@ from nctakt.session.process.worker import can_fork
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Setup
 from nctakt.session.stops import EventFilter, StopAt, read_stop
-from nctakt.session.story import Story
 
 OPERATORS: dict[str, Callable[[float, float], bool]] = {
     "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge, "==": operator.eq,
@@ -134,9 +134,9 @@ M30
 
 
 @pytest.fixture
-def story() -> Iterator[Story]:
-    """A story that stands at tick 600."""
-    own = Story(Setup({1: [NcText("p.nc", PROGRAM)]}))
+def core() -> Iterator[SessionCore]:
+    """A session that has run to tick 600."""
+    own = SessionCore(Setup({1: [NcText("p.nc", PROGRAM)]}))
     own.step(600)
     yield own
     own.close()
@@ -144,22 +144,22 @@ def story() -> Iterator[Story]:
 
 @pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")
 def test_writes_and_signals_are_found_in_the_record(
-    story: Story, monkeypatch: pytest.MonkeyPatch
+    core: SessionCore, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The same as by running again, which needs no tick where it cannot have been."""
     for text in ("V.RTA.ACS.ACT_POS.X > 30", "changes V.E.COUNT", "V.RTA.ACS.ACT_POS.Y > 1"):
         stop = read_stop(text)
         again = StopAt(stop.kind, stop.text, only_if="V.E.COUNT >= 0")
-        assert story.back_to([again]) is not None
-        found = story.tick
-        story.go_to(600)
-        assert story.back_to([stop]) is not None
-        assert story.tick == found
-        story.go_to(600)
-    by_running = story.timeline.previous([StopAt("written", "V.E.COUNT", only_if="1 > 0")])
+        assert core.back_to([again]) is not None
+        found = core.tick
+        core.go_to(600)
+        assert core.back_to([stop]) is not None
+        assert core.tick == found
+        core.go_to(600)
+    by_running = core.timeline.previous([StopAt("written", "V.E.COUNT", only_if="1 > 0")])
     with monkeypatch.context() as patch:
         patch.setattr(RemoteEngine, "last_hit", None)
         patch.setattr(RemoteEngine, "run", None)
-        assert story.timeline.previous([read_stop("written V.E.COUNT")]) == by_running
+        assert core.timeline.previous([read_stop("written V.E.COUNT")]) == by_running
         for text in ("V.RTA.ACS.ACT_POS.X > 30000", "changes V.E.VALUE", "written V.E.VALUE"):
-            assert story.timeline.previous([read_stop(text)]) is None
+            assert core.timeline.previous([read_stop(text)]) is None

@@ -8,13 +8,13 @@ from collections.abc import Iterator
 import pytest
 
 from nctakt import Controller, NcText
+from nctakt.session.core import NEXT_BLOCK, SessionCore
 from nctakt.session.history.confirmed import Confirmed
 from nctakt.session.history.trail import Mark
 from nctakt.session.process.worker import can_fork
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
-from nctakt.session.story import NEXT_BLOCK, Story
 
 needs_copies = pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")
 
@@ -50,9 +50,9 @@ def test_a_known_tick_that_comes_otherwise_is_found() -> None:
 
 
 @pytest.fixture
-def story() -> Iterator[Story]:
-    """A story that has run to its end, in parts."""
-    own = Story(Setup({1: [NcText("p.nc", PROGRAM)]}))
+def core() -> Iterator[SessionCore]:
+    """A session that has run to its end, in parts."""
+    own = SessionCore(Setup({1: [NcText("p.nc", PROGRAM)]}))
     while not own.is_over:
         own.step(100)
     yield own
@@ -61,10 +61,10 @@ def story() -> Iterator[Story]:
 
 @needs_copies
 def test_steps_back_need_one_copy_each_and_are_as_the_first_run(
-    story: Story, monkeypatch: pytest.MonkeyPatch
+    core: SessionCore, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     names = ["V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y"]
-    story.go_to(story.branch.latest // 2)
+    core.go_to(core.branch.latest // 2)
     copies = 0
     copy = RemoteEngine.copy
 
@@ -76,8 +76,8 @@ def test_steps_back_need_one_copy_each_and_are_as_the_first_run(
     monkeypatch.setattr(RemoteEngine, "copy", counted)
     seen = []
     for _ in range(4):
-        story.back_to([NEXT_BLOCK])
-        seen.append((story.tick, story.read(names)))
+        core.back_to([NEXT_BLOCK])
+        seen.append((core.tick, core.read(names)))
     assert copies == 4
     monkeypatch.undo()
     run = Controller().run(
@@ -88,23 +88,23 @@ def test_steps_back_need_one_copy_each_and_are_as_the_first_run(
 
 
 @needs_copies
-def test_arrival_has_the_events_of_its_last_ticks_only(story: Story) -> None:
-    done = story.go_to(story.branch.latest - 10)
+def test_arrival_has_the_events_of_its_last_ticks_only(core: SessionCore) -> None:
+    done = core.go_to(core.branch.latest - 10)
     assert done.first_tick >= done.tick - 100
     assert done.events
     assert all(one.time_us // 1000 >= done.first_tick for one in done.events)
     assert all(one.time_us // 1000 >= done.first_tick for one in done.messages)
-    assert story.back_to([read_stop("V.RTA.ACS.ACT_POS.X > 1000")]) is None
+    assert core.back_to([read_stop("V.RTA.ACS.ACT_POS.X > 1000")]) is None
 
 
 @needs_copies
-def test_what_is_known_of_a_branch_says_nothing_of_another_one(story: Story) -> None:
+def test_what_is_known_of_a_branch_says_nothing_of_another_one(core: SessionCore) -> None:
     """An input in the past begins a branch, whose ticks are looked at before it is travelled."""
-    story.go_to(30)
-    story.back()
-    story.write({"HLI.OVERRIDE": 10}, "page")
-    story.step(20)
-    assert story.branch.number == 2
-    assert story.happened(0, story.tick).tick == story.tick
-    story.back(2)
-    assert story.happened(10, 40).tick == 40
+    core.go_to(30)
+    core.back()
+    core.write({"HLI.OVERRIDE": 10}, "page")
+    core.step(20)
+    assert core.branch.number == 2
+    assert core.happened(0, core.tick).tick == core.tick
+    core.back(2)
+    assert core.happened(10, 40).tick == 40

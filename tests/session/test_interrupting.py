@@ -13,10 +13,10 @@ import pytest
 
 from nctakt import NcText
 from nctakt.base.failure import Failure
+from nctakt.session.core import SessionCore
 from nctakt.session.history import timeline
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
-from nctakt.session.story import Story
 
 pytestmark = pytest.mark.slow
 
@@ -105,7 +105,7 @@ def test_a_step_of_many_ticks_ends_between_two_slices(
 ) -> None:
     tick = session.tick
     with monkeypatch.context() as patch:
-        interrupting(session, Story.run, patch, Story)
+        interrupting(session, SessionCore.run, patch, SessionCore)
         done = session.step(1_000_000)
     assert tick < done.tick < tick + 1_000_000
     assert session.step(3).tick == done.tick + 3

@@ -10,10 +10,10 @@ import pytest
 
 from nctakt import NcText
 from nctakt.base.failure import Failure
+from nctakt.session.core import SessionCore
 from nctakt.session.process.open_files import check_open_files, open_again
 from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup
-from nctakt.session.story import Story
 
 pytestmark = pytest.mark.skipif(not can_fork(), reason="a controller cannot be copied here")
 
@@ -47,11 +47,11 @@ class Cell(Plc):
 """
 
 
-def opened(folder: Path, text: str) -> Story:
+def opened(folder: Path, text: str) -> SessionCore:
     """A session with a PLC."""
     plc = folder / "cell.py"
     plc.write_text(text, "utf-8")
-    return Story(Setup({1: [NcText("p.nc", "G01 X100 F6000\nM30")]}, plc=plc))
+    return SessionCore(Setup({1: [NcText("p.nc", "G01 X100 F6000\nM30")]}, plc=plc))
 
 
 def test_a_copy_goes_on_at_its_own_place_of_a_file(tmp_path: Path) -> None:

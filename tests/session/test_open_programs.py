@@ -9,7 +9,7 @@ import pytest
 
 from nctakt import NcText
 from nctakt.session import Session, StopAt
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 
 PROGRAM = """\
 %L DEEP
@@ -54,7 +54,7 @@ def session(shared: Session) -> Session:
     return shared
 
 
-def calls(done: Slice) -> list[tuple[str, int]]:
+def calls(done: StepResult) -> list[tuple[str, int]]:
     """The open programs, the innermost first, each with the line in which it is."""
     inner = done.blocks[1]
     lines = [inner.line if call.span is None else call.span.line for call in done.calls[1]]

@@ -16,7 +16,8 @@ import pytest
 from nctakt import NcText
 from nctakt.base.failure import Failure
 from nctakt.kernel import rows
-from nctakt.session.engine import Engine, Slice
+from nctakt.session.core import SessionCore
+from nctakt.session.engine import Engine, StepResult
 from nctakt.session.history import record
 from nctakt.session.history.parking import (
     DENSE_US,
@@ -35,7 +36,6 @@ from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.session import Session
 from nctakt.session.setup import Setup
 from nctakt.session.stops import EventFilter, StopAt, read_stop
-from nctakt.session.story import Story
 
 pytestmark = pytest.mark.slow
 
@@ -56,9 +56,9 @@ M30
 
 
 @pytest.fixture
-def story() -> Iterator[Story]:
-    """A story that stands at tick 600, after ticks run in parts."""
-    own = Story(Setup({1: [NcText("p.nc", PROGRAM)]}))
+def core() -> Iterator[SessionCore]:
+    """A session that has run to tick 600, after ticks run in parts."""
+    own = SessionCore(Setup({1: [NcText("p.nc", PROGRAM)]}))
     for _ in range(12):
         own.step(50)
     yield own
@@ -69,12 +69,14 @@ def let_differ(monkeypatch: pytest.MonkeyPatch) -> None:
     """Let each controller that runs again come to something else."""
     run = RemoteEngine.run
 
-    def other(engine: RemoteEngine, end: int, *words: Any, **keywords: Any) -> Slice:
+    def other(engine: RemoteEngine, end: int, *words: Any, **keywords: Any) -> StepResult:
         done = run(engine, end, *words, **keywords)
         if not keywords.get("marks"):
             return done
         wrong = tuple(Mark(mark.tick, b"otherwise", 0.0) for mark in done.marks)
-        return Slice(**{name: getattr(done, name) for name in done.__slots__} | {"marks": wrong})
+        return StepResult(
+            **{name: getattr(done, name) for name in done.__slots__} | {"marks": wrong}
+        )
 
     monkeypatch.setattr(RemoteEngine, "run", other)
 
@@ -107,52 +109,52 @@ def test_a_mark_is_another_one_for_another_past(change: str) -> None:
     assert marks[0].digest != marks[1].digest
 
 
-TRAVEL: dict[str, Callable[[Story], object]] = {
-    "go_to": lambda story: story.go_to(120),
-    "back": lambda story: story.back(3),
-    "back_to": lambda story: story.back_to([read_stop("V.E.COUNT > 5")]),
-    "look": lambda story: story.look(100, 400, ["X.ACS.ACT_POS"]),
-    "happened": lambda story: story.happened(100, 400),
-    "why": lambda story: story.past().explained(lambda: None),
+TRAVEL: dict[str, Callable[[SessionCore], object]] = {
+    "go_to": lambda core: core.go_to(120),
+    "back": lambda core: core.back(3),
+    "back_to": lambda core: core.back_to([read_stop("V.E.COUNT > 5")]),
+    "look": lambda core: core.look(100, 400, ["X.ACS.ACT_POS"]),
+    "happened": lambda core: core.happened(100, 400),
+    "why": lambda core: core.past().explained(lambda: None),
 }
 
 
 @pytest.mark.nightly
 @needs_copies
-def test_a_past_that_is_not_as_it_was_is_not_shown(story: Story) -> None:
+def test_a_past_that_is_not_as_it_was_is_not_shown(core: SessionCore) -> None:
     """It is an internal error, which says so; the session stays where it is right."""
-    own = story.branch.record
+    own = core.branch.record
     true = list(own.marks)
     own.marks[:] = [PastMark(mark.tick, b"another", mark.work_us, mark.is_over) for mark in true]
-    before = story.read(["V.RTA.ACS.ACT_POS.X"])
+    before = core.read(["V.RTA.ACS.ACT_POS.X"])
     for name, travel in TRAVEL.items():
         with pytest.raises(Failure) as failed:
-            travel(story)
+            travel(core)
         assert failed.value.diagnostics[0].id == 901901, name
-        assert story.tick == 600
-        assert story.read(["V.RTA.ACS.ACT_POS.X"]) == before
+        assert core.tick == 600
+        assert core.read(["V.RTA.ACS.ACT_POS.X"]) == before
     own.marks[:] = true
     for travel in TRAVEL.values():
-        travel(story)
+        travel(core)
 
 
 @needs_copies
 def test_a_live_controller_that_has_gone_wrong_shows_nothing_until_it_is_left(
-    story: Story, monkeypatch: pytest.MonkeyPatch
+    core: SessionCore, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    story.go_to(100)
+    core.go_to(100)
     with monkeypatch.context() as patch:
         let_differ(patch)
         with pytest.raises(Failure):
-            story.step(500)
-    for look in (lambda: story.read(["V.E.COUNT"]), story.step, story.cycles):
+            core.step(500)
+    for look in (lambda: core.read(["V.E.COUNT"]), core.step, core.cycles):
         with pytest.raises(Failure) as failed:
             look()
         assert failed.value.diagnostics[0].id == 901901
-    story.go_to(400)
-    assert story.read(["V.RTA.ACS.ACT_POS.X"])[0] > 0.0
-    story.step(300)
-    assert story.tick == 700
+    core.go_to(400)
+    assert core.read(["V.RTA.ACS.ACT_POS.X"])[0] > 0.0
+    core.step(300)
+    assert core.tick == 700
 
 
 @needs_copies
@@ -176,7 +178,7 @@ def test_a_program_that_was_changed_on_disk_has_no_past(tmp_path: Path) -> None:
     path = tmp_path / "p.nc"
     lines = [f"G01 X{number % 2 * 0.3} F6000 ; {number:030}" for number in range(30_000)]
     path.write_text("\n".join([*lines, "M30"]), "utf-8")
-    own = Story(Setup({1: [path]}))
+    own = SessionCore(Setup({1: [path]}))
     try:
         for _ in range(10):
             own.step(5000)
@@ -199,7 +201,7 @@ def test_a_selected_program_leaves_the_same_marks_in_the_past(tmp_path: Path) ->
         paths, ("G01 X1 F600\nM30", "G01 Y2 F600\nM30", "G01 X\nM30"), strict=True
     ):
         path.write_text(text, "utf-8")
-    own = Story(Setup({1: []}, options={"stays": True}))
+    own = SessionCore(Setup({1: []}, options={"stays": True}))
     try:
         own.step(20)
         with pytest.raises(Failure):
@@ -220,40 +222,40 @@ def test_a_selected_program_leaves_the_same_marks_in_the_past(tmp_path: Path) ->
 
 
 def test_a_stop_at_an_event_is_found_without_running(
-    story: Story, monkeypatch: pytest.MonkeyPatch
+    core: SessionCore, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Blocks, functions and firings by the record; the same as by running again."""
     for text in ("line 7", "line 8", "M100", "fires 2", "message", "M101"):
         stop = read_stop(text)
-        by_running = story.timeline.previous([StopAt(**_fields(stop) | {"only_if": "1 > 0"})])
+        by_running = core.timeline.previous([StopAt(**_fields(stop) | {"only_if": "1 > 0"})])
         with monkeypatch.context() as patch:
             patch.setattr(RemoteEngine, "last_hit", None)
             patch.setattr(RemoteEngine, "run", None)
-            assert story.timeline.previous([stop]) == by_running, text
+            assert core.timeline.previous([stop]) == by_running, text
 
 
 def _fields(stop: StopAt) -> dict[str, Any]:
     return {name: getattr(stop, name) for name in stop.__slots__}
 
 
-def test_the_latest_of_several_stops_is_found(story: Story) -> None:
-    single = [story.timeline.previous([read_stop(text)]) for text in ("M100", "changes V.E.COUNT")]
+def test_the_latest_of_several_stops_is_found(core: SessionCore) -> None:
+    single = [core.timeline.previous([read_stop(text)]) for text in ("M100", "changes V.E.COUNT")]
     stops = [read_stop("M100"), read_stop("changes V.E.COUNT")]
-    assert story.timeline.previous(stops) == max(filter(None, single))
+    assert core.timeline.previous(stops) == max(filter(None, single))
 
 
-def test_events_of_another_branch_are_not_found(story: Story) -> None:
+def test_events_of_another_branch_are_not_found(core: SessionCore) -> None:
     """A branch has the events before its first tick, and its own."""
-    found = story.timeline.previous([read_stop("M100")])
+    found = core.timeline.previous([read_stop("M100")])
     assert found is not None
-    story.go_to(200)
-    earlier = story.timeline.previous([read_stop("M100")])
-    story.write({"HLI.FEED_HOLD": True}, "page")
-    story.step(200)
-    assert story.branch.number == 2
-    assert story.timeline.previous([read_stop("M100")]) == earlier
-    story.go_to(600, 1)
-    assert story.timeline.previous([read_stop("M100")]) == found
+    core.go_to(200)
+    earlier = core.timeline.previous([read_stop("M100")])
+    core.write({"HLI.FEED_HOLD": True}, "page")
+    core.step(200)
+    assert core.branch.number == 2
+    assert core.timeline.previous([read_stop("M100")]) == earlier
+    core.go_to(600, 1)
+    assert core.timeline.previous([read_stop("M100")]) == found
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from nctakt import NcText, Session
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 
 pytestmark = pytest.mark.slow
 
@@ -38,7 +38,7 @@ def opened() -> Iterator[Any]:
         yield begin
 
 
-def told(done: Slice) -> list[tuple[int, str]]:
+def told(done: StepResult) -> list[tuple[int, str]]:
     """The notes of a slice that nothing happens any more: line and text."""
     return [
         (one.span.line if one.span else 0, one.headline("en"))

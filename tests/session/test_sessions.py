@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.insides import lose_controller, story_of
+from support.insides import core_of, lose_controller
 
 from nctakt import Controller, Failure, NcText
 from nctakt.run.access.inputs import Input
@@ -293,7 +293,7 @@ def test_a_function_is_acknowledged_by_hand() -> None:
 )
 def test_a_forged_input_is_refused_at_the_door(session: Session, values: tuple[str, Any]) -> None:
     with pytest.raises(Failure):
-        story_of(session).timeline.post([Input(0, "page", *values)])
+        core_of(session).timeline.post([Input(0, "page", *values)])
     assert session.step().state == "running"
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from support.plc_rig import EACH_TICK
 
 from nctakt import NcText
+from nctakt.session.core import SessionCore
 from nctakt.session.setup import Setup
-from nctakt.session.story import Story
 
 CELL = """
 PROGRAM MAIN
@@ -39,17 +39,17 @@ def test_the_plc_goes_back_with_its_machine(tmp_path: Path) -> None:
     cell = tmp_path / "cell.st"
     cell.write_text(CELL + EACH_TICK, "utf-8")
     nc = NcText("p.nc", "N5 G04 0.01\nN10 M7\nN20 G00 X10\nM30")
-    story = Story(Setup({1: [nc]}, plc=cell, options={"at": [("40 ms", "MAIN.bDoor", 1)]}))
+    core = SessionCore(Setup({1: [nc]}, plc=cell, options={"at": [("40 ms", "MAIN.bDoor", 1)]}))
     names = ["MAIN.n", "MAIN.nSeen", "X.ACS.ACT_POS"]
     try:
-        story.step(60)
-        there = story.read(names)
+        core.step(60)
+        there = core.read(names)
         assert there[:2] == [60, 1]
-        story.go_to(41)
-        assert story.read(names) == [41, 1, 0.0]
-        story.go_to(30)
-        assert story.read(names) == [30, 0, 0.0]
-        story.step(30)
-        assert story.read(names) == there
+        core.go_to(41)
+        assert core.read(names) == [41, 1, 0.0]
+        core.go_to(30)
+        assert core.read(names) == [30, 0, 0.0]
+        core.step(30)
+        assert core.read(names) == there
     finally:
-        story.close()
+        core.close()

@@ -16,9 +16,9 @@ from support.insides import exchange_queue
 from nctakt import Failure, NcText, Session
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
+from nctakt.session.core import SessionCore
 from nctakt.session.process import thread as thread_module
 from nctakt.session.process.thread import SessionThread
-from nctakt.session.story import Story
 
 #: How long a test waits, in seconds.
 PATIENCE_S = 20.0
@@ -55,10 +55,10 @@ def test_a_controller_that_is_lost_while_it_is_read_ends_play_and_no_more(
     program = NcText("p.nc", "$WHILE 1\nG01 X10 F1000\nG01 X0\n$ENDWHILE\nM30")
     with Session(program, until="24 h") as session, session.listen("X.ACS.ACT_POS") as listener:
 
-        def lost(_story: Story, _names: object) -> None:
+        def lost(_core: SessionCore, _names: object) -> None:
             raise Failure(diagnostic(CONTROLLER_LOST, reason="EOF"))
 
-        monkeypatch.setattr(Story, "read", lost)
+        monkeypatch.setattr(SessionCore, "read", lost)
         session.play()
         end_s = time.monotonic() + PATIENCE_S
         while session.is_playing and time.monotonic() < end_s:

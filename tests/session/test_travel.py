@@ -14,10 +14,10 @@ from nctakt.plc.loading import load_plc
 from nctakt.results.run import Run
 from nctakt.run.access.inputs import PLC as PLC_SOURCE
 from nctakt.run.access.tape import Tape
+from nctakt.session.core import SessionCore
 from nctakt.session.process.worker import can_fork
 from nctakt.session.setup import Setup
 from nctakt.session.stops import read_stop
-from nctakt.session.story import Story
 
 PROGRAM = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
@@ -59,41 +59,41 @@ class Cell(Plc):
 STOPS = ["V.E.COUNT > 2", "fires 2", "line 11", "changes V.E.VALUE", "M111", "runs 5"]
 
 
-def straight(story: Story, plc: Path | None, programs: list[NcText]) -> tuple[Controller, Run]:
+def straight(core: SessionCore, plc: Path | None, programs: list[NcText]) -> tuple[Controller, Run]:
     """Run the tape of a session from the start up to where the session stands."""
-    inputs = tuple(one for one in story.tape() if one.source != PLC_SOURCE)
+    inputs = tuple(one for one in core.tape() if one.source != PLC_SOURCE)
     controller = Controller()
     tape = Tape({}, {}, plc is not None, inputs, {}, 0, "", {})
     run = controller.run(
         *programs,
         plc=None if plc is None else load_plc(plc),
         replay=tape,
-        ticks=story.tick,
+        ticks=core.tick,
         memory_trace=False,
     )
     return controller, run
 
 
-def wander(story: Story, chance: random.Random) -> None:
+def wander(core: SessionCore, chance: random.Random) -> None:
     """Do something with a session."""
     match chance.randrange(8):
         case 0:
-            story.step(chance.randint(1, 300))
+            core.step(chance.randint(1, 300))
         case 1:
-            story.run(stops=[read_stop(chance.choice(STOPS))])
+            core.run(stops=[read_stop(chance.choice(STOPS))])
         case 2:
-            story.go_to(chance.randint(0, story.branch.latest))
+            core.go_to(chance.randint(0, core.branch.latest))
         case 3:
-            story.back(chance.randint(1, 50))
+            core.back(chance.randint(1, 50))
         case 4:
-            story.back_to([read_stop(chance.choice(STOPS))])
+            core.back_to([read_stop(chance.choice(STOPS))])
         case 5 | 6:
             name = chance.choice(["V.E.VALUE", "V.E.VALUE", "HLI.OVERRIDE"])
-            story.write({name: chance.choice([0, 1, 60])}, "page")
-            story.step()
+            core.write({name: chance.choice([0, 1, 60])}, "page")
+            core.step()
         case 7:
-            branch = chance.choice(story.branches)
-            story.go_to(chance.randint(0, branch.latest), branch.number)
+            branch = chance.choice(core.branches)
+            core.go_to(chance.randint(0, branch.latest), branch.number)
 
 
 @pytest.mark.nightly
@@ -106,20 +106,20 @@ def test_a_session_is_a_straight_run_of_its_tape(seed: int, has_plc: bool, tmp_p
     file.write_text(PLC, "utf-8")
     plc = file if has_plc else None
     programs = [NcText("p.nc", PROGRAM)]
-    story = Story(Setup({1: programs}, plc=plc, options={"at": [("60 ms", "V.E.VALUE", 1)]}))
+    core = SessionCore(Setup({1: programs}, plc=plc, options={"at": [("60 ms", "V.E.VALUE", 1)]}))
     try:
         for _ in range(25):
-            wander(story, chance)
-        controller, run = straight(story, plc, programs)
-        assert controller.tick == story.tick
-        signals = sorted(story.description.signals)
-        assert story.read(signals) == [controller.signal(name) for name in signals]
-        result = story.result()
+            wander(core, chance)
+        controller, run = straight(core, plc, programs)
+        assert controller.tick == core.tick
+        signals = sorted(core.description.signals)
+        assert core.read(signals) == [controller.signal(name) for name in signals]
+        result = core.result()
         assert result.cycles == run.cycles
         assert result.outputs == run.outputs
         assert result.messages == run.messages
     finally:
-        story.close()
+        core.close()
 
 
 def long_program(path: Path, size: int, chance: random.Random) -> None:
@@ -151,15 +151,15 @@ def test_each_jump_leads_to_where_the_run_was(seed: int, size: int, tmp_path: Pa
     )
     ticks = run.ticks
     names = ["V.RTA.ACS.ACT_POS.X", "V.RTA.ACS.ACT_POS.Y"]
-    story = Story(Setup({1: [path]}, options={"until": "24 h"}))
+    core = SessionCore(Setup({1: [path]}, options={"until": "24 h"}))
     try:
-        while story.tick < ticks:
-            story.run(min(ticks, story.tick + 50_000))
+        while core.tick < ticks:
+            core.run(min(ticks, core.tick + 50_000))
         for _ in range(JUMPS):
             tick = chance.randint(1, ticks)
-            story.go_to(tick)
+            core.go_to(tick)
             expected = [run.trace[name][tick - 1] for name in run.trace.keys()]
-            assert story.read(names) == expected
-            assert not story.latest.diagnostics
+            assert core.read(names) == expected
+            assert not core.latest.diagnostics
     finally:
-        story.close()
+        core.close()

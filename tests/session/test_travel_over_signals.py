@@ -32,20 +32,20 @@ def test_each_tick_is_the_same_when_it_comes_again() -> None:
         first = []
         for _ in range(50):
             session.step(1)
-            glance = session.glance(*NAMES)
-            shown = [one.awaited and one.awaited.en for one in glance.channels]
-            first.append((glance.tick, glance.values, shown))
+            state_view = session.state_view(*NAMES)
+            shown = [one.awaited and one.awaited.en for one in state_view.channels]
+            first.append((state_view.tick, state_view.values, shown))
         assert first[3][2] == [None, "signal 1 of channel 1 (since 0.000000 s)"]
         assert first[6][2] == ["signal 2 of channel 2 (since 0.005000 s)", None]
         assert first[45][2][1] == "signal 9 of channel 1 (since 0.006000 s)"
         for tick in (44, 8, 6, 2, 30):
             session.go_to(tick)
-            glance = session.glance(*NAMES)
-            shown = [one.awaited and one.awaited.en for one in glance.channels]
-            assert (glance.tick, glance.values, shown) == first[tick - 1]
+            state_view = session.state_view(*NAMES)
+            shown = [one.awaited and one.awaited.en for one in state_view.channels]
+            assert (state_view.tick, state_view.values, shown) == first[tick - 1]
         session.go_to(3)
         for before in first[3:]:
             session.step(1)
-            glance = session.glance(*NAMES)
-            shown = [one.awaited and one.awaited.en for one in glance.channels]
-            assert (glance.tick, glance.values, shown) == before
+            state_view = session.state_view(*NAMES)
+            shown = [one.awaited and one.awaited.en for one in state_view.channels]
+            assert (state_view.tick, state_view.values, shown) == before

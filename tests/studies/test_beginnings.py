@@ -15,7 +15,7 @@ from nctakt.results.run import Run
 from nctakt.run.beginning import Beginning
 from nctakt.run.kept_objects import KeptObjects, NotKeptError
 from nctakt.run.realtime.realtime_parts import RealtimeParts
-from nctakt.studies.runs.bench import Bench
+from nctakt.studies.runs.study_runner import StudyRunner
 from nctakt.studies.study import Study
 
 RUNS = Path(__file__).parent.parent / "runs"
@@ -175,7 +175,7 @@ def test_study_with_faults_of_its_plc_makes_the_rows_of_single_runs(tmp_path: Pa
     rows = study.run(processes=1).rows
     assert len({row["digest"] for row in rows}) > 4
     for number in range(len(rows)):
-        assert Bench(study.plan).row(number) == rows[number]
+        assert StudyRunner(study.plan).row(number) == rows[number]
 
 
 def test_wrong_value_harms_no_later_run() -> None:

@@ -81,8 +81,8 @@ def test_a_pulse_is_moved_to_where_the_axis_is() -> None:
 def test_a_run_is_nearer_with_less_left() -> None:
     """First by the branches around it, then by the sides of the comparison."""
     cycle = on("V.E.COUNT_POS > 10").replace("V.E.COUNT = 1", on("V.E.COUNT_POS == 40"))
-    bench = study_of(program(cycle), "V.E.COUNT_POS").bench
-    inner = [[*distances(covered(bench, [value])).values()][1] for value in (0, 9, 12, 39, 40)]
+    runner = study_of(program(cycle), "V.E.COUNT_POS").runner
+    inner = [[*distances(covered(runner, [value])).values()][1] for value in (0, 9, 12, 39, 40)]
     assert [one.levels for one in inner] == [2, 2, 1, 1, 0]
     assert inner == sorted(inner, key=lambda one: one.key, reverse=True)
 
@@ -180,19 +180,19 @@ def nested(outer: str, inner: str) -> str:
 def test_branches_that_no_values_reach_are_proven(cycle: str, proven: list[bool]) -> None:
     """COUNT_POS is from 0 to 99,999 and nothing else writes it; other values may be anything."""
     study = study_of(program(cycle), "V.E.COUNT_POS")
-    proofs = unreachable(study.bench)
+    proofs = unreachable(study.runner)
     assert [index in {key[2] for key in proofs} for index in range(len(proven))] == proven
 
 
 def test_nothing_is_proven_where_others_may_write(tmp_path: Path) -> None:
     """A PLC, an assignment of the program, a program whose name is computed."""
     text = program(on("V.E.COUNT_POS > 99999"))
-    assert unreachable(study_of(text, "V.E.COUNT_POS").bench)
+    assert unreachable(study_of(text, "V.E.COUNT_POS").runner)
     written = text.replace("G04", "V.E.COUNT_POS = 5\nG04")
-    assert not unreachable(study_of(written, "V.E.COUNT_POS").bench)
+    assert not unreachable(study_of(written, "V.E.COUNT_POS").runner)
     plc = tmp_path / "plc.py"
     plc.write_text("class Plc:\n    def cycle(self, hli):\n        pass\n")
-    assert not unreachable(study_of(text, "V.E.COUNT_POS", plc=str(plc)).bench)
+    assert not unreachable(study_of(text, "V.E.COUNT_POS", plc=str(plc)).runner)
 
 
 def test_a_proven_branch_ends_the_search(tmp_path: Path, capsys: Captured) -> None:

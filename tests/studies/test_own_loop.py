@@ -138,7 +138,7 @@ def test_a_study_makes_the_runs_of_an_own_loop() -> None:
         study = study_of(plan)
         rows = [dict(row) for row in study.run().rows]
         broken = [row.pop("broken") for row in rows]
-        assert rows == list(own_rows(plan, study.bench.signals))
+        assert rows == list(own_rows(plan, study.runner.signals))
         assert [not text for text in broken] == [row["verdict"] == "passed" for row in rows]
 
     check()

@@ -50,7 +50,7 @@ def plan(tmp_path: Path) -> Path:
 
 def folder_of(study: Study, address: str) -> PartFolder:
     """Return a folder for the results of a study."""
-    return PartFolder(address, study.plan, dict(study.bench.units))
+    return PartFolder(address, study.plan, dict(study.runner.units))
 
 
 @pytest.mark.nightly
@@ -79,7 +79,7 @@ def test_only_missing_runs_are_made(plan: Path) -> None:
     study, address = Study(plan), str(plan.with_name("results"))
     store = FolderStore(folder_of(study, address), study.plan, resumes=False)
     for numbers in ((0, 1, 2, 9), (5, 6), (6, 7)):
-        block = make_runs(study.bench, numbers, store.folder).rows
+        block = make_runs(study.runner, numbers, store.folder).rows
         assert (block.rows, len(block)) == ([], len(numbers))
     store.close()
     again = FolderStore(folder_of(study, address), study.plan, resumes=True)
@@ -107,9 +107,9 @@ def test_a_full_disk_leaves_what_was_done(plan: Path, monkeypatch: pytest.Monkey
 
     monkeypatch.setattr(Path, "replace", full)
 
-    make_runs(study.bench, (0, 1, 2), store.folder)
+    make_runs(study.runner, (0, 1, 2), store.folder)
     with pytest.raises(Failure, match="No space left"):
-        make_runs(study.bench, (3, 4, 5), store.folder)
+        make_runs(study.runner, (3, 4, 5), store.folder)
     store.close()
     assert store.folder.parts() == [Part(0, 2, 3)]
     assert not list(Path(address).rglob("*.tmp"))
@@ -120,7 +120,7 @@ def test_any_storage_of_fsspec(plan: Path) -> None:
     study, address = Study(plan), "memory://study-of-parts"
     store = FolderStore(folder_of(study, address), study.plan, resumes=False)
     for number in (1, 0, 2):
-        store.add(RowBlock([study.bench.row(number)]))
+        store.add(RowBlock([study.runner.row(number)]))
     assert [row["run"] for row in store.rows()] == [0, 1, 2]
     assert store.folder.parts() == [Part(0, 2, 3)]
 

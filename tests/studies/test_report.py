@@ -17,7 +17,7 @@ from nctakt.messages.files import NOT_A_REGULAR_FILE
 from nctakt.studies.plans.verdicts import limits_of, wilson
 from nctakt.studies.report import sensitivities
 from nctakt.studies.rows.results import StreamedRows, read_rows, write_rows
-from nctakt.studies.runs.bench import Row
+from nctakt.studies.runs.study_runner import Row
 from nctakt.studies.study import Study
 
 pytest_plugins = ["pytester"]

@@ -16,8 +16,8 @@ from nctakt.cli import main
 from nctakt.studies.rows import row_store
 from nctakt.studies.rows.results import write_rows
 from nctakt.studies.rows.row_store import RowStore, RunNumbers
-from nctakt.studies.runs.bench import Row
 from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.study_runner import Row
 from nctakt.studies.study import Study, StudyResult
 
 PLAN = (

@@ -13,7 +13,7 @@ from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.studies.plans.dimension import Value
 from nctakt.studies.rows.row_store import RowStore
-from nctakt.studies.runs.bench import Bench, Row
+from nctakt.studies.runs.study_runner import Row, StudyRunner
 from nctakt.studies.searching.search_runs import Point, SearchRuns
 from nctakt.studies.study import Study
 
@@ -64,16 +64,16 @@ def test_a_search_goes_on(plan: Path, capsys: Captured, monkeypatch: pytest.Monk
     words = ["study", str(plan), "--quiet", "--out", str(out)]
     main(words)
     whole = out.read_bytes()
-    row_of = Bench.row_of
+    row_of = StudyRunner.row_of
 
-    def noted(bench: Bench, index: int, point: Sequence[Value], *, covers: bool) -> Row:
+    def noted(runner: StudyRunner, index: int, point: Sequence[Value], *, covers: bool) -> Row:
         if index == 6 and 6 not in runs:
             runs.append(index)
             raise KeyboardInterrupt
         runs.append(index)
-        return row_of(bench, index, point, covers=covers)
+        return row_of(runner, index, point, covers=covers)
 
-    monkeypatch.setattr(Bench, "row_of", noted)
+    monkeypatch.setattr(StudyRunner, "row_of", noted)
     assert main(words) == 1
     runs[:] = [6]
     assert main([*words, "--resume"]) == 0
@@ -87,9 +87,9 @@ def test_another_maker_gives_the_same_answers(plan: Path) -> None:
 
     def make(points: Sequence[Point]) -> list[Row]:
         asked.append(len(points))
-        return [study.bench.row_of(*point) for point in points]
+        return [study.runner.row_of(*point) for point in points]
 
-    assert study.find(SearchRuns(study.bench, make=make)) == study.find()
+    assert study.find(SearchRuns(study.runner, make=make)) == study.find()
     assert asked == [1, 1, 1, 1, 1, 8]
 
 
@@ -106,7 +106,7 @@ def test_a_cluster_makes_the_runs_of_a_search(plan: Path) -> None:
         ) as cluster,
         points_of_cluster(study.plan, cluster) as make,
     ):
-        assert study.find(SearchRuns(study.bench, make=make)) == study.find()
+        assert study.find(SearchRuns(study.runner, make=make)) == study.find()
     with pytest.raises(Failure, match="901316"), points_of_cluster(study.plan, "tcp://127.0.0.1:1"):
         pass
 
@@ -154,8 +154,8 @@ def test_a_search_for_branches_writes_its_runs(cover: Path, capsys: Captured) ->
     assert [row["run"] for row in rows] == list(range(len(rows)))
     assert {7, 777} <= {row["V.E.VALUE"] for row in rows}
     assert len({row["V.E.VALUE"] for row in rows}) == len(rows) < 100
-    bench = Study(cover).bench
-    assert rows == [bench.row_of(row["run"], [row["V.E.VALUE"]]) for row in rows]
+    runner = Study(cover).runner
+    assert rows == [runner.row_of(row["run"], [row["V.E.VALUE"]]) for row in rows]
     assert not cover.with_name("out.jsonl.rows").exists()
     assert "--set V.E.VALUE=777" in page.read_text()
 
@@ -168,15 +168,15 @@ def test_a_search_for_branches_goes_on(
     words = ["study", str(cover), "--cover", "--quiet", "--out", str(out)]
     assert main(words) == 0
     whole, shown = out.read_bytes(), capsys.readouterr().out
-    made, last, row_of = list[int](), [20], Bench.row_of
+    made, last, row_of = list[int](), [20], StudyRunner.row_of
 
-    def noted(bench: Bench, index: int, point: Sequence[Value], *, covers: bool) -> Row:
+    def noted(runner: StudyRunner, index: int, point: Sequence[Value], *, covers: bool) -> Row:
         if index == last[0]:
             raise KeyboardInterrupt
         made.append(index)
-        return row_of(bench, index, point, covers=covers)
+        return row_of(runner, index, point, covers=covers)
 
-    monkeypatch.setattr(Bench, "row_of", noted)
+    monkeypatch.setattr(StudyRunner, "row_of", noted)
     assert main(words) == 1
     assert "20 of 1000 runs" in capsys.readouterr().err
     assert main(["study", str(cover), "--quiet", "--out", str(out), "--resume"]) == 2
@@ -190,8 +190,8 @@ def test_rows_of_other_points_are_made_again(cover: Path) -> None:
     """A corpus that another search has changed since: no row stands for other inputs."""
     study = Study(cover)
     store = RowStore(cover.with_name("rows"), study.plan, resumes=False)
-    SearchRuns(study.bench, store, covers=True).add([(3,), (4,)])
-    rows = SearchRuns(study.bench, store, covers=True).add([(3,), (5,)])
+    SearchRuns(study.runner, store, covers=True).add([(3,), (4,)])
+    rows = SearchRuns(study.runner, store, covers=True).add([(3,), (5,)])
     store.close()
     assert [(row["run"], row["V.E.VALUE"]) for row in rows] == [(0, 3), (1, 5)]
 
@@ -212,13 +212,13 @@ def test_a_cluster_makes_the_runs_of_a_search_for_branches(cover: Path) -> None:
     from nctakt.studies.workers.cluster import points_of_cluster  # noqa: PLC0415 - an extra
 
     study = Study(cover)
-    here = SearchRuns(study.bench, covers=True)
+    here = SearchRuns(study.runner, covers=True)
     with (
         distributed.LocalCluster(
             n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None
         ) as cluster,
         points_of_cluster(study.plan, cluster, covers=True) as make,
     ):
-        there = SearchRuns(study.bench, make=make, covers=True)
+        there = SearchRuns(study.runner, make=make, covers=True)
         assert study.cover(searched=there) == study.cover(searched=here)
     assert there.rows == here.rows

@@ -18,8 +18,8 @@ from support.insides import let_copy
 
 from nctakt.run.controller import Controller, NcText
 from nctakt.studies.plans.plan import Goal
-from nctakt.studies.runs.bench import Digest
 from nctakt.studies.runs.shared_beginning import SharedBeginning
+from nctakt.studies.runs.study_runner import Digest
 from nctakt.studies.searching.search import search
 from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.study import Study
@@ -84,10 +84,10 @@ def test_a_shared_beginning_yields_the_same_rows(program: Path) -> None:
         at=[["302 ms", "V.E.VALUE = 1"]],
         expect=["PATH.SPEED <= 0 within 20 ms"],
     )
-    shared = SharedBeginning(plan.bench, may_copy=False)
+    shared = SharedBeginning(plan.runner, may_copy=False)
     let_copy(shared)
     for number in (0, 1, 2, 3, 40, 700, 5):
-        assert shared.row(number) == plan.bench.row(number)
+        assert shared.row(number) == plan.runner.row(number)
 
 
 def test_bisecting_finds_both_neighbours(program: Path) -> None:
@@ -115,7 +115,7 @@ def test_bisecting_finds_both_neighbours(program: Path) -> None:
 def test_a_span_without_a_switch_over_is_told(program: Path) -> None:
     """Both ends hold: 901314 instead of an answer."""
     plan = study(program, **{"from": "0 ms", "to": "100 ms", "step": "1 tick"})
-    finding = search(SearchRuns(plan.bench), Goal("boundary", "stop", 0)).finding
+    finding = search(SearchRuns(plan.runner), Goal("boundary", "stop", 0)).finding
     assert finding is not None
     assert finding.id == 901314
 
@@ -130,7 +130,7 @@ def test_expectations_bound_a_search(program: Path) -> None:
     """The latest stop that rests before 55.05 mm is that at 550 ms (100 mm/s); without this limit
     it would be the last one of the grid, which is shown with what it breaks."""
     plan = study(program, **{"from": "500 ms", "to": "560 ms", "step": "1 tick"})
-    answer = search(SearchRuns(plan.bench), Goal("maximize", "rest", 61))  # each point of the grid
+    answer = search(SearchRuns(plan.runner), Goal("maximize", "rest", 61))  # each point of the grid
     best, beyond = answer.rows
     assert (best["stop"], best["verdict"], answer.finding) == (0.55, "passed", None)
     assert beyond["stop"] == 0.56
@@ -141,7 +141,7 @@ def test_expectations_bound_a_search(program: Path) -> None:
 def test_a_search_without_a_run_that_passes_says_so(program: Path) -> None:
     """All stops from 560 ms on are too late: 901940, and the best of them."""
     plan = study(program, **{"from": "560 ms", "to": "570 ms", "step": "1 tick"})
-    answer = search(SearchRuns(plan.bench), Goal("minimize", "rest", 20))
+    answer = search(SearchRuns(plan.runner), Goal("minimize", "rest", 20))
     assert [row["stop"] for row in answer.rows] == [0.56]
     assert answer.finding is not None
     assert answer.finding.id == 901940
@@ -163,14 +163,14 @@ def test_several_objectives_have_a_pareto_set(program: Path) -> None:
     assert [row["stop"] for row in answer.rows] == [n / 1000 for n in range(550, 544, -1)]
     plan = study(program, **{"from": "545 ms", "to": "560 ms", "step": "1 tick"})
     both = (("maximize", "rest"), ("maximize", "rest"))
-    (row,) = search(SearchRuns(plan.bench), Goal("pareto", "", 20, both)).rows
+    (row,) = search(SearchRuns(plan.runner), Goal("pareto", "", 20, both)).rows
     assert row["stop"] == 0.55
 
 
 def test_a_boundary_is_two_ticks_that_follow_each_other(program: Path) -> None:
     """Whatever the step, and though 0.3 ms is no tick: 550 and 551 ms."""
     plan = study(program, **{"from": "0.3 ms", "to": "900 ms", "step": "7 ms"})
-    answer = search(SearchRuns(plan.bench), Goal("boundary", "stop", 0))
+    answer = search(SearchRuns(plan.runner), Goal("boundary", "stop", 0))
     assert [row["stop"] for row in answer.rows] == [0.55, FIRST_LATE]
 
 

@@ -10,8 +10,8 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.cli.results import study_progress
-from nctakt.studies.runs.bench import Row
 from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.study_runner import Row
 
 Captured = pytest.CaptureFixture[str]
 

@@ -44,10 +44,10 @@ def test_a_tried_injection_has_the_row_of_a_run_from_the_start(
     """Whatever is expected, with a value that goes back, at ticks of all kinds."""
     plan = each_tick(WAITING + MOVE, expect, **{"for": "30 ms"})
     made = count_trials(monkeypatch)
-    shared = SharedBeginning(plan.bench, may_copy=False)
+    shared = SharedBeginning(plan.runner, may_copy=False)
     numbers = [*range(0, 40, 3), *range(90, 330, 11), 5]
     for number in numbers:
-        assert shared.row(number) == plan.bench.row(number)
+        assert shared.row(number) == plan.runner.row(number)
     assert made.count(True) > len(numbers) // 3
 
 
@@ -76,9 +76,9 @@ def test_random_programs_have_the_same_rows(monkeypatch: pytest.MonkeyPatch) -> 
         plan = each_tick(
             program(seed), f"PATH.SPEED > 90 within {limit} ms", f"{name} = 1", **{"for": "15 ms"}
         )
-        shared = SharedBeginning(plan.bench, may_copy=False)
+        shared = SharedBeginning(plan.runner, may_copy=False)
         for number in sorted(chance.sample(range(len(plan)), min(12, len(plan)))):
-            assert shared.row(number) == plan.bench.row(number), (seed, number)
+            assert shared.row(number) == plan.runner.row(number), (seed, number)
     assert any(made)
 
 
@@ -90,9 +90,9 @@ def test_other_stimuli_of_the_plan_are_not_forgotten() -> None:
         vary=[{"time_of": "HLI.OVERRIDE = 40", "each_tick": True, "to": "150 ms"}],
         expect=["PATH.SPEED < 0 within 40 ms"],
     )
-    shared = SharedBeginning(plan.bench, may_copy=False)
+    shared = SharedBeginning(plan.runner, may_copy=False)
     for number in range(0, 150, 7):
-        assert shared.row(number) == plan.bench.row(number)
+        assert shared.row(number) == plan.runner.row(number)
 
 
 def test_a_run_is_looked_at_from_its_injection_on() -> None:
@@ -113,5 +113,5 @@ def test_values_before_the_window_are_not_there() -> None:
 def test_a_decided_run_is_left(tmp_path: Path) -> None:
     """A condition that comes at once is decided at the first look, not at the window's end."""
     plan = each_tick(WAITING + MOVE, "V.E.VALUE >= 5 within 1 s")
-    row = plan.bench.row(20)
+    row = plan.runner.row(20)
     assert (row["state"], row["ticks"], row["reaction_time"]) == ("decided", 20 + LOOK_TICKS, 0.001)

@@ -16,7 +16,7 @@ from nctakt.run.access.interface_access import InterfaceAccess
 from nctakt.run.access.variable_access import is_path
 from nctakt.servers.ads.codes import Command, Group
 from nctakt.servers.ads.frames import REQUEST, Frame, FrameReader
-from nctakt.servers.ads.server import AdsDoor, Connection
+from nctakt.servers.ads.server import AdsEndpoint, Connection
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.session.listening import Frame as SessionFrame
@@ -112,7 +112,7 @@ class StandingSession:
             for name in names
         ]
 
-    def glance(self, *names: str) -> Any:
+    def state_view(self, *names: str) -> Any:
         """Return values, the tick, and a channel whose F is 600 mm/min."""
         channel = SimpleNamespace(programmed_mm_s=10.0, in_force=None)
         values, waiting = self.read(*names), tuple(self.waiting)
@@ -226,15 +226,17 @@ class Wire(asyncio.Transport):
 class Bench:
     """A server on a session that stands, with ``log``, its lines."""
 
-    def __init__(self, host: Host, session: StandingSession, door: AdsDoor, log: list[str]) -> None:
+    def __init__(
+        self, host: Host, session: StandingSession, endpoint: AdsEndpoint, log: list[str]
+    ) -> None:
         self.host = host
         self.session = session
-        self.door = door
+        self.endpoint = endpoint
         self.log = log
 
     def connect(self) -> tuple[Connection, Wire]:
         """Connect a client."""
-        wire, connection = Wire(), Connection(self.door)
+        wire, connection = Wire(), Connection(self.endpoint)
         connection.connection_made(wire)
         return connection, wire
 
@@ -256,13 +258,13 @@ async def bench(**words: Any) -> AsyncIterator[Bench]:
     session = StandingSession(machine)
     log: list[str] = []
     host = await Host(cast("Session", session), machine, ServerLog(log.append)).open()
-    door = AdsDoor(host, ("127.0.0.1", 0), OWN, **words)
-    await door.prepare()
-    await door.open()
+    endpoint = AdsEndpoint(host, ("127.0.0.1", 0), OWN, **words)
+    await endpoint.prepare()
+    await endpoint.open()
     try:
-        yield Bench(host, session, door, log)
+        yield Bench(host, session, endpoint, log)
     finally:
-        await door.close()
+        await endpoint.close()
         await host.close()
 
 

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 from nctakt.run.controller import Controller
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
+from nctakt.session.core import SessionCore
 from nctakt.session.session import Session
-from nctakt.session.story import Story
 
 if TYPE_CHECKING:
     import pytest
@@ -34,19 +34,19 @@ def loop_of(controller: Controller) -> TickLoop:
     return controller._loop
 
 
-def story_of(session: Session) -> Story:
+def core_of(session: Session) -> SessionCore:
     """What turns the commands of a session into effects."""
-    return session._story
+    return session._core
 
 
 def lose_controller(session: Session) -> None:
     """Cut the connection to the controller of a session."""
-    story_of(session).timeline.live._connection.close()
+    core_of(session).timeline.live._connection.close()
 
 
 def processes_of(session: Session) -> Sequence[Popen[bytes]]:
     """The processes in which the controllers of a session live."""
-    return story_of(session).timeline._workshop._processes
+    return core_of(session).timeline._workshop._processes
 
 
 class Audience:

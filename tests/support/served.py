@@ -16,7 +16,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.structured_text import structured_programs
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
-from nctakt.servers.opcua.door import OpcuaDoor
+from nctakt.servers.opcua.endpoint import OpcuaEndpoint
 from nctakt.servers.opcua.limits import Limits
 
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
@@ -38,7 +38,7 @@ WRONG = "G01 X10 F6000\nG01 X100000\nM30\n"
 
 
 class Served:
-    """A session and its door; ``url``: its address. ``step`` runs ticks while it pauses."""
+    """A session and its endpoint; ``url``: its address. ``step`` runs ticks while it pauses."""
 
     def __init__(
         self,
@@ -79,16 +79,16 @@ class Served:
         try:
             self.host = await Host(self.session, load_machine(), log, self._programs).open()
             address = self._address, 0
-            self.door = OpcuaDoor(self.host, address, self.folder / "opcua", self._limits)
-            await self.door.prepare()
-            self.url = await self.door.open()
+            self.endpoint = OpcuaEndpoint(self.host, address, self.folder / "opcua", self._limits)
+            await self.endpoint.prepare()
+            self.url = await self.endpoint.open()
         except Exception as error:  # noqa: BLE001 - the thread of the test raises it
             self.failure = error
             return
         finally:
             self._ready.set()
         await self._end.wait()
-        await self.door.close()
+        await self.endpoint.close()
         await self.host.close()
 
     def refusals(self) -> list[str]:

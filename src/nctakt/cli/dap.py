@@ -68,10 +68,10 @@ def command(port: int | None, confined: tuple[str, ...], **words: Any) -> int:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
     try:
-        for line in server.door.lines():
+        for line in server.endpoint.lines():
             click.echo(line)
-        if server.door.warning is not None:
-            print_diagnostics([server.door.warning], language)
+        if server.endpoint.warning is not None:
+            print_diagnostics([server.endpoint.warning], language)
         with contextlib.suppress(KeyboardInterrupt):  # the way to end it
             server.serve()
     finally:

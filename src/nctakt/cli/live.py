@@ -353,10 +353,10 @@ def _let_attach(shared: SharedSession, port: int, options: Options) -> PortServe
         port, folders=options.confined, language=options.language, session=lambda: shared.session
     )
     threading.Thread(target=server.serve, name="nctakt dap", daemon=True).start()
-    for line in server.door.lines():
+    for line in server.endpoint.lines():
         click.echo(f"dap {line}")
-    if server.door.warning is not None:
-        print_diagnostics([server.door.warning], options.language)
+    if server.endpoint.warning is not None:
+        print_diagnostics([server.endpoint.warning], options.language)
     return server
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``nctakt serve``: a controller that clients find on the network, until it is ended.
 
-In: programs, machine, PLC, doors. Out: a line with the addresses of all doors (standard output),
-diagnostics (standard error), a log. It ends at SIGTERM and Ctrl-C.
+In: programs, machine, PLC, endpoints. Out: a line with the addresses of all endpoints (standard
+output), diagnostics (standard error), a log. It ends at SIGTERM and Ctrl-C.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ from nctakt.messages.scheduling.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 from nctakt.servers.building import building
 
 if TYPE_CHECKING:
-    from nctakt.servers.serving import DoorOpener
+    from nctakt.servers.serving import EndpointOpener
     from nctakt.session.growing_tape import GrowingTape
     from nctakt.session.session import Session
     from nctakt.session.setup import Setup
@@ -245,10 +245,10 @@ def command(
     **words: Any,
 ) -> int:
     """Serve a session."""
-    doors = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
+    endpoints = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
     clients = _AdsWords(ads_net_id, ads_permitted, ads_networks)
     own = _Words(
-        doors, live, clients, opcua_folder, acknowledge, speed, pace, tape, ready_file, log
+        endpoints, live, clients, opcua_folder, acknowledge, speed, pace, tape, ready_file, log
     )
 
     def show(options: Options, access: FileAccess) -> int:
@@ -269,9 +269,9 @@ class _AdsWords:
 
 @dataclass(frozen=True, slots=True)
 class _Words:
-    """The words that only this command has; ``doors``: the word of each option of a door."""
+    """The words that only this command has; ``endpoints``: the words of their options."""
 
-    doors: Mapping[str, str | None]
+    endpoints: Mapping[str, str | None]
     live: str | None
     ads: _AdsWords
     opcua_folder: str
@@ -293,7 +293,7 @@ def _plc_programs(options: Options) -> Sequence[Program]:
 
 
 def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[], None]) -> int:
-    """Open the session and serve it, ``built`` once all doors are open.
+    """Open the session and serve it, ``built`` once all endpoints are open.
 
     Raises ``Failure`` for what cannot be used.
     """
@@ -308,10 +308,10 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
 
     request = read_request(options, access)
     folders = options.confined or served_folders(options)
-    doors = _doors(own)
+    endpoints = _endpoints(own)
     if own.live is not None:
-        doors["live"] = _page(options, own, folders, own.live)
-    if not doors:
+        endpoints["live"] = _page(options, own, folders, own.live)
+    if not endpoints:
         raise Failure(diagnostic(NO_DOOR))
     if not options.quiet:
         notes = [] if options.machine_note is None else [options.machine_note]
@@ -331,7 +331,14 @@ def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[]
         growing = _growing(own.tape, session, setup, options, access)
         programs = _plc_programs(options)
         serving = serve(
-            session, machine, log, doors, programs=programs, tape=growing, speed=speed, ready=ready
+            session,
+            machine,
+            log,
+            endpoints,
+            programs=programs,
+            tape=growing,
+            speed=speed,
+            ready=ready,
         )
         try:
             asyncio.run(serving)
@@ -388,22 +395,22 @@ def _setup(options: Options, request: Request, own: _Words, folders: Sequence[st
     )
 
 
-def _doors(own: _Words) -> dict[str, DoorOpener]:
-    """Return what opens each door that is asked for; raises ``Failure`` for wrong addresses."""
-    doors: dict[str, DoorOpener] = {}
-    for name, word in own.doors.items():
+def _endpoints(own: _Words) -> dict[str, EndpointOpener]:
+    """Return what opens each endpoint that is asked for; raises ``Failure`` for wrong addresses."""
+    endpoints: dict[str, EndpointOpener] = {}
+    for name, word in own.endpoints.items():
         if word is not None:
-            doors[name] = _DOORS[name](word, own)
-    return doors
+            endpoints[name] = _ENDPOINTS[name](word, own)
+    return endpoints
 
 
-def _ads(word: str, own: _Words) -> DoorOpener:
+def _ads(word: str, own: _Words) -> EndpointOpener:
     from nctakt.servers.address import (  # noqa: PLC0415 - only where it is asked for
         is_loopback,
         read_address,
         read_network,
     )
-    from nctakt.servers.ads.server import PORT, AdsDoor  # noqa: PLC0415 - as above
+    from nctakt.servers.ads.server import PORT, AdsEndpoint  # noqa: PLC0415 - as above
 
     address = read_address("--ads", word, PORT)
     net_id = None if own.ads.net_id is None else _net_id(own.ads.net_id)
@@ -411,7 +418,7 @@ def _ads(word: str, own: _Words) -> DoorOpener:
     networks = [read_network("--ads-from", text) for text in own.ads.networks]
     if not networks and not is_loopback(address[0]):
         raise Failure(diagnostic(ADS_NEEDS_SOURCES, host=address[0]))
-    return lambda host: AdsDoor(host, address, net_id, clients, networks)
+    return lambda host: AdsEndpoint(host, address, net_id, clients, networks)
 
 
 def _net_id(text: str) -> bytes:
@@ -425,41 +432,41 @@ def _net_id(text: str) -> bytes:
 
 
 def _who_commands(own: _Words) -> Iterator[Diagnostic]:
-    """Yield a note for each door that takes commands: from whom."""
+    """Yield a note for each endpoint that takes commands: from whom."""
     from nctakt.servers.address import is_loopback, read_address  # noqa: PLC0415 - as in _ads
 
-    def is_local(door: str) -> bool:
-        return is_loopback(read_address(f"--{door}", own.doors[door] or "", 0)[0])
+    def is_local(endpoint: str) -> bool:
+        return is_loopback(read_address(f"--{endpoint}", own.endpoints[endpoint] or "", 0)[0])
 
     local = Text(
         "any program of this computer, without a password",
         "jedes Programm dieses Rechners, ohne Passwort",
     )
-    if own.doors["ads"] is not None:
+    if own.endpoints["ads"] is not None:
         networks = ", ".join(own.ads.networks)
         remote = Text(
             f"whoever connects from {networks}, without a password",
             f"wer sich von {networks} verbindet, ohne Passwort",
         )
-        yield diagnostic(WHO_COMMANDS, door="ADS", who=remote if networks else local)
-    if own.doors["opcua"] is not None:
+        yield diagnostic(WHO_COMMANDS, endpoint="ADS", who=remote if networks else local)
+    if own.endpoints["opcua"] is not None:
         users = Text(f"the users of {own.opcua_folder}", f"die Benutzer von {own.opcua_folder}")
-        yield diagnostic(WHO_COMMANDS, door="OPC UA", who=local if is_local("opcua") else users)
-    if own.doors["mqtt"] is not None:
+        yield diagnostic(WHO_COMMANDS, endpoint="OPC UA", who=local if is_local("opcua") else users)
+    if own.endpoints["mqtt"] is not None:
         writers = Text(
             "whoever may write to the topics of the broker",
             "wer auf die Topics des Brokers schreiben darf",
         )
-        yield diagnostic(WHO_COMMANDS, door="MQTT", who=writers)
+        yield diagnostic(WHO_COMMANDS, endpoint="MQTT", who=writers)
 
 
-def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> DoorOpener:
+def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> EndpointOpener:
     """Return what opens the page; raises ``Failure`` (901477) without a program."""
     from nctakt.live.server import check_library  # noqa: PLC0415 - only where it is asked for
 
     check_library()
     from nctakt.live.document import Checker  # noqa: PLC0415 - as above
-    from nctakt.live.door import PageDoor  # noqa: PLC0415
+    from nctakt.live.endpoint import PageEndpoint  # noqa: PLC0415
     from nctakt.servers.address import read_address  # noqa: PLC0415
 
     address = read_address("--live", word, _PAGE_PORT)
@@ -469,7 +476,7 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> D
     if not any(programs.values()):
         raise Failure(diagnostic(PAGE_WITHOUT_PROGRAM))
     checker = Checker(options.machine, folders)
-    return lambda host: PageDoor(
+    return lambda host: PageEndpoint(
         host.session,
         programs,
         checker,
@@ -482,37 +489,37 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> D
     )
 
 
-def _mtconnect(word: str, own: _Words) -> DoorOpener:
+def _mtconnect(word: str, own: _Words) -> EndpointOpener:
     from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
-    from nctakt.servers.mtconnect import PORT, MtconnectDoor  # noqa: PLC0415 - as above
+    from nctakt.servers.mtconnect import PORT, MtconnectEndpoint  # noqa: PLC0415 - as above
 
     address = read_address("--mtconnect", word, PORT)
-    return lambda host: MtconnectDoor(host, address)
+    return lambda host: MtconnectEndpoint(host, address)
 
 
-def _mqtt(word: str, own: _Words) -> DoorOpener:
-    from nctakt.servers.mqtt import MqttDoor  # noqa: PLC0415 - only where it is asked for
+def _mqtt(word: str, own: _Words) -> EndpointOpener:
+    from nctakt.servers.mqtt import MqttEndpoint  # noqa: PLC0415 - only where it is asked for
     from nctakt.servers.mqtt_requests import read_broker  # noqa: PLC0415 - as above
 
     broker = read_broker(word)
-    return lambda host: MqttDoor(host, broker)
+    return lambda host: MqttEndpoint(host, broker)
 
 
-def _opcua(word: str, own: _Words) -> DoorOpener:
+def _opcua(word: str, own: _Words) -> EndpointOpener:
     if find_spec("asyncua") is None:
         raise Failure(diagnostic(OPCUA_LIBRARY_MISSING))
     from nctakt.servers.address import read_address  # noqa: PLC0415 - only where it is asked for
-    from nctakt.servers.opcua.door import PORT, OpcuaDoor  # noqa: PLC0415 - as above
+    from nctakt.servers.opcua.endpoint import PORT, OpcuaEndpoint  # noqa: PLC0415 - as above
 
     address = read_address("--opcua", word, PORT)
-    return lambda host: OpcuaDoor(host, address, Path(own.opcua_folder))
+    return lambda host: OpcuaEndpoint(host, address, Path(own.opcua_folder))
 
 
 #: The port of the page.
 _PAGE_PORT = 8765
 
-#: The option of each door, and what its word opens.
-_DOORS: Mapping[str, Callable[[str, _Words], DoorOpener]] = {
+#: The option of each endpoint, and what its word opens.
+_ENDPOINTS: Mapping[str, Callable[[str, _Words], EndpointOpener]] = {
     "ads": _ads,
     "mtconnect": _mtconnect,
     "mqtt": _mqtt,
@@ -550,7 +557,7 @@ def _log_writer(file: str | None) -> Iterator[Callable[[str], object] | None]:
 def _ready_teller(
     file: str | None, built: Callable[[], None]
 ) -> Callable[[Mapping[str, str]], None]:
-    """Return what tells the addresses of all doors, and that all is built."""
+    """Return what tells the addresses of all endpoints, and that all is built."""
 
     def tell(addresses: Mapping[str, str]) -> None:
         built()

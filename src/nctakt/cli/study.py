@@ -433,7 +433,7 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     if "://" in results or Path(results, "_study.json").exists():
         from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder  # noqa: PLC0415
 
-        rows = RowsOfFolder(PartFolder(results, study.plan, dict(study.bench.units)))
+        rows = RowsOfFolder(PartFolder(results, study.plan, dict(study.runner.units)))
     else:
         is_folder = Path(results).is_dir()
         rows = _rows_of_parts(results, words) if is_folder else read_rows(Path(results))
@@ -443,7 +443,7 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
         raise Failure(diagnostic(OTHER_PLAN, folder=results))
     target = words["report"] or str(Path(results.rpartition("://")[2]).with_suffix(".html"))
     _check_outputs(study, [plan, results], {"report": target})
-    result = StudyResult(study.plan, rows, study.nominal, study.bench.units)
+    result = StudyResult(study.plan, rows, study.nominal, study.runner.units)
     page = result.report(words["language"], commands_of(study, result, plan, words))
     write_file(target, page)
     return EXIT_RAN
@@ -568,7 +568,7 @@ def _results(study: Study, words: dict[str, Any]) -> RowStore | FolderStore:
     from nctakt.studies.rows.folder_store import FolderStore  # noqa: PLC0415 - as above
     from nctakt.studies.rows.part_folder import PartFolder  # noqa: PLC0415
 
-    folder = PartFolder(words["out"], study.plan, dict(study.bench.units))
+    folder = PartFolder(words["out"], study.plan, dict(study.runner.units))
     return FolderStore(folder, study.plan, resumes=words["resume"])
 
 

@@ -214,7 +214,7 @@ class Breakpoints:
         return stops, owners
 
     def forget_from(self, tick: int) -> None:
-        """Forget hits in and after a tick: another story begins there."""
+        """Forget hits in and after a tick: another branch begins there."""
         for breakpoint_ in self.all:
             del breakpoint_.hits[bisect_left(breakpoint_.hits, moment_of(tick)) :]
 

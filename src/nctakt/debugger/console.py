@@ -17,7 +17,7 @@ from nctakt.debugger.values import DEBUGGER, Values
 from nctakt.lists.format.times import Time, read_time, time_stamp
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.debugger import NEVER_HELD, UNKNOWN_CONSOLE_COMMAND
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 from nctakt.session.session import Session
 
 #: Names that a completion offers at most.
@@ -143,7 +143,7 @@ class Console:
             return int(text)
         return read_time(text).ticks(self._session.description.cycle_time_us)
 
-    def _moved(self, done: Slice | None) -> Answer:
+    def _moved(self, done: StepResult | None) -> Answer:
         if done is None:
             return Answer(diagnostic(NEVER_HELD).text(self._language))
         return Answer(self.position(), has_moved=True)

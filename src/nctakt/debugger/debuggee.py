@@ -31,7 +31,7 @@ from nctakt.messages.connections.debugger import RUN_IS_ON
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.summary import headline
 from nctakt.session.cursor import FAULT
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
 from nctakt.trace.events import Event
@@ -235,7 +235,7 @@ class Debuggee:
         if not self._ends(running, done, [hit - others for hit in done.hits]):
             self.report.progress(running.begin_s)
 
-    def _ends(self, running: _Running, done: Slice, hits: Sequence[int]) -> bool:
+    def _ends(self, running: _Running, done: StepResult, hits: Sequence[int]) -> bool:
         """Stop where something is due; return whether it has stopped.
 
         ``hits``: the stops that have held: below 0 those of another one's session, then the

@@ -17,7 +17,7 @@ from nctakt.debugger.debuggee import Debuggee
 from nctakt.debugger.launch import Configuration
 from nctakt.messages import diagnostic
 from nctakt.messages.programs.block_search import START_BLOCK_NOT_REACHED
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
 
@@ -40,7 +40,7 @@ def start_block(debuggee: Debuggee, arguments: Arguments) -> dict[str, Any] | No
 
 def search_block(
     debuggee: Debuggee, configuration: Configuration, line: int
-) -> tuple[Session, Slice]:
+) -> tuple[Session, StepResult]:
     """Return a session at the block of a line, and how it has come there; raises ``Failure``."""
     file = next(iter(debuggee.session.description.texts), "")
     session = configuration.at_line(line).open()

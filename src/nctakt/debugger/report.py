@@ -16,7 +16,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.debugger.sources import Sources
 from nctakt.lists.format.times import time_stamp
 from nctakt.results.run import ProgramMessage
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 from nctakt.session.listening import Listener
 from nctakt.session.session import Session
 
@@ -83,7 +83,7 @@ class Report:
         """Tell a text."""
         self._tell("output", {"category": category, "output": text, **where})
 
-    def news(self, done: Slice) -> None:
+    def news(self, done: StepResult) -> None:
         """Tell messages of programs and diagnostics of a part of the way."""
         if self._listener is None:
             self._messages(done.messages)

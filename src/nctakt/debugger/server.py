@@ -18,7 +18,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.debugger.adapter import Adapter, Enter
 from nctakt.debugger.relay import HOST, KIND
-from nctakt.ports.door import Door, Visitor
+from nctakt.ports.endpoint import Endpoint, Visitor
 from nctakt.ports.framing import MessageReader, MessageWriter, Readable
 from nctakt.session.session import Session
 
@@ -82,7 +82,7 @@ def serve_pipe(*, folders: Sequence[str], language: Language) -> None:
 
 
 class PortServer:
-    """Serves clients at a port of this computer, by its ``door``.
+    """Serves clients at a port of this computer, by its ``endpoint``.
 
     Raises ``Failure`` (901920) if the system refuses the port. ``session`` returns the session to
     attach to.
@@ -96,14 +96,14 @@ class PortServer:
         language: Language = "en",
         session: Callable[[], Session] | None = None,
     ) -> None:
-        self.door = Door(KIND, HOST, port, max_guests=MAX_CLIENTS)
+        self.endpoint = Endpoint(KIND, HOST, port, max_guests=MAX_CLIENTS)
         self._folders = folders
         self._language: Language = language
         self._session = session
 
     def serve(self) -> None:
         """Take clients until ``close``."""
-        self.door.serve(self._serve_visitor)
+        self.endpoint.serve(self._serve_visitor)
 
     def _serve_visitor(self, visitor: Visitor) -> None:
         serve_streams(
@@ -117,4 +117,4 @@ class PortServer:
 
     def close(self) -> None:
         """Take no further clients, and leave those that there are."""
-        self.door.close()
+        self.endpoint.close()

@@ -21,7 +21,7 @@ from nctakt.editor.incoming import Incoming
 from nctakt.editor.server import Server
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.ports import TOKEN_NEEDED
-from nctakt.ports.door import Door, Visitor
+from nctakt.ports.endpoint import Endpoint, Visitor
 from nctakt.ports.framing import Message, MessageReader
 
 #: What the file of a token is called by.
@@ -48,7 +48,7 @@ def serve_port(
 
     ``tell`` gets address and token. Raises ``Failure`` (901920) if the system refuses the port.
     """
-    door = Door(KIND, host, port, max_guests=1)
+    endpoint = Endpoint(KIND, host, port, max_guests=1)
     entered: queue.SimpleQueue[tuple[Visitor, Message]] = queue.SimpleQueue()
     is_over = threading.Event()
 
@@ -59,18 +59,20 @@ def serve_port(
             is_over.wait()
 
     try:
-        for line in door.lines():
+        for line in endpoint.lines():
             tell(line)
-        if door.warning is not None:
-            warn(door.warning)
-        threading.Thread(target=door.serve, args=(receive,), name="nctakt lsp", daemon=True).start()
+        if endpoint.warning is not None:
+            warn(endpoint.warning)
+        threading.Thread(
+            target=endpoint.serve, args=(receive,), name="nctakt lsp", daemon=True
+        ).start()
         visitor, message = entered.get()
         server.serve(Incoming(visitor.reading.read1, _framed(message)), visitor.writing)
     except KeyboardInterrupt:
         pass  # the way to end it
     finally:
         is_over.set()
-        door.close()
+        endpoint.close()
 
 
 def _first_message(visitor: Visitor, server: Server) -> Message | None:

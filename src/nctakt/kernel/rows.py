@@ -377,7 +377,7 @@ POSITIONS_OF_AXIS = 4
 ) = range(6)
 
 #: A pace by itself: how many columns of a segment it has, from ``SPEED_OVERRIDE`` on.
-PACE_WIDTH = 7
+FEED_MODIFIER_WIDTH = 7
 
 #: Limits of ``#VECTOR LIMIT``, of feed blocks and of rapid ones each.
 (

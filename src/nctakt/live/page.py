@@ -30,8 +30,8 @@ from nctakt.live.parts.variables import Variables
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import Snapshot
+from nctakt.session.core import NEXT_BLOCK, NEXT_REACTION
 from nctakt.session.session import Session
-from nctakt.session.story import NEXT_BLOCK, NEXT_REACTION
 
 #: How often the page looks for something new, in seconds; its fields once in this many looks.
 _LOOK_S = 0.05

@@ -12,7 +12,7 @@ from collections.abc import Callable
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.live.view import LogRow
 from nctakt.results.run import ProgramMessage
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 from nctakt.session.listening import Frame
 from nctakt.trace.events import Event
 
@@ -65,7 +65,7 @@ class RunLog:
         self._add(frame)
         return kept if is_other else None
 
-    def complete(self, happened: Callable[[int, int], Slice]) -> None:
+    def complete(self, happened: Callable[[int, int], StepResult]) -> None:
         """Let what ``happened`` in the latest ticks take the place of what is known of them.
 
         ``happened`` runs the ticks from a first one up to another one again; raises what it raises.
@@ -94,7 +94,7 @@ class RunLog:
         is_short = len(self.events) < min(_ENOUGH, count) and bool(self.left_out or self.begin)
         self.lacks_some = self.lacks_some or is_unsure or is_short
 
-    def _add(self, done: Frame | Slice) -> None:
+    def _add(self, done: Frame | StepResult) -> None:
         """List what ticks have done that follow."""
         events = (*self.events, *done.events)
         self.left_out += done.left_out + max(0, len(events) - MAX_LOG)

@@ -26,7 +26,7 @@ from nctakt.live.plc_files import PlcFiles
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 from nctakt.session.listening import Frame, Listener
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
@@ -319,12 +319,12 @@ class SharedSession:
         session = self.session
         is_playing = session.is_playing
         names = self._names()
-        glance = session.glance(*names)
+        state_view = session.state_view(*names)
         latest = session.latest
-        values = dict(zip(names, glance.values, strict=True))
-        self._append_truths(glance.tick - 1, view.truths(glance.cycles, self.file))
+        values = dict(zip(names, state_view.values, strict=True))
+        self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
         if is_playing:
-            self._append(glance.tick - 1, values)
+            self._append(state_view.tick - 1, values)
         else:
             if self.log.lacks_some:
                 with contextlib.suppress(Failure):  # the next look tries it again
@@ -334,18 +334,18 @@ class SharedSession:
         snapshot = Snapshot(
             self._number,
             self._serial,
-            glance.tick,
-            session.branches.get(session.branch, glance.tick),
+            state_view.tick,
+            session.branches.get(session.branch, state_view.tick),
             session.branch,
             is_playing,
             latest.run_state if frame is None else frame.run_state,
             values,
             latest.blocks,
             latest.decoding,
-            (*glance.ended, *glance.cycles),
-            glance.waiting,
+            (*state_view.ended, *state_view.cycles),
+            state_view.waiting,
             session.lateness[0],
-            glance.channels[self.channel - 1].awaited,
+            state_view.channels[self.channel - 1].awaited,
         )
         if self.path_signals:
             self.ahead.wish(self.future_subject, session)
@@ -406,7 +406,7 @@ class SharedSession:
         ticks = [min(first + (row + 1) * every - 1, last) for row in range(len(flat) // width)]
         return every, ticks, [flat[index::width] for index in range(width)]
 
-    def _look_back(self, session: Session, latest: Slice) -> None:
+    def _look_back(self, session: Session, latest: StepResult) -> None:
         """Take curves, marks and blocks from the past, in detail, unless they are there already."""
         end = session.branches[session.branch]
         key = (self._serial, session.branch, end, self.track.shown, self.file)

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""A session that clients on the network find: one loop, several doors."""
+"""A session that clients on the network find: one loop, several endpoints."""

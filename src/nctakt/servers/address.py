@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Addresses of doors: ``HOST:PORT`` -> host and port, and a server that listens there."""
+"""Addresses of endpoints: ``HOST:PORT`` -> host and port, and a server that listens there."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from nctakt.messages.connections.servers import (
 #: Addresses that begin alike.
 Network = ipaddress.IPv4Network | ipaddress.IPv6Network
 
-#: The address of a door that names none: this computer alone.
+#: The address of an endpoint that names none: this computer alone.
 LOOPBACK = "127.0.0.1"
 
 _MAX_PORT = 65535
@@ -73,7 +73,7 @@ def shown_address(host: str, port: int) -> str:
 
 
 async def listen_at(
-    door: str,
+    endpoint: str,
     address: tuple[str, int],
     start: Callable[[str, int], Awaitable[asyncio.Server]],
 ) -> tuple[asyncio.Server, str]:
@@ -86,7 +86,9 @@ async def listen_at(
         server = await start(host, port)
     except (OSError, OverflowError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        found = diagnostic(DOOR_ADDRESS_NOT_USABLE, door=door, host=host, port=port, reason=reason)
+        found = diagnostic(
+            DOOR_ADDRESS_NOT_USABLE, endpoint=endpoint, host=host, port=port, reason=reason
+        )
         raise Failure(found) from error
     taken = server.sockets[0].getsockname()[1]
     return server, shown_address(host, taken)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The host of all doors: one session, one loop, one store of values, one way to write.
+"""The host of all endpoints: one session, one loop, one store of values, one way to write.
 
-In: commands and values of clients, through the doors. Out: inputs of the session, values by name,
-frames and notices. Whatever asks the session waits in a thread of its own, never in the loop.
+In: commands and values of clients, through the endpoints. Out: inputs of the session, values by
+name, frames and notices. Whatever asks the session waits in a thread of its own, never in the loop.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ _P = ParamSpec("_P")
 _T = TypeVar("_T")
 
 
-class Door(Protocol):
+class Endpoint(Protocol):
     """A server of one protocol in the host's loop; ``max_connections``: how many it takes."""
 
     max_connections: int
@@ -79,7 +79,7 @@ class Busy(Exception):
 
 
 class Host:
-    """A session and what its doors share; open it in a running loop.
+    """A session and what its endpoints share; open it in a running loop.
 
     ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
     values; ``programs``: those of its PLC in Structured Text, ``marked``: what these mark for
@@ -168,24 +168,24 @@ class Host:
         """Return what a method of the session gives, without holding up the loop."""
         return await self.loop.run_in_executor(self._executor, lambda: method(*words, **keywords))
 
-    async def write(self, values: Mapping[str, Scalar], door: str, client: str) -> int:
+    async def write(self, values: Mapping[str, Scalar], endpoint: str, client: str) -> int:
         """Write values from the next tick on, all of them in the same one; return that tick.
 
         Raises ``Failure`` for a wrong name or value, ``Busy`` where too many writes wait; then
-        nothing is written, and it is logged. On the tape its source is door and client.
+        nothing is written, and it is logged. On the tape its source is endpoint and client.
         """
         if len(self._writes) >= MAX_WRITES:
-            self.log.refuse(door, client, "too many writes wait")
+            self.log.refuse(endpoint, client, "too many writes wait")
             raise Busy
         answer: asyncio.Future[Exception | int] = self.loop.create_future()
-        self._writes.append((dict(values), f"{door} {client}", answer))
+        self._writes.append((dict(values), f"{endpoint} {client}", answer))
         if self._writer is None:
             self._writer = self.loop.create_task(self._write_all())
         answered = await answer
         if isinstance(answered, int):
             return answered
         if isinstance(answered, Failure):
-            self.refuse(answered, door, client)
+            self.refuse(answered, endpoint, client)
         raise answered
 
     async def latched(self, tick: int) -> None:
@@ -215,13 +215,13 @@ class Host:
         finally:
             self._writer = None
 
-    async def select(self, program: str | Path, channel: int, door: str, client: str) -> None:
+    async def select(self, program: str | Path, channel: int, endpoint: str, client: str) -> None:
         """Select a program file for a channel, counted from 1; raises ``Failure``."""
-        await self._command(door, client, self.session.select, program, channel)
+        await self._command(endpoint, client, self.session.select, program, channel)
 
-    async def press(self, key: Key, channel: int, door: str, client: str) -> None:
+    async def press(self, key: Key, channel: int, endpoint: str, client: str) -> None:
         """Press a key of the operator: START, RESET, feed hold, and its end."""
-        await self.write(self.key_value(key, channel), door, client)
+        await self.write(self.key_value(key, channel), endpoint, client)
 
     def key_value(self, key: Key, channel: int) -> dict[str, Scalar]:
         """Return what a key writes in a channel, counted from 1."""
@@ -231,20 +231,20 @@ class Host:
         return {f"{prefix}{name}": value}
 
     async def _command(
-        self, door: str, client: str, method: Callable[..., None], *words: object
+        self, endpoint: str, client: str, method: Callable[..., None], *words: object
     ) -> None:
         try:
-            await self.ask(method, *words, source=f"{door} {client}")
+            await self.ask(method, *words, source=f"{endpoint} {client}")
         except Failure as failure:
-            self.refuse(failure, door, client)
+            self.refuse(failure, endpoint, client)
             raise
 
-    def refuse_later(self, door: str, client: str, reason: str) -> None:
+    def refuse_later(self, endpoint: str, client: str, reason: str) -> None:
         """Tell in the log that something of a client was refused, from another thread."""
         with contextlib.suppress(RuntimeError):  # the loop has ended
-            self.loop.call_soon_threadsafe(self.log.refuse, door, client, reason)
+            self.loop.call_soon_threadsafe(self.log.refuse, endpoint, client, reason)
 
-    def refuse(self, failure: Failure, door: str, client: str) -> None:
+    def refuse(self, failure: Failure, endpoint: str, client: str) -> None:
         """Tell in the log that something of a client was refused."""
         for found in failure.diagnostics[:1]:
-            self.log.refuse(door, client, f"{found.id}: {found.text('en')}")
+            self.log.refuse(endpoint, client, f"{found.id}: {found.text('en')}")

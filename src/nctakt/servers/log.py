@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What the servers tell of their clients: one JSON object a line.
 
-In: what happened, of which door and client, and why. Out: lines with a time. What comes again and
-again of a client is logged once in ``REPEAT_S`` seconds whatever its port, then with how often it
-came since; a door has ``MAX_LINES`` lines in that time whatever its clients call themselves.
+In: what happened, of which endpoint and client, and why. Out: lines with a time. What comes again
+and again of a client is logged once in ``REPEAT_S`` seconds whatever its port, then with how often
+it came since; an endpoint has ``MAX_LINES`` lines in that time whatever its clients call
+themselves.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ REPEAT_S = 10.0
 #: Lines about clients of a host that come, and that go, in this time.
 MAX_VISITS = 20
 
-#: Lines about the clients of a door in this time.
+#: Lines about the clients of an endpoint in this time.
 MAX_LINES = 100
 
 #: A client with its port: ``1.2.3.4.1.1:33000``, ``[::1]:4711``.
 _WITH_PORT = re.compile(r"([^:]+|\[.*\]):\d+")
 
-#: What makes lines equal: event, door, client without its port, reason.
+#: What makes lines equal: event, endpoint, client without its port, reason.
 _Key = tuple[str, str, str, str]
 
 
@@ -50,7 +51,7 @@ class _Repeats:
 
 @dataclass(slots=True)
 class _Budget:
-    """The lines of a door since ``begin_s``: those written, and those beyond the limit."""
+    """The lines of an endpoint since ``begin_s``: those written, and those beyond the limit."""
 
     begin_s: float
     written: int = 0
@@ -60,7 +61,7 @@ class _Budget:
 class ServerLog:
     """Writes lines; ``write`` ``None``: no one reads them.
 
-    ``refused``: how often something was refused, by doors.
+    ``refused``: how often something was refused, by endpoints.
     """
 
     def __init__(
@@ -78,23 +79,27 @@ class ServerLog:
         """Tell what happened."""
         self._line("info", event, words)
 
-    def error(self, event: str, *, door: str = "", reason: str = "", **words: object) -> None:
+    def error(self, event: str, *, endpoint: str = "", reason: str = "", **words: object) -> None:
         """Tell what went wrong in a server."""
-        shown = {"door": door, **words, "reason": reason} if door else {**words, "reason": reason}
-        self._bounded("error", (event, door, "", reason), 1, shown)
+        shown = (
+            {"endpoint": endpoint, **words, "reason": reason}
+            if endpoint
+            else {**words, "reason": reason}
+        )
+        self._bounded("error", (event, endpoint, "", reason), 1, shown)
 
-    def visit(self, event: str, door: str, host: str, **words: object) -> None:
+    def visit(self, event: str, endpoint: str, host: str, **words: object) -> None:
         """Tell that a client of a host has come or gone; not each one of a storm of them."""
-        shown = {"door": door, "host": host, **words}
-        self._bounded("info", (event, door, host, ""), MAX_VISITS, shown)
+        shown = {"endpoint": endpoint, "host": host, **words}
+        self._bounded("info", (event, endpoint, host, ""), MAX_VISITS, shown)
 
-    def refuse(self, door: str, client: str, reason: str, **words: object) -> None:
+    def refuse(self, endpoint: str, client: str, reason: str, **words: object) -> None:
         """Tell that something of a client was refused."""
-        self.refused[door] += 1
+        self.refused[endpoint] += 1
         found = _WITH_PORT.fullmatch(client)
         party = client if found is None else found[1]
-        shown = {"door": door, "client": client, "reason": reason, **words}
-        self._bounded("warning", ("refused", door, party, reason), 1, shown)
+        shown = {"endpoint": endpoint, "client": client, "reason": reason, **words}
+        self._bounded("warning", ("refused", endpoint, party, reason), 1, shown)
 
     def tell_counts(self) -> None:
         """Tell how often came what was not written each time."""
@@ -102,7 +107,7 @@ class ServerLog:
         self._end_budgets(None)
 
     def _bounded(self, level: str, key: _Key, limit: int, words: Mapping[str, object]) -> None:
-        """Write a line unless there are too many like it, or too many of the door."""
+        """Write a line unless there are too many like it, or too many of the endpoint."""
         now = self._clock()
         repeats = self._repeats.get(key)
         if repeats is not None and now - repeats.begin_s < REPEAT_S:
@@ -129,9 +134,9 @@ class ServerLog:
                 words = {**repeats.words, "repeated": repeats.left_out}
                 self._line(repeats.level, key[0], words)
 
-    def _has_room(self, door: str, now: float) -> bool:
-        """Return whether a door may have a further line, and count it."""
-        budget = self._budgets.setdefault(door, _Budget(now))
+    def _has_room(self, endpoint: str, now: float) -> bool:
+        """Return whether an endpoint may have a further line, and count it."""
+        budget = self._budgets.setdefault(endpoint, _Budget(now))
         if budget.written >= MAX_LINES:
             budget.left_out += 1
             return False
@@ -139,13 +144,13 @@ class ServerLog:
         return True
 
     def _end_budgets(self, now: float | None) -> None:
-        """Tell how many lines doors had too many, as ``_end_repeats``."""
-        for door, budget in tuple(self._budgets.items()):
+        """Tell how many lines endpoints had too many, as ``_end_repeats``."""
+        for endpoint, budget in tuple(self._budgets.items()):
             if now is not None and now - budget.begin_s < REPEAT_S:
                 continue
-            del self._budgets[door]
+            del self._budgets[endpoint]
             if budget.left_out:
-                self._line("warning", "left out", {"door": door, "lines": budget.left_out})
+                self._line("warning", "left out", {"endpoint": endpoint, "lines": budget.left_out})
 
     def _line(self, level: str, event: str, words: Mapping[str, object]) -> None:
         if self._write is None:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The door for MQTT: the session tells a broker what changes, and takes writes from it.
+"""The endpoint for MQTT: the session tells a broker what changes, and takes writes from it.
 
 In: frames and notices of the host; JSON on the topics ``write`` and ``press``. Out: JSON on topics
 below a root: channels, axes, spindles, variables, texts, and an answer to each request. When the
-broker is away, the session goes on, and the door connects again.
+broker is away, the session goes on, and the endpoint connects again.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ _DOOR = "mqtt"
 _AT_LEAST_ONCE = 1
 
 
-class MqttDoor:
+class MqttEndpoint:
     """Publishes the state of a session below the root of its topics."""
 
     max_connections = 1
@@ -127,7 +127,7 @@ class MqttDoor:
         return client
 
     async def _live(self, client: aiomqtt.Client, lost: tuple[type[Exception], ...]) -> None:
-        """Serve one connection after another until the door closes."""
+        """Serve one connection after another until the endpoint closes."""
         retry_s = _FIRST_RETRY_S
         is_connected = True
         while True:
@@ -135,12 +135,12 @@ class MqttDoor:
                 if not is_connected:
                     client = await self._connected()
                     is_connected, retry_s = True, _FIRST_RETRY_S
-                self._host.log.note("connected", door=_DOOR, client=self._broker.host)
+                self._host.log.note("connected", endpoint=_DOOR, client=self._broker.host)
                 await self._serve(client)
             except lost as error:
-                self._host.log.error("disconnected", door=_DOOR, reason=str(error))
-            except Exception as error:  # noqa: BLE001 - one request must not end the door
-                self._host.log.error("disconnected", door=_DOOR, reason=error_text(error))
+                self._host.log.error("disconnected", endpoint=_DOOR, reason=str(error))
+            except Exception as error:  # noqa: BLE001 - one request must not end the endpoint
+                self._host.log.error("disconnected", endpoint=_DOOR, reason=error_text(error))
             finally:
                 if is_connected:
                     is_connected = False

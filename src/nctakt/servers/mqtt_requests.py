@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the door for MQTT is given: the broker's address, and the requests of clients.
+"""What the endpoint for MQTT is given: the broker's address, and the requests of clients.
 
 In: a URL, bytes of a message. Out: the broker, the values to write, the key to press.
 """

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The door for MTConnect: an adapter, which agents connect to and which tells them what changes.
+"""The endpoint for MTConnect: an adapter, which agents connect to and which tells them what
+changes.
 
 In: frames and notices of the host. Out: lines of the adapter's protocol (SHDR) on a socket:
 commands about the device, then its data items, each line with the UTC of its tick. An agent's
@@ -36,7 +37,7 @@ _MAX_WAITING = 1000
 #: How long an agent that has never sent a ping keeps its place where another one needs it.
 _SILENT_S = 30.0
 
-#: How long an agent may take for its last line when the door closes, in seconds.
+#: How long an agent may take for its last line when the endpoint closes, in seconds.
 _LEAVING_S = 1.0
 
 #: The version of the protocol, and of the standard whose data items are sent.
@@ -45,7 +46,7 @@ _SHDR_VERSION, _MTCONNECT_VERSION = "2.0", "2.0"
 _DOOR = "mtconnect"
 
 
-class MtconnectDoor:
+class MtconnectEndpoint:
     """Tells agents the state of the machine; nothing can be written through it."""
 
     max_connections = MAX_CLIENTS

@@ -90,7 +90,7 @@ class Notices:
         for listener in tuple(self._listeners):
             try:
                 listener(notice)
-            except Exception as error:  # noqa: BLE001 - one door's mistake must not hit the others
+            except Exception as error:  # noqa: BLE001 - one endpoint's mistake must not hit the others
                 self._log.error("notice", reason=error_text(error))
         for subscription in tuple(self._subscriptions):
             subscription.put(notice)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A session served through its doors until somebody ends it.
+"""A session served through its endpoints until somebody ends it.
 
-In: a session, its doors, a speed. Out: the addresses once all doors are open. SIGTERM and Ctrl-C
-end it: the doors close first, each telling its clients.
+In: a session, its endpoints, a speed. Out: the addresses once all endpoints are open. SIGTERM and
+Ctrl-C end it: the endpoints close first, each telling its clients.
 """
 
 from __future__ import annotations
@@ -20,17 +20,17 @@ from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.servers import CONTROLLER_SILENT, CONTROLLER_STOPPED
 from nctakt.servers.connections import provide_descriptors
-from nctakt.servers.host import Door, Host
+from nctakt.servers.host import Endpoint, Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.notices import ServerNotice
 from nctakt.session.growing_tape import GrowingTape
 from nctakt.session.session import Session
 from nctakt.st.program import Program
 
-#: Makes a door of a host.
-DoorOpener = Callable[[Host], Door]
+#: Makes an endpoint of a host.
+EndpointOpener = Callable[[Host], Endpoint]
 
-#: How long a door may take to close, in seconds.
+#: How long an endpoint may take to close, in seconds.
 CLOSING_S = 5.0
 
 #: How long the session may take to pause at the end, in seconds.
@@ -47,14 +47,14 @@ async def serve(
     session: Session,
     machine: Machine,
     log: ServerLog,
-    doors: Mapping[str, DoorOpener],
+    endpoints: Mapping[str, EndpointOpener],
     *,
     programs: Sequence[Program] = (),
     tape: GrowingTape | None = None,
     speed: float | None,
     ready: Callable[[Mapping[str, str]], None],
 ) -> None:
-    """Serve until a signal comes; ``ready`` gets the address of each door, ``tape`` grows.
+    """Serve until a signal comes; ``ready`` gets the address of each endpoint, ``tape`` grows.
 
     ``programs``: those of the session's PLC in Structured Text.
 
@@ -65,19 +65,19 @@ async def serve(
     host = await Host(session, machine, log, programs).open()
     end = EndSignal(host)
     host.loop.set_exception_handler(lambda _, context: _tell_of_library(log, context))
-    opened: list[tuple[str, Door]] = []
+    opened: list[tuple[str, Endpoint]] = []
     growing: asyncio.Task[None] | None = None
     try:
         addresses: dict[str, str] = {}
-        closed = {name: opener(host) for name, opener in doors.items()}
-        provide_descriptors(sum(door.max_connections for door in closed.values()))
-        for door in closed.values():
-            await door.prepare()
+        closed = {name: opener(host) for name, opener in endpoints.items()}
+        provide_descriptors(sum(endpoint.max_connections for endpoint in closed.values()))
+        for endpoint in closed.values():
+            await endpoint.prepare()
         host.clock.begin(session.tick)
-        for name, door in closed.items():
-            addresses[name] = await door.open()
-            opened.append((name, door))
-            log.note("open", door=name, address=addresses[name])
+        for name, endpoint in closed.items():
+            addresses[name] = await endpoint.open()
+            opened.append((name, endpoint))
+            log.note("open", endpoint=name, address=addresses[name])
         await host.ask(session.play, speed)
         ready(addresses)
         if tape is not None:
@@ -87,11 +87,11 @@ async def serve(
         if growing is not None:
             growing.cancel()
         host.notices.tell(ServerNotice("closing", host.store.tick, ""))
-        for name, door in reversed(opened):
+        for name, endpoint in reversed(opened):
             try:
-                await asyncio.wait_for(door.close(), CLOSING_S)
-            except Exception as error:  # noqa: BLE001 - the other doors must close as well
-                log.error("close", door=name, reason=error_text(error) or repr(error))
+                await asyncio.wait_for(endpoint.close(), CLOSING_S)
+            except Exception as error:  # noqa: BLE001 - the other endpoints must close as well
+                log.error("close", endpoint=name, reason=error_text(error) or repr(error))
         late, worst_s = session.lateness
         missed = host.missed_frames
         answers = await _pauses(host)

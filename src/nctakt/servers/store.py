@@ -47,7 +47,7 @@ class Store:
         for listener in tuple(self._listeners):
             try:
                 listener(frame)
-            except Exception as error:  # noqa: BLE001 - one door's mistake must not hit the others
+            except Exception as error:  # noqa: BLE001 - one endpoint's mistake must not hit the others
                 self._log.error("frame", reason=error_text(error))
 
     def listen(self, listener: Callable[[Frame], None]) -> Callable[[], None]:

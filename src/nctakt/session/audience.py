@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Those who listen to a session: each gets frames at its own rate, and all notices.
 
-In: what the slices of a story have done. Out: frames and notices to the listeners.
+In: what the slices of a session have done. Out: frames and notices to the listeners.
 """
 
 from __future__ import annotations
@@ -11,31 +11,31 @@ from dataclasses import replace
 
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import PLC_DIFFERS
-from nctakt.session.engine import Slice
+from nctakt.session.core import SessionCore
+from nctakt.session.engine import StepResult
 from nctakt.session.listening import MAX_FRAME_EVENTS, Frame, Listener, Notice, NoticeKind
-from nctakt.session.story import Story
 
 #: Slices whose events wait for a listener's next frame at most.
 MAX_PENDING = 64
 
 
 class Subscribers:
-    """The listeners of a story."""
+    """The listeners of a session."""
 
-    def __init__(self, story: Story) -> None:
-        self._story = story
+    def __init__(self, core: SessionCore) -> None:
+        self._core = core
         self._listeners: list[Listener] = []
-        self._pending: dict[int, list[Slice]] = {}
+        self._pending: dict[int, list[StepResult]] = {}
         self._has_differed = False
         self._travels = 0
 
     def add(self, listener: Listener, speed: float | None, signals: Sequence[str]) -> None:
         """Let somebody listen to these signals; raises ``Failure`` for an unknown one."""
-        self._story.read(signals)
+        self._core.read(signals)
         listener.signals = tuple(signals)
         if listener not in self._listeners:
             self._listeners.append(listener)
-            self._pending[id(listener)] = [self._story.latest]
+            self._pending[id(listener)] = [self._core.latest]
         self._give([listener], speed)
 
     @property
@@ -49,7 +49,7 @@ class Subscribers:
             self._listeners.remove(listener)
             del self._pending[id(listener)]
 
-    def travel(self, done: Slice) -> None:
+    def travel(self, done: StepResult) -> None:
         """Tell that the session has gone elsewhere; ``done``: what the ticks before have done.
 
         They were reported when first run, and what waits to be reported may not be of this past.
@@ -57,13 +57,13 @@ class Subscribers:
         self._travels += 1
         for pending in self._pending.values():
             pending.clear()
-        self.tell("travelled", str(self._story.branch.number))
+        self.tell("travelled", str(self._core.branch.number))
         arrived = replace(
             done, first_tick=done.tick, events=(), left_out=0, messages=(), diagnostics=()
         )
         self.publish(arrived, None, at_once=True)
 
-    def publish(self, done: Slice, speed: float | None, *, at_once: bool) -> None:
+    def publish(self, done: StepResult, speed: float | None, *, at_once: bool) -> None:
         """Hand out what a slice has done: to all at once, or to those whose time has come."""
         if done.differs is not None and not self._has_differed:
             self._has_differed = True
@@ -86,8 +86,8 @@ class Subscribers:
     def _give(self, listeners: Sequence[Listener], speed: float | None) -> None:
         """Give these listeners their frames; the signals of all are read at once."""
         names = list(dict.fromkeys(name for one in listeners for name in one.signals))
-        values = dict(zip(names, self._story.read(names) if names else (), strict=True))
-        latest = self._story.latest
+        values = dict(zip(names, self._core.read(names) if names else (), strict=True))
+        latest = self._core.latest
         for listener in listeners:
             parts, self._pending[id(listener)] = self._pending[id(listener)], []
             heard = parts if listener.wants_events else ()
@@ -97,7 +97,7 @@ class Subscribers:
                 Frame(
                     parts[0].first_tick if parts else latest.tick,
                     latest.tick,
-                    self._story.branch.number,
+                    self._core.branch.number,
                     self._travels,
                     latest.state,
                     latest.run_state,
@@ -114,7 +114,7 @@ class Subscribers:
 
     def tell(self, kind: NoticeKind, text: str = "", text_de: str = "") -> None:
         """Give all listeners a notice; who has left too many unread listens no more."""
-        notice = Notice(kind, self._story.tick, text, text_de)
+        notice = Notice(kind, self._core.tick, text, text_de)
         for listener in list(self._listeners):
             listener.tell(notice)
             if listener.is_dropped:

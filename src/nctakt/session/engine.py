@@ -44,7 +44,6 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
-from nctakt.session.happened import MAX_EVENTS, Happened, SignalRows
 from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary
 from nctakt.session.history.evidence import necessary
 from nctakt.session.history.trail import Mark, Trail, now_us
@@ -53,6 +52,7 @@ from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
+from nctakt.session.tick_log import MAX_EVENTS, SignalRows, TickLog
 from nctakt.trace.events import Event
 
 #: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.
@@ -61,7 +61,7 @@ Found = tuple[int, int, tuple[Mark, ...]]
 #: The events at which a stop holds, ``None`` where others tell; what must be so where it holds.
 Evidence = tuple[tuple[EventFilter, ...] | None, Necessary | None]
 
-#: Places of ended realtime cycles that a glance has at most, the newest.
+#: Places of ended realtime cycles that a state_view has at most, the newest.
 _ENDED_SHOWN = 100
 
 #: Ticks of a stretch that is looked at in detail.
@@ -69,7 +69,7 @@ MAX_LOOKED_AT = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Slice:
+class StepResult:
     """What the ticks from ``first_tick`` up to, but without, ``tick`` have done.
 
     ``run_state`` has a value once the run is over. ``hits``: the stops that held in the last tick,
@@ -103,7 +103,7 @@ class Slice:
     is_resting: bool = False
 
 
-def joined(first: Slice, second: Slice) -> Slice:
+def joined(first: StepResult, second: StepResult) -> StepResult:
     """Return two slices, one after the other, as one."""
     events = [*first.events, *second.events]
     surplus = max(0, len(events) - MAX_EVENTS)
@@ -118,7 +118,7 @@ def joined(first: Slice, second: Slice) -> Slice:
     )
 
 
-def since_tick(done: Slice, tick: int, cycle_us: int) -> Slice:
+def since_tick(done: StepResult, tick: int, cycle_us: int) -> StepResult:
     """Return a slice, whose events begin at a tick, with nothing of the ticks before it."""
     return replace(
         done,
@@ -163,7 +163,7 @@ class CycleState:
 
 
 @dataclass(frozen=True, slots=True)
-class Glance:
+class StateView:
     """Values of signals, living cycles, what waits for the PLC, and channels, before one tick.
 
     ``ended``: the cycles that have ended and were defined at a place where none lives now, the
@@ -195,7 +195,7 @@ class Engine:
         recorded = _recorded(machine) if chosen is None else list(chosen)
         self._cycle_us = configuration.cycle_time_us
         self._loop = TickLoop(machine, self._diagnostics.append, None)
-        self._happened = Happened()
+        self._happened = TickLog()
         self._trail = Trail(machine.memory)
         self._inputs: list[Input] = []
         self._expected: deque[Input] = deque()
@@ -337,7 +337,7 @@ class Engine:
         marks: Sequence[int] | None = (),
         rests: bool = False,
         since: int | None = None,
-    ) -> Slice:
+    ) -> StepResult:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
         Without ``events`` the slice has none; the next one that has any brings them along.
@@ -525,14 +525,14 @@ class Engine:
         *,
         events: bool,
         resting: tuple[Diagnostic, ...] = (),
-    ) -> Slice:
+    ) -> StepResult:
         happened, left_out = self._happened.take() if events else ([], 0)
         inputs, self._inputs = self._inputs, []
         messages = self._loop.recording.messages[self._told_messages :]
         diagnostics = self._diagnostics[self._told_diagnostics :]
         self._told_messages += len(messages)
         self._told_diagnostics += len(diagnostics)
-        return Slice(
+        return StepResult(
             first,
             self.tick,
             self._loop.state,
@@ -640,12 +640,12 @@ class Engine:
             None if seen is None else compared_now(condition, context_of(self._machine.memory)),
         )
 
-    def glance(self, names: Sequence[str]) -> Glance:
+    def state_view(self, names: Sequence[str]) -> StateView:
         """Return values, cycles and what waits, all of this tick; raises as ``read``."""
         values = tuple(self.read(names))
         channels = channel_states(self._machine, self._loop.channels)
         cycles, ended = tuple(self.cycles()), tuple(self._ended_cycles())
-        return Glance(self.tick, values, cycles, tuple(self.waiting()), channels, ended)
+        return StateView(self.tick, values, cycles, tuple(self.waiting()), channels, ended)
 
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A session: one thread owns the story of a controller; everybody else asks it.
+"""A session: one thread owns the core of a controller; everybody else asks it.
 
 In: commands from any thread, a clock. Out: slices and values as answers, frames and notices.
 """
@@ -29,16 +29,16 @@ from nctakt.run.program_loader import NcText
 from nctakt.session.ahead import UNKNOWN, Future, run_ahead
 from nctakt.session.audience import Subscribers
 from nctakt.session.clock import AnyClock, FastClock, Pacing, WallClock
+from nctakt.session.core import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, SessionCore
 from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
-from nctakt.session.engine import CycleState, Glance, Slice, joined
+from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.comparing import BranchDifference
 from nctakt.session.listening import Listener
 from nctakt.session.process.thread import SessionThread
 from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
-from nctakt.session.story import MAX_ROWS, NEXT_BLOCK, NEXT_REACTION, Story
 from nctakt.session.tapes import read_setup, save_tape
 from nctakt.trace.events import Event
 
@@ -120,19 +120,19 @@ class Session:
 
     def _begin(self, setup: Setup, pace: str) -> None:
         self.on_travel: Callable[[int, int], None] | None = None
-        self._story = Story(setup, self._poll)
+        self._core = SessionCore(setup, self._poll)
         self._setup = setup
-        self.description: Description = self._story.description
+        self.description: Description = self._core.description
         has_schedule = setup.rtconf is not None
         self._pacing = Pacing(pace, self.description.cycle_time_us, has_schedule=has_schedule)
-        self._audience = Subscribers(self._story)
+        self._audience = Subscribers(self._core)
         self._thread = SessionThread(self._run_slice)
         self._ask, self.together = self._thread.ask, self._thread.together
 
     def _poll(self) -> None:
         """Let travel end where it is interrupted; tell how far it has come."""
         self._thread.poll()
-        progress = self._story.progress
+        progress = self._core.progress
         if self.on_travel is not None and progress is not None:
             self.on_travel(*progress)
 
@@ -140,8 +140,8 @@ class Session:
         end = clock.next_tick(time.monotonic())
         try:
             rests = isinstance(clock, FastClock) and clock.rests
-            done = self._story.run(end, events=self._audience.wants_events, rests=rests)
-            clock.note(done.tick - done.first_tick, self._story.took_s)
+            done = self._core.run(end, events=self._audience.wants_events, rests=rests)
+            clock.note(done.tick - done.first_tick, self._core.took_s)
             is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if is_at_end:
                 self._thread.clock = None
@@ -153,32 +153,32 @@ class Session:
     @property
     def tick(self) -> int:
         """The tick that comes next."""
-        return self._story.tick
+        return self._core.tick
 
     @property
     def progress(self) -> tuple[int, int] | None:
         """How many of how many ticks of the past have been run again, while some are."""
-        return self._story.progress
+        return self._core.progress
 
     @property
-    def latest(self) -> Slice:
+    def latest(self) -> StepResult:
         """What the latest ticks have done."""
-        return self._story.latest
+        return self._core.latest
 
     @property
     def is_over(self) -> bool:
         """Whether the run has ended at this tick."""
-        return self._story.is_over
+        return self._core.is_over
 
     @property
     def branch(self) -> int:
         """The number of the branch of the tape that it is in, from 1."""
-        return self._story.branch.number
+        return self._core.branch.number
 
     @property
     def branches(self) -> dict[int, int]:
         """The branches of the tape, each with the tick that it has reached."""
-        return {branch.number: branch.latest for branch in self._story.branches}
+        return {branch.number: branch.latest for branch in self._core.branches}
 
     @property
     def origins(self) -> dict[int, tuple[int, int]]:
@@ -188,7 +188,7 @@ class Session:
         """
         return {
             branch.number: (0 if branch.parent is None else branch.parent.number, branch.first_tick)
-            for branch in self._story.branches
+            for branch in self._core.branches
         }
 
     @property
@@ -199,12 +199,12 @@ class Session:
     @property
     def input_count(self) -> int:
         """The number of inputs that the branch has of its own."""
-        return len(self._story.branch.inputs)
+        return len(self._core.branch.inputs)
 
     @property
     def stops(self) -> tuple[StopAt, ...]:
         """The stops at which it stops."""
-        return self._story.stops
+        return self._core.stops
 
     # --- forward --------------------------------------------------------------------------------
 
@@ -214,7 +214,7 @@ class Session:
         *,
         until: str | StopAt | Sequence[str | StopAt] = (),
         rests: bool = False,
-    ) -> Slice:
+    ) -> StepResult:
         """Run to a time, a stop of the session or of ``until``, or the end of the run.
 
         A time that has passed already runs nothing. Without a time, or with ``rests``, it also ends
@@ -224,44 +224,46 @@ class Session:
         named = [until] if isinstance(until, str | StopAt) else until
         return self._ask(self._run, end, named, rests)
 
-    def _run(self, end: TimeLike | None, until: Sequence[str | StopAt], rests: bool) -> Slice:
-        tick = None if end is None else self._story.ticks_of(end)
-        stops = [*self._story.stops, *self._story.read_stops(until)]
+    def _run(self, end: TimeLike | None, until: Sequence[str | StopAt], rests: bool) -> StepResult:
+        tick = None if end is None else self._core.ticks_of(end)
+        stops = [*self._core.stops, *self._core.read_stops(until)]
         return self._run_to(tick, stops, rests=rests or end is None)
 
-    def _run_to(self, end: int | None, stops: Sequence[StopAt], *, rests: bool = False) -> Slice:
+    def _run_to(
+        self, end: int | None, stops: Sequence[StopAt], *, rests: bool = False
+    ) -> StepResult:
         """Run in slices, so that ``pause`` and ``close`` can end it.
 
         Within a cycle of the PLC the rest of that comes first.
         """
         self._thread.clock = None
-        if end is None or end > self._story.tick or self._story.cursor.statement is not None:
-            moved = self._story.moved_within(stops)
+        if end is None or end > self._core.tick or self._core.cursor.statement is not None:
+            moved = self._core.moved_within(stops)
             if moved is not None:
                 return moved
-        clock = FastClock(self._story.tick)
-        whole: Slice | None = None
+        clock = FastClock(self._core.tick)
+        whole: StepResult | None = None
         while True:
             due = clock.next_tick(time.monotonic())
             is_last = end is not None and due >= end
             events = is_last or self._audience.wants_events
             due = due if end is None else min(due, end)
-            done = self._story.run(due, stops=stops, events=events, rests=rests)
-            clock.note(done.tick - done.first_tick, self._story.took_s)
+            done = self._core.run(due, stops=stops, events=events, rests=rests)
+            clock.note(done.tick - done.first_tick, self._core.took_s)
             whole = done if whole is None else joined(whole, done)
             is_there = bool(done.hits or done.run_state or done.is_resting)
             is_there = is_there or (end is not None and done.tick >= end)
             self._publish(done, at_once=is_there)
             if is_there:
-                return replace(whole, hits=self._story.enter(stops, done.hits))
+                return replace(whole, hits=self._core.enter(stops, done.hits))
             if self._thread.is_interrupted:
-                return joined(whole, self._story.step(0))
+                return joined(whole, self._core.step(0))
 
-    def step(self, ticks: int = 1) -> Slice:
+    def step(self, ticks: int = 1) -> StepResult:
         """Run this number of ticks, past any stop."""
-        return self._ask(lambda: self._run_to(self._story.tick + ticks, []))
+        return self._ask(lambda: self._run_to(self._core.tick + ticks, []))
 
-    def next_block(self) -> Slice:
+    def next_block(self) -> StepResult:
         """Run until a block becomes current, or none can any more by itself, as ``run`` tells."""
         return self._ask(lambda: self._run_to(None, [NEXT_BLOCK], rests=True))
 
@@ -274,13 +276,13 @@ class Session:
         return self._ask(self._step_statement, step)
 
     def _step_statement(self, step: Step) -> PlcPlace | None:
-        self._story.cursor.check_goes_on()
-        self._run_to(None, [self._story.cursor.sought(step), FAULT, *self._story.stops])
-        return self._story.cursor.statement
+        self._core.cursor.check_goes_on()
+        self._run_to(None, [self._core.cursor.sought(step), FAULT, *self._core.stops])
+        return self._core.cursor.statement
 
     def sought(self, step: Step) -> StopAt:
         """Return the stop at which a step from here ends; raises ``Failure`` (902810)."""
-        return self._ask(self._story.cursor.sought, step)
+        return self._ask(self._core.cursor.sought, step)
 
     def step_statement_back(self, step: Step = "into") -> PlcPlace | None:
         """Go back to the last statement before this one; otherwise as ``step_statement``.
@@ -290,23 +292,23 @@ class Session:
         return self._ask(self._step_statement_back, step)
 
     def _step_statement_back(self, step: Step) -> PlcPlace | None:
-        done = self._back_to([self._story.cursor.sought(step), *self._story.stops])
-        return None if done is None else self._story.cursor.statement
+        done = self._back_to([self._core.cursor.sought(step), *self._core.stops])
+        return None if done is None else self._core.cursor.statement
 
     @property
     def statement(self) -> PlcPlace | None:
         """Where it is within the cycle of a PLC: before a statement; ``None`` after a tick."""
-        return self._story.cursor.statement
+        return self._core.cursor.statement
 
     def scopes(self, level: int | None = 0) -> list[str]:
         """Return the scopes of a call of the PLC, counted from the innermost; ``None``: global."""
-        return self._ask(self._story.cursor.look, "scopes", level)
+        return self._ask(self._core.cursor.look, "scopes", level)
 
     def of_scope(
         self, scope: str, level: int | None = 0, first: int = 0, count: int = 0
     ) -> list[PlcValue]:
         """Return variables of a scope of a call of the PLC, at most 1,000."""
-        return self._ask(self._story.cursor.look, "of_scope", level, scope, first, count)
+        return self._ask(self._core.cursor.look, "of_scope", level, scope, first, count)
 
     def below(
         self, path: str, level: int | None = 0, first: int = 0, count: int = 0
@@ -315,61 +317,61 @@ class Session:
 
         Raises ``Failure`` for what it does not know, and for what refers to nothing.
         """
-        return self._ask(self._story.cursor.look, "below", level, path, first, count)
+        return self._ask(self._core.cursor.look, "below", level, path, first, count)
 
     def value(self, text: str, level: int | None = 0) -> PlcValue:
         """Return a variable by path, or an expression in Structured Text, in a call of the PLC.
 
         Nothing is called or changed by that. Raises ``Failure`` for mistakes (902812 … 902814).
         """
-        return self._ask(self._story.cursor.value, text, level)
+        return self._ask(self._core.cursor.value, text, level)
 
-    def next_reaction(self) -> Slice:
+    def next_reaction(self) -> StepResult:
         """Run until a branch of a realtime cycle fires, or nothing can happen any more."""
         return self._ask(lambda: self._run_to(None, [NEXT_REACTION], rests=True))
 
     # --- back -----------------------------------------------------------------------------------
 
-    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+    def go_to(self, tick: int, branch: int | None = None) -> StepResult:
         """Go to just before a tick a branch has reached, by default this one (901154, 901157)."""
-        return self._ask(self._travel, self._story.go_to, tick, branch)
+        return self._ask(self._travel, self._core.go_to, tick, branch)
 
-    def back(self, ticks: int = 1) -> Slice:
+    def back(self, ticks: int = 1) -> StepResult:
         """Go back by this number of ticks, at most to the start."""
-        return self._ask(self._travel, self._story.back, ticks)
+        return self._ask(self._travel, self._core.back, ticks)
 
-    def back_to(self, *stops: str | StopAt) -> Slice | None:
+    def back_to(self, *stops: str | StopAt) -> StepResult | None:
         """Go back to the last time that one of these stops held, by default the session's.
 
         ``None``, and stay, if that was never.
         """
         return self._ask(self._back_to, stops)
 
-    def previous_block(self) -> Slice | None:
+    def previous_block(self) -> StepResult | None:
         """Go back to where the block before became current."""
         return self._ask(self._back_to, [NEXT_BLOCK])
 
-    def previous_reaction(self) -> Slice | None:
+    def previous_reaction(self) -> StepResult | None:
         """Go back to the last time that a branch fired."""
         return self._ask(self._back_to, [NEXT_REACTION])
 
-    def last_change(self, expression: str) -> Slice | None:
+    def last_change(self, expression: str) -> StepResult | None:
         """Go back to the last time that the value of an expression changed."""
         return self._ask(self._back_to, [StopAt("changes", expression)])
 
-    def _back_to(self, stops: Sequence[str | StopAt]) -> Slice | None:
+    def _back_to(self, stops: Sequence[str | StopAt]) -> StepResult | None:
         self._thread.clock = None
-        named = self._story.read_stops(stops) if stops else self._story.stops
-        moved = self._story.moved_within(named, is_back=True)
+        named = self._core.read_stops(stops) if stops else self._core.stops
+        moved = self._core.moved_within(named, is_back=True)
         if moved is not None:
             return moved
-        done = self._story.back_to(named)
+        done = self._core.back_to(named)
         if done is None:
             return None
         done = self._travelled(done)
-        return self._story.moved_within(named, is_back=True) or done
+        return self._core.moved_within(named, is_back=True) or done
 
-    def _travel(self, method: Callable[..., Slice], *words: Any) -> Slice:
+    def _travel(self, method: Callable[..., StepResult], *words: Any) -> StepResult:
         self._thread.clock = None
         return self._travelled(method(*words))
 
@@ -384,13 +386,13 @@ class Session:
         self._ask(self._play, speed, rests)
 
     def _play(self, speed: float | None, rests: bool) -> None:
-        self._story.restart_schedule()
-        clock = self._pacing.clock(speed, self._story.tick, time.monotonic())
+        self._core.restart_schedule()
+        clock = self._pacing.clock(speed, self._core.tick, time.monotonic())
         if isinstance(clock, FastClock):
             clock.rests = rests
         self._thread.clock = clock
 
-    def pause(self) -> Slice:
+    def pause(self) -> StepResult:
         """Stop between two ticks, also a ``run`` of another thread; return the latest slice."""
         self._thread.interrupt()
         return self._ask(self._pause)
@@ -399,9 +401,9 @@ class Session:
         """Let runs and steps of other threads end soon; travel and ``why`` raise 901474."""
         self._thread.interrupt()
 
-    def _pause(self) -> Slice:
+    def _pause(self) -> StepResult:
         clock, self._thread.clock = self._thread.clock, None
-        return self._story.latest if clock is None else self._story.with_events()
+        return self._core.latest if clock is None else self._core.with_events()
 
     @property
     def speed(self) -> float | None:
@@ -424,7 +426,7 @@ class Session:
 
     def set_stops(self, *stops: str | StopAt, only_check: bool = False) -> tuple[StopAt, ...]:
         """Stop at these, and at no other, from now on; raises ``Failure`` with all mistakes."""
-        return self._ask(self._story.read_stops if only_check else self._story.set_stops, stops)
+        return self._ask(self._core.read_stops if only_check else self._core.set_stops, stops)
 
     def write(self, values: Mapping[str, float | bool | str], source: str = API) -> None:
         """Let variables or the operator's values have these from the next tick on.
@@ -432,21 +434,21 @@ class Session:
         In the past this begins another branch of the tape. Raises ``Failure`` for a wrong name or
         value, and nothing is written.
         """
-        self._ask(self._input, self._story.write, values, source)
+        self._ask(self._input, self._core.write, values, source)
 
     def write_each(
         self, requests: Sequence[tuple[Mapping[str, float | bool | str], str]]
     ) -> list[Failure | int]:
         """Write values with their sources; return for each why it is refused, or its tick."""
         answers: list[Failure | int] = []
-        self._ask(self._input, self._story.write_each, requests, answers)
+        self._ask(self._input, self._core.write_each, requests, answers)
         return answers
 
     def acknowledge(
         self, channel: int, entry: TechnologyEntry | SpindleEntry, source: str = API
     ) -> None:
         """Acknowledge an entry of ``waiting``; otherwise as ``write``."""
-        self._ask(self._input, self._story.acknowledge, channel, entry, source)
+        self._ask(self._input, self._core.acknowledge, channel, entry, source)
 
     def select(self, program: str | Path, channel: int = 1, source: str = API) -> None:
         """Select a program file for a channel: from the next tick on, as an input on the tape.
@@ -454,7 +456,7 @@ class Session:
         It begins at once, with ``wait_for_start`` by START; a channel whose program runs, or that
         has an error, keeps what it has (901148). Raises ``Failure`` for a file with mistakes.
         """
-        self._ask(self._input, self._story.select, str(program), channel, source)
+        self._ask(self._input, self._core.select, str(program), channel, source)
 
     def acknowledge_after(self, ticks: int | None) -> None:
         """Acknowledge functions and spindle jobs this number of ticks after they came up.
@@ -463,40 +465,40 @@ class Session:
         """
         if ticks is not None and ticks < 1:
             raise ValueError(ticks)
-        self._ask(setattr, self._story, "delay", ticks)
+        self._ask(setattr, self._core, "delay", ticks)
 
     def _input(self, method: Callable[..., bool], *words: Any) -> None:
         if method(*words):
-            self._audience.tell("branch", str(self._story.branch.number))
+            self._audience.tell("branch", str(self._core.branch.number))
 
     # --- looking --------------------------------------------------------------------------------
 
     def read(self, *names: str) -> list[float | bool | str]:
         """Return signals and variables at this tick; raises ``Failure`` for an unknown name."""
-        return self._ask(self._story.read, names)
+        return self._ask(self._core.read, names)
 
     def evaluate(self, expression: str, channel: int = 1) -> float:
         """Return the value of an expression in the controller's language at this tick.
 
         It is no number where the expression is not defined; ``undefined`` tells why.
         """
-        return self._ask(self._story.evaluate, expression, channel)
+        return self._ask(self._core.evaluate, expression, channel)
 
     def undefined(self, expression: str, channel: int = 1) -> Text | None:
         """Return why an expression is not defined at this tick, ``None`` where it is."""
-        return self._ask(self._story.undefined, expression, channel)
+        return self._ask(self._core.undefined, expression, channel)
 
     def cycles(self) -> list[CycleState]:
         """Return the living realtime cycles at this tick, with the truth of their conditions."""
-        return self._ask(self._story.cycles)
+        return self._ask(self._core.cycles)
 
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
         """Return functions and spindle jobs that wait for the PLC, each with its channel."""
-        return self._ask(self._story.waiting)
+        return self._ask(self._core.waiting)
 
-    def glance(self, *names: str) -> Glance:
+    def state_view(self, *names: str) -> StateView:
         """Return values, living cycles and what waits for the PLC, all of the same tick."""
-        return self._ask(self._story.glance, names)
+        return self._ask(self._core.state_view, names)
 
     def events(self, first: int, end: int) -> tuple[list[Event], int]:
         """Return the events of the ticks from ``first`` up to, but without, ``end``.
@@ -507,24 +509,24 @@ class Session:
         done = self.happened(first, end)
         return list(done.events), done.left_out
 
-    def happened(self, first: int, end: int) -> Slice:
+    def happened(self, first: int, end: int) -> StepResult:
         """Return what the ticks from ``first`` up to, but without, ``end`` have done.
 
         Of the events there are at most the latest 1,000. The session stays where it is.
         """
-        return self._ask(self._story.happened, first, end)
+        return self._ask(self._core.happened, first, end)
 
     def future(self, *signals: str) -> Iterator[Future]:
         """Run a copy ahead from where the branch ends; each item knows more of the future.
 
         The session goes on meanwhile. What it shows is what happens unless somebody writes.
         """
-        engine = self._ask(self._story.ahead)
+        engine = self._ask(self._core.ahead)
         return iter((UNKNOWN,)) if engine is None else run_ahead(engine, signals)
 
     def compare_branches(self, one: int, other: int) -> BranchDifference:
         """Return where the signals of two branches differ first; raises ``Failure`` (901157)."""
-        return self._ask(self._story.compare, one, other, self._poll)
+        return self._ask(self._core.compare, one, other, self._poll)
 
     def why(self) -> WhyReport:
         """Return why reactions have fired up to here, or have not; the session goes on meanwhile.
@@ -532,7 +534,7 @@ class Session:
         The past is run again for it. Raises ``Failure`` where the session has no ticks yet.
         """
         poll = self._thread.poller()
-        report = self._ask(self._story.past).explained(poll).why
+        report = self._ask(self._core.past).explained(poll).why
         assert report is not None
         return report
 
@@ -544,31 +546,31 @@ class Session:
         At most ``rows`` rows of float64 cells: one for each, or for each second, third … tick; the
         distance comes with them. The session stays where it is.
         """
-        return self._ask(self._story.look, first, end, signals, rows)
+        return self._ask(self._core.look, first, end, signals, rows)
 
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""
-        return self._ask(self._story.inventory)
+        return self._ask(self._core.inventory)
 
     def instructions(self) -> list[tuple[str, ListedCycle]]:
         """Return the living realtime cycles as their elementary instructions, with their names."""
-        return self._ask(self._story.instructions)
+        return self._ask(self._core.instructions)
 
     def decoders(self) -> list[DecoderState]:
         """Return the decoders with a program open: their programs, variables, parameters."""
-        return self._ask(self._story.decoders)
+        return self._ask(self._core.decoders)
 
     def result(self) -> Run:
         """Return the result of the run up to here; the session goes on."""
-        return self._ask(self._story.result)
+        return self._ask(self._core.result)
 
     def tape(self) -> list[Input]:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
-        return self._ask(self._story.tape)
+        return self._ask(self._core.tape)
 
     def news(self, first: int) -> tuple[int, int, list[Input]]:
         """Return branch, latest tick, and the inputs before it from tick ``first`` on."""
-        return self._ask(self._story.news, first)
+        return self._ask(self._core.news, first)
 
     def save(self, path: str | Path) -> None:
         """Write this branch up to its latest tick as a tape for ``nctakt replay``.
@@ -576,12 +578,12 @@ class Session:
         Its run is repeated for that; the session goes on meanwhile. Raises ``Failure`` for a file
         that cannot be written.
         """
-        inputs, ticks = self._ask(lambda: (self._story.tape(), self._story.branch.latest))
+        inputs, ticks = self._ask(lambda: (self._core.tape(), self._core.branch.latest))
         save_tape(path, self._setup, inputs, ticks)
 
     def schedule_table(self, language: Language) -> str:
         """Return the table of a real schedule up to here; empty without one."""
-        return self._ask(self._story.schedule_table, language)
+        return self._ask(self._core.schedule_table, language)
 
     # --- listening ------------------------------------------------------------------------------
 
@@ -609,25 +611,25 @@ class Session:
         with contextlib.suppress(Failure):
             self._ask(self._audience.remove, listener)
 
-    def _travelled(self, done: Slice) -> Slice:
+    def _travelled(self, done: StepResult) -> StepResult:
         self._audience.travel(done)
         return done
 
-    def _publish(self, done: Slice, *, at_once: bool) -> None:
+    def _publish(self, done: StepResult, *, at_once: bool) -> None:
         self._audience.publish(done, self.speed, at_once=at_once)
 
     # --- the end --------------------------------------------------------------------------------
 
     def abandon(self) -> None:
         """Kill a controller that does not answer: who waits for it gets 901153."""
-        self._story.abandon()
+        self._core.abandon()
 
     def close(self) -> None:
         """End the session and all its processes; a controller that does not answer is killed."""
         if not self._thread.is_closed:
-            self._thread.close(self._story.abandon)
+            self._thread.close(self._core.abandon)
             self._audience.tell("closed")
-            self._story.close()
+            self._core.close()
 
     def __enter__(self) -> Self:
         return self

@@ -23,9 +23,9 @@ from nctakt.studies.measuring.measures import as_text
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.units import REACTION
 from nctakt.studies.plans.verdicts import limits_of, share_text
-from nctakt.studies.runs.bench import PASSED, Row
 from nctakt.studies.runs.each_tick import Nominal
 from nctakt.studies.runs.effects import without_effect
+from nctakt.studies.runs.study_runner import PASSED, Row
 
 #: Failed runs in the table of the report, pictures of one kind.
 MAX_ROWS, MAX_PICTURES = 200, 24

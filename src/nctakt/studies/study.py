@@ -25,13 +25,21 @@ from nctakt.studies.report import report, shown_result
 from nctakt.studies.rows.folder_store import FolderStore
 from nctakt.studies.rows.results import arrow_table, text_columns, write_rows
 from nctakt.studies.rows.row_store import RowStore
-from nctakt.studies.runs.bench import CRASHED, FAILED, PASSED, REFUSED, Bench, Row, columns_of
 from nctakt.studies.runs.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.runs.effects import without_effect, without_shown_effect
 from nctakt.studies.runs.recording import record_run
 from nctakt.studies.runs.row_block import RowBlock
-from nctakt.studies.runs.schedule_bench import bench_of
+from nctakt.studies.runs.schedule_runner import runner_of
 from nctakt.studies.runs.shared_beginning import is_copied
+from nctakt.studies.runs.study_runner import (
+    CRASHED,
+    FAILED,
+    PASSED,
+    REFUSED,
+    Row,
+    StudyRunner,
+    columns_of,
+)
 from nctakt.studies.searching.corpus import Corpus
 from nctakt.studies.searching.cover import Reached, reach
 from nctakt.studies.searching.search import Answer, search, shrink
@@ -203,12 +211,12 @@ class Study:
             plan = replace(plan, measures=(*plan.measures, *own))
         self.plan = plan
         self._has_functions = bool(functions)
-        self._bench: Bench | None = None
+        self._runner: StudyRunner | None = None
         self.nominal: Nominal | None = None
         if any(dimension.is_each_tick for dimension in plan.dimensions):
-            bench = bench_of(plan)
-            bench.check()
-            self.nominal = nominal_run(bench)
+            runner = runner_of(plan)
+            runner.check()
+            self.nominal = nominal_run(runner)
             self.plan = with_span(plan, self.nominal)
 
     def __repr__(self) -> str:
@@ -218,13 +226,13 @@ class Study:
         return self.plan.size
 
     @property
-    def bench(self) -> Bench:
-        """The bench of this process; raises ``Failure`` for names that are unknown."""
-        if self._bench is None:
-            bench = bench_of(self.plan)
-            bench.check()
-            self._bench = bench
-        return self._bench
+    def runner(self) -> StudyRunner:
+        """The runner of this process; raises ``Failure`` for names that are unknown."""
+        if self._runner is None:
+            runner = runner_of(self.plan)
+            runner.check()
+            self._runner = runner
+        return self._runner
 
     def run(
         self,
@@ -241,7 +249,7 @@ class Study:
         them elsewhere. ``store`` keeps each row as it comes and knows those of earlier times;
         ``on_rows`` is called with new ones. Raises ``Failure`` for unknown names, before any run.
         """
-        self.bench  # noqa: B018 - checks the names
+        self.runner  # noqa: B018 - checks the names
         numbers_due: Iterable[int] = range(self.plan.size) if numbers is None else numbers
         done = () if store is None else store.done
         missing: Iterable[int] = (number for number in numbers_due if number not in done)
@@ -250,11 +258,11 @@ class Study:
         progress, count = notebook_progress("Study"), 0
         if executor is None:
             executor = rows_here
-            copies = is_copied(self.plan, self.bench.cycle_time_us)
+            copies = is_copied(self.plan, self.runner.cycle_time_us)
             writer = None if store is None else store.folder
             if (processes > 1 or copies or writer is not None) and not self._has_functions:
                 executor = lambda plan, left: rows_of_processes(  # noqa: E731
-                    plan, left, processes, self.bench, writer
+                    plan, left, processes, self.runner, writer
                 )
         total = len(missing) if isinstance(missing, list) else None
         blocks: list[RowBlock] = []
@@ -272,10 +280,10 @@ class Study:
                     count += len(block)
                     progress.show(count, total)
         if store is not None:
-            return StudyResult(self.plan, store.rows(), self.nominal, self.bench.units)
+            return StudyResult(self.plan, store.rows(), self.nominal, self.runner.units)
         rows = [row for block in blocks for row in block.rows]
         rows.sort(key=lambda row: int(row["run"] or 0))
-        return StudyResult(self.plan, rows, self.nominal, self.bench.units)
+        return StudyResult(self.plan, rows, self.nominal, self.runner.units)
 
     def without_shown_effect(self, result: StudyResult) -> list[tuple[str, int]]:
         """Make some runs again with another value of one dimension alone, for points by chance.
@@ -283,14 +291,14 @@ class Study:
         Returns the dimensions, beyond those of ``result.without_effect``, for which that changed
         nothing, each with the number of these runs. Raises ``Failure`` as ``run``.
         """
-        return without_shown_effect(self.bench, result.rows, result.without_effect)
+        return without_shown_effect(self.runner, result.rows, result.without_effect)
 
     def find(self, searched: SearchRuns | None = None) -> list[Answer]:
         """Return the answer to each goal of the plan (``find``); raises ``Failure`` as ``run``.
 
         ``searched``: makes the runs and keeps their rows, by default this process.
         """
-        searched = searched or SearchRuns(self.bench)
+        searched = searched or SearchRuns(self.runner)
         return [search(searched, goal) for goal in self.plan.goals]
 
     def cover(
@@ -308,7 +316,7 @@ class Study:
         """
         kept = None if corpus is None else Corpus(Path(corpus))
         earlier = () if kept is None else kept.points(self.plan)
-        searched = searched or SearchRuns(self.bench, covers=True)
+        searched = searched or SearchRuns(self.runner, covers=True)
         reached = reach(searched, len(self) if budget is None else budget, earlier)
         if kept is not None:
             kept.add(self.plan, reached.best)
@@ -317,7 +325,7 @@ class Study:
     def shrink(self, number: int) -> Answer:
         """Return the smallest change from the unchanged run that breaks as a run does."""
         nominal = [dimension.rest_value for dimension in self.plan.dimensions]
-        return shrink(self.bench, self.plan.point(number), nominal)
+        return shrink(self.runner, self.plan.point(number), nominal)
 
     def reason(self, measure: str, number: int) -> str:
         """Return why a Python function has no value in a run, which is made again; else nothing."""
@@ -325,7 +333,7 @@ class Study:
         if not isinstance(own.node, PythonMeasure):
             return ""
         try:
-            own.measured(self.bench.make(self.plan.point(number)).outcome)
+            own.measured(self.runner.make(self.plan.point(number)).outcome)
         except (NotMeasuredError, Failure) as error:
             return next(iter(str(error).splitlines()), "")
         return ""
@@ -336,14 +344,14 @@ class Study:
         Of a schedule the list and its load are written instead. Raises ``Failure`` as the run, and
         for files that cannot be written.
         """
-        return record_run(self.bench, self._point(run), Path(path))
+        return record_run(self.runner, self._point(run), Path(path))
 
     def command(self, run: int | Sequence[Value]) -> str | None:
         """Return the command that makes a run alone, by its number or its values.
 
         ``None`` if no option says its inputs, or only a very long command would.
         """
-        inputs = inputs_of(self.plan, self._point(run), self.bench.cycle_time_us)
+        inputs = inputs_of(self.plan, self._point(run), self.runner.cycle_time_us)
         return command_of(self.plan, inputs)
 
     def _point(self, run: int | Sequence[Value]) -> Sequence[Value]:

@@ -188,8 +188,8 @@ def test_messages_and_alerts(served):
 def test_each_type_is_as_published(served, tmp_path_factory):
     """Names, and no reference to a type, rule or part that the published node has not."""
     published = machine_tool_node_set(tmp_path_factory.mktemp("npm"))
-    space = served.door.server.iserver.aspace
-    index = served.door.tool.indices.machine_tool
+    space = served.endpoint.server.iserver.aspace
+    index = served.endpoint.tool.indices.machine_tool
     own = [node for node in space.keys() if node.NamespaceIndex == index]
     assert len(own) > 50
     for node in own:
@@ -218,4 +218,4 @@ def test_the_session_waits_for_nobody(served):
     """A program ends while no client is there: the part counts nevertheless."""
     served.session.write({"HLI.START": 1, "V.E.FLAG": 1})
     served.session.step(6000)
-    asyncio.run(until(lambda: served.door.tool.states.parts == 1))
+    asyncio.run(until(lambda: served.endpoint.tool.states.parts == 1))

@@ -117,7 +117,7 @@ def test_others_are_refused(tmp_path):
 
     try:
         asyncio.run(work())
-        assert list(served.door.security.failures) == ["127.0.0.1"]
+        assert list(served.endpoint.security.failures) == ["127.0.0.1"]
         for file in ("key.pem", "users", PASSWORD):
             assert (folder / file).stat().st_mode & 0o077 == 0
         assert password_of(folder) not in (folder / "users").read_text("utf-8")

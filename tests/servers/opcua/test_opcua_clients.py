@@ -363,8 +363,8 @@ def test_the_past_of_a_signal_is_read(served):
 
     async def work(client):
         node = client.get_node("ns=3;s=CncAxisList.X.PosDirect.ActPos")
-        start = served.door.space.clock.time(first)
-        end = served.door.space.clock.time(latest - 1)
+        start = served.endpoint.space.clock.time(first)
+        end = served.endpoint.space.clock.time(latest - 1)
         values = await node.read_raw_history(start, end)
         _, cells = served.session.look(first, latest, ["X.ACS.CUR_POS"], 200)
         assert [one.Value.Value for one in values] == list(cells)

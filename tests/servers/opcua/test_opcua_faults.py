@@ -213,7 +213,7 @@ def test_who_has_vanished_makes_room(served):
         client = patient_client(served.url)
         await client.connect()
         await client.create_subscription(50, None)
-        session = served.door.server.iserver.client_sessions[-1]
+        session = served.endpoint.server.iserver.client_sessions[-1]
         client.uaclient.protocol.transport.abort()
         with contextlib.suppress(Exception):
             await client.disconnect()
@@ -221,7 +221,7 @@ def test_who_has_vanished_makes_room(served):
         return session
 
     async def work():
-        server = served.door.server.iserver
+        server = served.endpoint.server.iserver
         await until(lambda: not server.client_sessions)
         async with connected(served) as client:
             gone = [await vanish(number) for number in range(7)]
@@ -231,7 +231,7 @@ def test_who_has_vanished_makes_room(served):
                 others.append(patient_client(served.url))
                 await others[-1].connect()  # at once
             assert [one for one in gone if one in server.client_sessions] == gone[3:]
-            assert len(served.door.subscriptions.subscriptions) == 4
+            assert len(served.endpoint.subscriptions.subscriptions) == 4
             assert await client.get_node(f"{CHANNEL}.Id").read_value() == 1
             for other in others:
                 await other.disconnect()
@@ -252,7 +252,7 @@ def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
             self.statuses.append(status.Status.name)
 
     async def work():
-        held = served.door.subscriptions.subscriptions
+        held = served.endpoint.subscriptions.subscriptions
         await until(lambda: not held)
         async with contextlib.AsyncExitStack() as stack:
             for count in (3, 3, 3, 3, 2):
@@ -275,7 +275,7 @@ def test_who_asks_later_learns_that_a_subscription_has_ended(served):
     """A subscription that ends while its client asks for nothing says so at the next request."""
 
     async def work():
-        held = served.door.subscriptions.subscriptions
+        held = served.endpoint.subscriptions.subscriptions
         await until(lambda: not held)
         async with contextlib.AsyncExitStack() as stack:
             silent = await stack.enter_async_context(connected(served))
@@ -350,7 +350,7 @@ def test_a_client_that_vanishes_in_a_write_leaves_nothing(served):
                 with contextlib.suppress(Exception, asyncio.CancelledError):
                     await task
         await is_well(served)
-        server = served.door.server.iserver
+        server = served.endpoint.server.iserver
         await until(lambda: not server.client_sessions)
 
     asyncio.run(work())
@@ -400,7 +400,7 @@ def test_who_asks_for_no_publishing_keeps_the_latest(served):
             data = await protocol.send_request(request)
             answer = ua.ua_binary.struct_from_binary(ua.CreateSubscriptionResponse, data)
             number = answer.Parameters.SubscriptionId
-            known = served.door.subscriptions.subscriptions
+            known = served.endpoint.subscriptions.subscriptions
             assert number in known
             await until(lambda: number not in known)
         await is_well(served)
@@ -514,10 +514,10 @@ def test_who_has_written_reads_what_was_written(served):
 
 def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypatch):
     """The session goes on while it is looked at; the moment is that of the look all the same."""
-    host, glance, looks = served.host, served.session.glance, []
+    host, state_view, looks = served.host, served.session.state_view, []
 
     def looked(*names):
-        found = glance(*names)
+        found = state_view(*names)
         limit_s = time.monotonic() + 20
         while host.store.tick < found.tick + 5 and time.monotonic() < limit_s:
             host.loop.call_soon_threadsafe(host.store.take, later(found.tick + 5))
@@ -529,7 +529,7 @@ def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypa
         return replace(host.store.frame, tick=tick, values=dict.fromkeys(host.store.values, -1.0))
 
     async def moments():
-        space = served.door.space
+        space = served.endpoint.space
         watched = [live for live in space.live.values() if live.needs_glance or live.signal][:20]
         watched += [live for live in space.live.values() if live.needs_glance][:2]
         first = await space.watch(watched)
@@ -538,10 +538,10 @@ def test_values_cycles_and_channels_of_a_moment_are_of_one_tick(served, monkeypa
             space.unwatch(live)
         return first, second
 
-    monkeypatch.setattr(served.session, "glance", looked)
+    monkeypatch.setattr(served.session, "state_view", looked)
     found = asyncio.run_coroutine_threadsafe(moments(), host.loop).result(60)
     for moment in found:
-        names, own = next((names, own) for own, names in looks if own is moment.glance)
+        names, own = next((names, own) for own, names in looks if own is moment.state_view)
         assert moment.tick == own.tick
         assert moment.values == dict(zip(names, own.values, strict=True))
         assert moment.values

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.run.options import accepted_by, command_words
-from nctakt.studies.runs.bench import FAILED
+from nctakt.studies.runs.study_runner import FAILED
 from nctakt.studies.study import Study, StudyResult
 
 #: The most tapes of one study.

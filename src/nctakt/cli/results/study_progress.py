@@ -47,9 +47,9 @@ class StudyProgress:
         """
         if self._size < 10_000:
             return
-        study.bench.row(0)
+        study.runner.row(0)
         begin_s = time.perf_counter()
-        study.bench.row(0)
+        study.runner.row(0)
         estimate_s = (time.perf_counter() - begin_s) * min(self._size, MAX_COUNTED) / cores
         if estimate_s > LONG_S:
             shown = _length(estimate_s)

@@ -31,9 +31,9 @@ def search_with_rows(
             uploads = [Path(name) for name in words["upload"]]
             cluster = points_of_cluster(study.plan, words["scheduler"], uploads, covers=covers)
             make = at_the_end.enter_context(cluster)
-        searched = SearchRuns(study.bench, store, make, covers=covers)
+        searched = SearchRuns(study.runner, store, make, covers=covers)
         found = search(searched)
-    result = StudyResult(study.plan, searched.rows, study.nominal, study.bench.units)
+    result = StudyResult(study.plan, searched.rows, study.nominal, study.runner.units)
     if words["out"] is not None:
         result.save(words["out"])
     if words["report"] is not None:

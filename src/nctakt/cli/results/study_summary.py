@@ -12,8 +12,8 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.studies.measuring.measures import as_text
 from nctakt.studies.plans.verdicts import share_text
-from nctakt.studies.runs.bench import CRASHED, FAILED, PASSED, REFUSED, Row
 from nctakt.studies.runs.each_tick import strip
+from nctakt.studies.runs.study_runner import CRASHED, FAILED, PASSED, REFUSED, Row
 from nctakt.studies.searching.search import Answer
 from nctakt.studies.study import Study, StudyResult
 

@@ -179,7 +179,7 @@ class CornerRounding:
         rounding[rows.CONTINUES] = segments[before + rows.CONTINUES]
         rounding[rows.HAS_JERK_LIMIT] = 1.0
         rounding[rows.SPEED] = segments[before + rows.SPEED]
-        for i in range(rows.PACE_WIDTH):
+        for i in range(rows.FEED_MODIFIER_WIDTH):
             rounding[rows.SPEED_OVERRIDE + i] = segments[before + rows.SPEED_OVERRIDE + i]
         rounding[rows.PREDECESSOR] = 1.0
         rounding[rows.CORNER_SPEED] = 1e300

@@ -9,7 +9,7 @@ from nctakt.kernel.path.arc_speed cimport ArcSpeed
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.path.trapezoid_profile cimport TrapezoidProfile
 from nctakt.kernel.path.path_axes cimport PathAxes
-from nctakt.kernel.path.tool_life cimport ToolLife
+from nctakt.kernel.path.tool_life cimport ToolLifeCounter
 from nctakt.kernel.path.jerk_profile cimport JerkProfile
 
 @cython.final
@@ -33,7 +33,7 @@ cdef class Path(PathAxes):
     cdef ArcSpeed arc
     cdef Py_ssize_t pieces
     cdef JerkProfile jerk_profile
-    cdef readonly ToolLife life
+    cdef readonly ToolLifeCounter life
     cdef double[::1] positions
     cdef int stage
     cdef double stage_end_d

@@ -19,7 +19,7 @@ from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_speed import ArcSpeed
 from nctakt.kernel.path.jerk_profile import JerkProfile
 from nctakt.kernel.path.path_axes import PathAxes
-from nctakt.kernel.path.tool_life import ToolLife
+from nctakt.kernel.path.tool_life import ToolLifeCounter
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
 
@@ -62,7 +62,7 @@ class Path(PathAxes):
         self.arc = ArcSpeed(len(members), self.profile, self.room)
         self.pieces = 0
         self.jerk_profile = JerkProfile(self.cycle_time_t)
-        self.life = ToolLife(cycle_time_us)
+        self.life = ToolLifeCounter(cycle_time_us)
         self.positions = memoryview(bytearray(8 * self.room)).cast("d")
         self.stage = 0
         self.stage_end_d = 0.0

@@ -46,7 +46,7 @@ cdef class SegmentLimits:
     @cython.locals(i=Py_ssize_t)
     cdef void keep(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, limit=double)
-    cdef void begin_corner(self) noexcept nogil
+    cdef void use_stricter_limits(self) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void end_corner(self) noexcept nogil
     @cython.locals(is_rapid=bint, limit=double)

@@ -140,7 +140,7 @@ class SegmentLimits:
                 self.kept_feed_j[i] = self.feed_j[i]
         self.has_changed = True
 
-    def begin_corner(self) -> None:
+    def use_stricter_limits(self) -> None:
         """Let what both segments of a corner allow be the limits until ``end_corner``."""
         for i in range(self.count):
             limit = self.rapid_a[i]

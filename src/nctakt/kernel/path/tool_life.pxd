@@ -3,7 +3,7 @@
 cimport cython
 
 @cython.final
-cdef class ToolLife:
+cdef class ToolLifeCounter:
     cdef double cycle_time_us
     cdef bint counts_rapid
     cdef bint is_counted

@@ -8,7 +8,7 @@ count, unless the list says so (P-CHAN-00255), nor what the path walks back and 
 from __future__ import annotations
 
 
-class ToolLife:
+class ToolLifeCounter:
     """``time_t``: weighed seconds, to the tick; ``distance_d``: weighed mm along the path.
 
     ``tool``: number of the text of the tool's ID (``run/realtime/event_registry.py``), -1: none

@@ -17,7 +17,7 @@ from nctakt.kernel.tick.command_queue cimport CommandQueue
 from nctakt.kernel.tick.early_outputs cimport EarlyOutputs
 from nctakt.kernel.tick.single_block cimport SingleBlock
 from nctakt.kernel.tick.spindle_exchange cimport SpindleExchange
-from nctakt.kernel.tick.tool_lives cimport ToolLives
+from nctakt.kernel.tick.tool_lives cimport ToolLifeReporter
 from nctakt.kernel.axes.single_axes cimport SingleAxes
 from nctakt.kernel.base.timers cimport Timers
 
@@ -33,7 +33,7 @@ cdef class CommandExecutor:
     cdef readonly Panel panel
     cdef readonly SingleBlock single_block
     cdef EarlyOutputs early_outputs
-    cdef readonly ToolLives tool_lives
+    cdef readonly ToolLifeReporter tool_lives
     cdef readonly CycleManager manager
     cdef BlockScope block_scope
     cdef readonly FixedStops fixed_stops

@@ -22,7 +22,7 @@ from nctakt.kernel.tick.early_outputs import EarlyOutputs
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.single_block import SingleBlock
 from nctakt.kernel.tick.spindle_exchange import SpindleExchange
-from nctakt.kernel.tick.tool_lives import ToolLives
+from nctakt.kernel.tick.tool_lives import ToolLifeReporter
 
 
 class CommandExecutor:
@@ -50,7 +50,7 @@ class CommandExecutor:
         self.panel = hli.panel
         self.single_block = SingleBlock(queue, self.panel)
         self.early_outputs = EarlyOutputs(queue, hli, record)
-        self.tool_lives = ToolLives(queue, self.panel, record)
+        self.tool_lives = ToolLifeReporter(queue, self.panel, record)
         self.manager = manager
         self.block_scope = BlockScope(manager, record)
         self.fixed_stops = FixedStops(queue.path, record)

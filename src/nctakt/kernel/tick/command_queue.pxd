@@ -31,7 +31,7 @@ cdef class CommandQueue:
     @cython.locals(row=Py_ssize_t, first=Py_ssize_t, i=Py_ssize_t)
     cpdef put_segment(
         self, double source, double number, start, target, int motion, double feed_v,
-        int exact_stop, double deviation, int limits_jerk, arc, pace=*, curve=*
+        int exact_stop, double deviation, int limits_jerk, arc, feed_modifiers=*, curve=*
     )
     cdef void note_early(self, Py_ssize_t row) noexcept nogil
     @cython.locals(length=double, oldest=Py_ssize_t)

@@ -108,7 +108,7 @@ class CommandQueue:
         deviation: float,
         limits_jerk: bool,
         arc: Sequence[float] | None,
-        pace: Sequence[float] | None = None,
+        feed_modifiers: Sequence[float] | None = None,
         curve: Sequence[float] | None = None,
     ) -> None:
         """Append a segment, and let the path go on into it from the one before.
@@ -116,7 +116,7 @@ class CommandQueue:
         ``motion``: ``rows.FEED_MOTION`` with ``feed_v``, mm/s, or ``rows.RAPID_MOTION``.
         ``deviation``: how far the path may pass its target, 0 not at all. ``limits_jerk``: the
         slope is an S-curve; the path stops where the slope changes. ``arc``: first and second axis
-        of the plane, centre, angle in degrees. ``pace``: the columns of a segment from
+        of the plane, centre, angle in degrees. ``feed_modifiers``: the columns of a segment from
         ``rows.SPEED_OVERRIDE`` on, whose override counts in its speed from here on; then, if given,
         the speed at its end, 0: as the next segment. ``curve``: the inner control points of a
         cubic, all first ones, then all second ones.
@@ -138,12 +138,12 @@ class CommandQueue:
             first += 2 * self.path.count
             for i in range(2 * self.path.count):
                 self.rows[first + i] = curve[i]
-        if pace is not None:
-            for i in range(rows.PACE_WIDTH):
-                self.rows[row + rows.SPEED_OVERRIDE + i] = pace[i]
+        if feed_modifiers is not None:
+            for i in range(rows.FEED_MODIFIER_WIDTH):
+                self.rows[row + rows.SPEED_OVERRIDE + i] = feed_modifiers[i]
             self.rows[row + rows.SPEED] *= self.rows[row + rows.SPEED_OVERRIDE]
-            if len(pace) > rows.PACE_WIDTH:
-                self.rows[row + rows.NEXT_SPEED] = pace[rows.PACE_WIDTH]
+            if len(feed_modifiers) > rows.FEED_MODIFIER_WIDTH:
+                self.rows[row + rows.NEXT_SPEED] = feed_modifiers[rows.FEED_MODIFIER_WIDTH]
         if self.loop_body.is_open:
             self.loop_body.append(self.rows, row)
         self.end_segment(row)
@@ -249,7 +249,7 @@ class CommandQueue:
         oldest = max(self.head, self.started + 1)
         if self.last_segment >= oldest and self.has_same_slope(self.last_segment, row):
             if self.look_ahead.limits.has_changed:
-                self.look_ahead.limits.begin_corner()
+                self.look_ahead.limits.use_stricter_limits()
                 row = self.pass_into(row, oldest)
                 self.look_ahead.limits.end_corner()
             else:

@@ -3,14 +3,14 @@
 cimport cython
 from nctakt.kernel cimport codes, rows
 from nctakt.kernel.base.record cimport Record
-from nctakt.kernel.path.tool_life cimport ToolLife
+from nctakt.kernel.path.tool_life cimport ToolLifeCounter
 from nctakt.kernel.plc.panel cimport Panel
 from nctakt.kernel.tick.command_queue cimport CommandQueue
 
 @cython.final
-cdef class ToolLives:
+cdef class ToolLifeReporter:
     cdef CommandQueue queue
-    cdef ToolLife life
+    cdef ToolLifeCounter life
     cdef Panel panel
     cdef Record record
     cdef long long sent

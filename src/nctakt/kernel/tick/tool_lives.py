@@ -9,7 +9,7 @@ from nctakt.kernel.plc.panel import Panel
 from nctakt.kernel.tick.command_queue import CommandQueue
 
 
-class ToolLives:
+class ToolLifeReporter:
     """Sends the tool lives that ``life`` has counted, as an event and by lamps of the panel."""
 
     def __init__(self, queue: CommandQueue, panel: Panel, record: Record) -> None:

@@ -7,11 +7,11 @@ from nctakt.messages.catalogue import error, note
 
 DOOR_ADDRESS_NOT_USABLE = error(
     901351,
-    en="{door} cannot listen at {host}, port {port}: {reason}",
-    de="{door} kann nicht an {host}, Port {port} lauschen: {reason}",
+    en="{endpoint} cannot listen at {host}, port {port}: {reason}",
+    de="{endpoint} kann nicht an {host}, Port {port} lauschen: {reason}",
     remedy_en="End the program that uses the port, or name another one; port 0 takes a free one.",
     remedy_de="Das Programm am Port beenden oder einen anderen nennen; Port 0 nimmt einen freien.",
-    door=("the server", "der Server"),
+    endpoint=("the server", "der Server"),
     host=("the address", "die Adresse"),
 )
 INVALID_DOOR_ADDRESS = error(
@@ -92,9 +92,9 @@ ADS_NEEDS_SOURCES = error(
 )
 WHO_COMMANDS = note(
     902022,
-    en="{door}: the machine can be commanded by {who}",
-    de="{door}: Der Maschine befehlen kann {who}",
-    door=("the protocol", "das Protokoll"),
+    en="{endpoint}: the machine can be commanded by {who}",
+    de="{endpoint}: Der Maschine befehlen kann {who}",
+    endpoint=("the protocol", "das Protokoll"),
     who=("whoever is admitted", "wer zugelassen ist"),
 )
 INVALID_NET_ID = error(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The door through which everything reaches a run from outside, tick by tick.
+"""All that reaches a run from outside, tick by tick.
 
 In: values of variables and of the operator's panel, acknowledgements of functions and spindle jobs,
 motions of single axes that a PLC requests, what a PLC in another process writes into the image of

@@ -19,7 +19,7 @@ from nctakt.servers.ads.data import Fixed, Readable
 from nctakt.servers.ads.frames import Frame
 from nctakt.servers.ads.limits import MAX_ANSWER
 from nctakt.servers.ads.notifications import Notifier
-from nctakt.servers.ads.object_values import GLANCE, TICK
+from nctakt.servers.ads.object_values import STATE_VIEW, TICK
 from nctakt.servers.ads.objects import ADDRESS, Objects
 from nctakt.servers.ads.symbols import SymbolTable
 from nctakt.servers.ads.uploads import Uploads, handle_description, symbol_entry, type_entry
@@ -95,9 +95,9 @@ class Access:
         Where too many are borrowed they are here for this once. Raises ``AdsError``.
         """
         store = self._host.store
-        glanced = [name for name in names if name.startswith(GLANCE)]
+        viewed = [name for name in names if name.startswith(STATE_VIEW)]
         try:
-            if glanced:
+            if viewed:
                 return await self._glance([*names], read)
             if store.can_borrow(names):
                 await store.subscribe(names, is_borrowing=True)
@@ -114,17 +114,17 @@ class Access:
 
     async def _glance(self, names: Sequence[str], read: Callable[[], _T]) -> _T:
         """Return what reads values that no signal has, and others, all of the same tick."""
-        signals = [name for name in names if not name.startswith(GLANCE)]
-        glance = await self._host.ask(self._host.session.glance, *signals)
-        found: dict[str, Scalar] = dict(zip(signals, glance.values, strict=True))
-        found[TICK] = float(glance.tick)
-        for number, channel in enumerate(glance.channels, 1):
+        signals = [name for name in names if not name.startswith(STATE_VIEW)]
+        state_view = await self._host.ask(self._host.session.state_view, *signals)
+        found: dict[str, Scalar] = dict(zip(signals, state_view.values, strict=True))
+        found[TICK] = float(state_view.tick)
+        for number, channel in enumerate(state_view.channels, 1):
             in_force = channel.in_force
-            found[f"{GLANCE}{number}.feed"] = 1000.0 * channel.programmed_mm_s
-            found[f"{GLANCE}{number}.tool"] = float(0 if in_force is None else in_force.tool)
+            found[f"{STATE_VIEW}{number}.feed"] = 1000.0 * channel.programmed_mm_s
+            found[f"{STATE_VIEW}{number}.tool"] = float(0 if in_force is None else in_force.tool)
             function = _NO_ZERO_OFFSET if in_force is None else in_force.zero_offset
             if function in _ZERO_OFFSETS:
-                found[f"{GLANCE}{number}.zero_offset"] = float(function - _NO_ZERO_OFFSET)
+                found[f"{STATE_VIEW}{number}.zero_offset"] = float(function - _NO_ZERO_OFFSET)
         self._once = {**self._host.store.values, **found}
         try:
             return read()
@@ -257,7 +257,7 @@ class Access:
         if mode not in frozenset(Transmission):
             raise AdsError(Error.PARAMETER, f"transmission {mode}")
         item = self.resolve(client, group, offset, size)
-        if any(name.startswith(GLANCE) for name in item.names):
+        if any(name.startswith(STATE_VIEW) for name in item.names):
             raise AdsError(Error.SERVICE, "what no signal tells is read, and not notified")
         self.value(item)
         handle = self.notifier.add(

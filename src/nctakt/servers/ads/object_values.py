@@ -19,9 +19,9 @@ from nctakt.servers.store import Scalar
 INCREMENTS = 10_000.0
 
 #: What begins the names of values that no signal has: they are asked of the session at each read.
-GLANCE = ASKED
+STATE_VIEW = ASKED
 #: The name of the tick in the values that are asked.
-TICK = f"{GLANCE}tick"
+TICK = f"{STATE_VIEW}tick"
 
 
 def number_bytes(type_: str, number: float) -> bytes:
@@ -62,11 +62,11 @@ class Shown(_Value):
         return number_bytes(self._type, self._shown(float(values[self.names[0]])))
 
 
-class Glanced(_Value):
+class Viewed(_Value):
     """What no signal tells, but the session knows: the feed of a channel, its zero offset."""
 
     def __init__(self, word: str, channel: int, type_: str) -> None:
-        self.names = (f"{GLANCE}{channel}.{word}",)
+        self.names = (f"{STATE_VIEW}{channel}.{word}",)
         self.size_bytes = calcsize(f"<{NUMERIC[type_][0]}")
         self._type = type_
 

@@ -14,7 +14,7 @@ the instance; a number without an element is 0x703, one that is refused for a re
 ``tie``     ``shows``: as in the table of the interface; ``at PATH``: an element of the interface;
             ``ask UNIT``: what the HMI asks a control unit for; ``press UNIT``: its key, whatever
             is written; ``job``: a program that is selected and started; ``kept KEY``: no effect,
-            read back under the same key; ``glance``: what is asked of the session; ``fact``,
+            read back under the same key; ``state_view``: what is asked of the session; ``fact``,
             ``const``
 ``refused`` why there is no value, for those without a tie
 ==========  ========================================================================================
@@ -39,12 +39,12 @@ from nctakt.servers.ads.codes import AdsError, Error
 from nctakt.servers.ads.data import NUMERIC, Fixed, Readable, Scaled
 from nctakt.servers.ads.object_values import (
     Asked,
-    Glanced,
     Job,
     Kept,
     Pressed,
     Shown,
     Ticks,
+    Viewed,
     ZeroOffsets,
     number_bytes,
 )
@@ -356,8 +356,8 @@ class Objects:
                     else area.name + word
                 )
                 return Kept(key, size, row.access != "r")
-            case "glance":
-                return Glanced(word, area.index + 1, type_)
+            case "state_view":
+                return Viewed(word, area.index + 1, type_)
             case "fact":
                 return self._fact(word, row.type, index)
             case "const":

@@ -50,7 +50,7 @@ RELEASE_S = 30.0
 _EVERYWHERE = ("0.0.0.0", "::")
 
 
-class AdsDoor:
+class AdsEndpoint:
     """The server at one address.
 
     ``net_id``: its own; by default that of its address, as routers make it. ``networks``: where
@@ -142,10 +142,10 @@ def net_id_of(host: str) -> bytes:
 class Connection(asyncio.Protocol):
     """One connection with its clients; ``asked_s``: when its last frame came, by the loop."""
 
-    def __init__(self, door: AdsDoor) -> None:
-        self._door = door
-        self._service = door.service
-        self._log = door.host.log
+    def __init__(self, endpoint: AdsEndpoint) -> None:
+        self._endpoint = endpoint
+        self._service = endpoint.service
+        self._log = endpoint.host.log
         self._reader = FrameReader()
         self._clients: dict[tuple[bytes, int], Client] = {}
         self._tasks: set[asyncio.Task[None]] = set()
@@ -164,21 +164,21 @@ class Connection(asyncio.Protocol):
         address = transport.get_extra_info("peername") or ("", 0)
         self._address = str(address[0])
         self.peer = shown_address(str(address[0]), address[1])
-        networks, reason = self._door.networks, ""
+        networks, reason = self._endpoint.networks, ""
         if networks and not is_within(self._address, networks):
             reason = "the address is not one of --ads-from"
-        elif len(self._door.connections) >= MAX_CONNECTIONS and not self._door.make_room():
+        elif len(self._endpoint.connections) >= MAX_CONNECTIONS and not self._endpoint.make_room():
             reason = "too many connections"
         if reason:
             self._log.refuse(DOOR, self._address, reason)
             self._transport.abort()
             self._transport = None
             return
-        self._door.connections.add(self)
+        self._endpoint.connections.add(self)
         self._transport.set_write_buffer_limits(MAX_UNREAD_ANSWERS)
         watch(transport)
-        self.asked_s = self._door.host.loop.time()
-        self._deadline = Deadline(self._door.host.loop, HEADER.size, self._end_late)
+        self.asked_s = self._endpoint.host.loop.time()
+        self._deadline = Deadline(self._endpoint.host.loop, HEADER.size, self._end_late)
         self._log.visit("connected", DOOR, self._address, peer=self.peer)
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -208,7 +208,7 @@ class Connection(asyncio.Protocol):
         for client in self._clients.values():
             self._service.forget(client)
         self._clients.clear()
-        self._door.connections.discard(self)
+        self._endpoint.connections.discard(self)
 
     def end(self, reason: str) -> None:
         """Disconnect; ``reason`` for the log."""
@@ -249,7 +249,7 @@ class Connection(asyncio.Protocol):
             self.end("not a frame of AMS")
             return
         if is_new:
-            self.asked_s = self._door.host.loop.time()
+            self.asked_s = self._endpoint.host.loop.time()
         if self._deadline is not None:
             self._deadline.look(self._reader.pending, is_new=is_new)
         if answers:
@@ -270,11 +270,11 @@ class Connection(asyncio.Protocol):
 
     def _answer(self, client: Client, frame: Frame) -> bytes | None:
         """Return the answer to a request, ``None`` if it comes later."""
-        permitted = self._door.permitted
+        permitted = self._endpoint.permitted
         if permitted and client.net_id not in permitted:
             self._log.refuse(DOOR, client.name, "the NetId is not permitted")
             return frame.answer(b"", Error.SYMBOL)
-        if frame.target_id != self._door.net_id:
+        if frame.target_id != self._endpoint.net_id:
             detail = shown_net_id(frame.target_id)
             self._log.refuse(DOOR, client.name, "for another NetId", detail=detail)
             return frame.answer(b"", Error.MACHINE_UNKNOWN)
@@ -287,8 +287,8 @@ class Connection(asyncio.Protocol):
             return self._broken(client, frame, error)
         if isinstance(answer, bytes):
             return frame.answer(answer)
-        task = self._door.host.loop.create_task(self._answer_later(client, frame, answer))
-        for tasks in (self._tasks, self._door.tasks):
+        task = self._endpoint.host.loop.create_task(self._answer_later(client, frame, answer))
+        for tasks in (self._tasks, self._endpoint.tasks):
             tasks.add(task)
             task.add_done_callback(tasks.discard)
         self._pace()
@@ -306,11 +306,11 @@ class Connection(asyncio.Protocol):
         if self._transport is None:
             self._service.forget(client)
         self._service.begin_notifications(client)
-        self._door.host.loop.call_soon(self._pace)
+        self._endpoint.host.loop.call_soon(self._pace)
 
     def _broken(self, client: Client, frame: Frame, error: Exception) -> bytes:
         """Return the answer to a request in which an error of nctakt's own came up."""
-        self._log.error("request", door=DOOR, client=client.name, reason=error_text(error))
+        self._log.error("request", endpoint=DOOR, client=client.name, reason=error_text(error))
         return frame.answer(b"", Error.INTERNAL)
 
     # --- what the client takes ------------------------------------------------------------------

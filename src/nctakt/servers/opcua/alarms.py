@@ -304,7 +304,7 @@ class Alarms:
         alarm.user = session.client
         self._host.log.note(
             "acknowledged" if is_acknowledged else "comment",
-            door="opcua",
+            endpoint="opcua",
             client=session.client,
             alarm=alarm.found.id,
         )

@@ -2,7 +2,7 @@
 """All that reaches inside the library for OPC UA; nothing else imports its modules.
 
 Its public interface is a server with sessions, subscriptions and connections of its own; ours take
-their places, which its classes have no other door for. The names below are those of version 2.1;
+their places, which its classes have no other way for. The names below are those of version 2.1;
 pyproject.toml holds the library below 2.2, and ``tests/servers/opcua`` look at what they do.
 """
 

@@ -137,10 +137,10 @@ class LiveSpace:
     async def _glance(self, names: Iterable[str]) -> Moment:
         """Ask the session for a moment with cycles and channels; raises ``Failure``."""
         asked_for = list(names)
-        glance = await self._host.ask(self._host.session.glance, *asked_for)
-        values = dict(zip(asked_for, glance.values, strict=True))
-        known = (blocks for tick, blocks in reversed(self._blocks) if tick <= glance.tick)
-        return Moment(glance.tick, values, next(known, {}), glance)
+        state_view = await self._host.ask(self._host.session.state_view, *asked_for)
+        values = dict(zip(asked_for, state_view.values, strict=True))
+        known = (blocks for tick, blocks in reversed(self._blocks) if tick <= state_view.tick)
+        return Moment(state_view.tick, values, next(known, {}), state_view)
 
     def sample(self, live: Live, moment: Moment) -> Sample:
         """Return the value of a monitored node at a moment."""

@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.servers.clock import MachineClock
 from nctakt.servers.opcua.library import variant_to_binary
 from nctakt.servers.store import Scalar
-from nctakt.session.engine import Glance
+from nctakt.session.engine import StateView
 
 #: A value of Python, of the type of its node.
 Value = Any
@@ -69,14 +69,14 @@ class NotSupported(Exception):
 class Moment:
     """A session at a tick, all of it of this one.
 
-    ``blocks``: the place of the current block of each channel. ``glance``: cycles and channels,
+    ``blocks``: the place of the current block of each channel. ``state_view``: cycles and channels,
     where somebody wants them.
     """
 
     tick: int
     values: Mapping[str, Scalar]
     blocks: Mapping[int, Span]
-    glance: Glance | None = None
+    state_view: StateView | None = None
 
     def number(self, name: str) -> float:
         """Return a value that is a number."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Branches of the tape of a session: each a story of the inputs, with what it has left behind.
+"""Branches of the tape of a session: each with its inputs, and what it has left behind.
 
 In: inputs, the record of the ticks that were run with them. Out: the inputs from any tick on, the
 marks and events of all ticks up to there, whichever branch has them.
@@ -19,7 +19,7 @@ from nctakt.session.stops import EventFilter
 
 @dataclass(slots=True)
 class Branch:
-    """One story of the inputs.
+    """One course of the inputs.
 
     It shares the inputs and the record of its ``parent`` before ``first_tick``. ``inputs`` are its
     own, by tick and order; ``latest``: the furthest tick that it has reached.

@@ -22,7 +22,7 @@ from nctakt.messages.connections.session import NO_SUCH_BRANCH, PLC_HOLDS_OPEN, 
 from nctakt.messages.scheduling.real_schedule import REAL_SCHEDULE_HAS_NO_PAST
 from nctakt.run.access.inputs import PLC, SCHEDULE, Input, in_order
 from nctakt.run.plcs.realtime_plc import is_structured
-from nctakt.session.engine import Evidence, Slice, joined
+from nctakt.session.engine import Evidence, StepResult, joined
 from nctakt.session.history.branch import Branch, index_of
 from nctakt.session.history.columns import WRITE_KINDS, Necessary
 from nctakt.session.history.comparing import BranchDifference, fork_of
@@ -119,7 +119,7 @@ class Timeline:
 
     def run(
         self, end: int, stops: Sequence[StopAt] = (), *, events: bool = True, rests: bool = False
-    ) -> Slice:
+    ) -> StepResult:
         """Run the live controller as ``Engine.run``.
 
         What has been run before must be as it was; raises ``Failure`` (901901) where it is not.
@@ -149,7 +149,7 @@ class Timeline:
             self._park()
         return done if again is None else joined(again, done)
 
-    def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> Slice:
+    def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> StepResult:
         """Let the live controller run over what it has run before."""
         marks = self.branch.marks_between(self.tick, end)
         self._confirmed.enter(self.branch.number)
@@ -190,8 +190,8 @@ class Timeline:
     # --- what has been run again ----------------------------------------------------------------
 
     def _compared(
-        self, branch: Branch, done: Slice, marks: Sequence[PastMark], asked: Sequence[int] = ()
-    ) -> Slice:
+        self, branch: Branch, done: StepResult, marks: Sequence[PastMark], asked: Sequence[int] = ()
+    ) -> StepResult:
         """Return what ticks have done that were run again; raises ``Failure`` (901901).
 
         ``asked``: where the slice has marks, by default at ``marks`` alone. Where a PLC has done
@@ -239,7 +239,7 @@ class Timeline:
         first: int | None = None,
         since: int | None = None,
         near: Sequence[int] = (),
-    ) -> Slice:
+    ) -> StepResult:
         """Run a controller over ticks of the past, up to ``end``; ``first``: where it began.
 
         Returns what the ticks from ``since`` on have done, by default none. ``near``: ticks to
@@ -247,7 +247,7 @@ class Timeline:
         """
         begin = engine.tick if first is None else first
         forgotten: int | None = end if since is None else max(since, engine.tick)
-        done: Slice | None = None
+        done: StepResult | None = None
         while done is None or (engine.tick < end and done.run_state is None):
             if engine.tick < end:
                 self._report(engine.tick - begin, end - begin)
@@ -307,7 +307,7 @@ class Timeline:
 
     # --- anywhere -------------------------------------------------------------------------------
 
-    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+    def go_to(self, tick: int, branch: int | None = None) -> StepResult:
         """Bring the live controller to just before a tick of a branch, by default of this one.
 
         Returns what its last ticks have done. Raises ``Failure`` (901154, 901157, 901901), and it
@@ -381,15 +381,15 @@ class Timeline:
         """Return the inputs of a branch from a tick on, with those that its PLC gave."""
         planned = branch.inputs_from(tick)
         given: list[Input] = []
-        story: Branch | None = branch
+        part: Branch | None = branch
         last = branch.latest
-        while story is not None and last > tick:
-            own = self._plc[story.number]
+        while part is not None and last > tick:
+            own = self._plc[part.number]
             given = own[index_of(own, tick + 1) : index_of(own, last + 1)] + given
-            last, story = story.first_tick, story.parent
+            last, part = part.first_tick, part.parent
         return planned + given
 
-    def _approach(self, engine: RemoteEngine, branch: Branch, tick: int) -> Slice:
+    def _approach(self, engine: RemoteEngine, branch: Branch, tick: int) -> StepResult:
         """Run a controller up to a tick; park on the way where that is dear."""
         first = engine.tick
         for work_us in approach(branch.work_at(first), branch.work_at(tick)):
@@ -537,7 +537,7 @@ class Timeline:
                 engine.close()
             self.progress = None
 
-    def happened(self, first: int, end: int) -> Slice:
+    def happened(self, first: int, end: int) -> StepResult:
         """Return what the ticks of this branch from ``first`` up to ``end`` have done."""
         engine = self.trial(first)
         try:

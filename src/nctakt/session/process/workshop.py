@@ -25,7 +25,7 @@ from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
 from nctakt.run.access.inputs import Input
-from nctakt.session.engine import CycleState, Found, Slice
+from nctakt.session.engine import CycleState, Found, StepResult
 from nctakt.session.process.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
@@ -123,9 +123,9 @@ class RemoteEngine:
         marks: Sequence[int] | None = (),
         rests: bool = False,
         since: int | None = None,
-    ) -> Slice:
+    ) -> StepResult:
         """Run as ``Engine.run``."""
-        done = cast("Slice", self.ask("run", end, stops, events, marks, rests, since))
+        done = cast("StepResult", self.ask("run", end, stops, events, marks, rests, since))
         self.tick = done.tick
         return done
 
@@ -253,7 +253,7 @@ class ProcessPool:
                 os.kill(asked.process, getattr(signal, "SIGKILL", signal.SIGTERM))
 
     def close(self) -> None:
-        """Close the door, and wait for the first processes; the others end by themselves."""
+        """Let no more processes in, and wait for the first ones; the others end by themselves."""
         self._listener.close()
         for connection in self._waiting.values():
             connection.close()

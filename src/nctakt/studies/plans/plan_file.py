@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A plan's file (TOML) -> ``Plan``, checked entry by entry.
 
-Names of machine and program are checked by ``Bench.check``; here are the words of the plan itself.
-Each mistake has its line; all are reported at once.
+Names of machine and program are checked by ``StudyRunner.check``; here are the words of the plan
+itself. Each mistake has its line; all are reported at once.
 """
 
 from __future__ import annotations

@@ -24,8 +24,8 @@ from nctakt.messages.commands.studies import EXTRA_MISSING, FOLDER_HAS_RESULTS, 
 from nctakt.messages.files import FILE_NOT_READABLE, FILE_NOT_WRITABLE
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.rows.results import StreamedRows, checked_row, parquet_bytes, text_columns
-from nctakt.studies.runs.bench import Row, columns_of
 from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.study_runner import Row, columns_of
 from nctakt.trace.arrow import load_pyarrow
 
 #: Runs of a batch, which is a folder of its own.

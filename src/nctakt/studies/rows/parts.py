@@ -14,7 +14,7 @@ from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
 from nctakt.studies.rows.results import RowsOfFile, StreamedRows
-from nctakt.studies.runs.bench import Row
+from nctakt.studies.runs.study_runner import Row
 
 _PART = re.compile(r"(\d{1,9})/(\d{1,9})")
 _FILE = re.compile(r"part-(\d+)-of-(\d+)\.parquet")

@@ -23,7 +23,7 @@ from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
 from nctakt.studies.plans.plan import Plan
-from nctakt.studies.runs.bench import EARLIER_VERDICTS, Row
+from nctakt.studies.runs.study_runner import EARLIER_VERDICTS, Row
 from nctakt.trace.arrow import field, load_pyarrow
 
 if TYPE_CHECKING:

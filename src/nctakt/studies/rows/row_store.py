@@ -29,9 +29,9 @@ from nctakt.messages.files import FILE_NOT_WRITABLE, OUTPUT_IN_USE
 from nctakt.run.access.tape import digest_of
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.rows.results import StreamedRows, checked_row, unreadable
-from nctakt.studies.runs.bench import Row
 from nctakt.studies.runs.plan_files import files_of
 from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.study_runner import Row
 
 try:
     import fcntl

@@ -15,8 +15,8 @@ from collections.abc import Iterable, Iterator, Sized
 from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
-from nctakt.studies.runs.bench import Row
 from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.study_runner import Row
 
 Block = tuple[int, ...]
 

@@ -22,7 +22,7 @@ from nctakt.studies.plans.dimension import END_OF_RUN, Dimension
 from nctakt.studies.plans.inputs import RunInputs
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.units import REACTION
-from nctakt.studies.runs.bench import PASSED, Bench, Row
+from nctakt.studies.runs.study_runner import PASSED, Row, StudyRunner
 
 _INJECTION = re.compile(r"(?P<assignment>.*=.*?)(?:\s+for\s+(?P<time>\S.*))?")
 
@@ -64,18 +64,18 @@ class Nominal:
     broken: str = ""
 
 
-def nominal_run(bench: Bench) -> Nominal:
+def nominal_run(runner: StudyRunner) -> Nominal:
     """Make the unchanged run; raises ``Failure`` as a run."""
-    inputs = RunInputs(dict(bench.plan.assignments), list(bench.plan.stimuli))
-    outcome = bench.begin(inputs, blocks=True).finish().outcome
+    inputs = RunInputs(dict(runner.plan.assignments), list(runner.plan.stimuli))
+    outcome = runner.begin(inputs, blocks=True).finish().outcome
     run = outcome.run
     blocks: list[tuple[int, int, str]] = []
     assert run.trace is not None
     for event in run.trace.events:
         if event.kind == "block" and event.span is not None:
-            blocks.append((event.tick, event.span.line, bench.line(event.span.line)))
-    about_it = [one for one in bench.plan.expectations if not one.is_about_injection]
-    broken = "; ".join(bench.broken(outcome, about_it))
+            blocks.append((event.tick, event.span.line, runner.line(event.span.line)))
+    about_it = [one for one in runner.plan.expectations if not one.is_about_injection]
+    broken = "; ".join(runner.broken(outcome, about_it))
     return Nominal(run.ticks, run.cycle_time_us, tuple(blocks), broken)
 
 

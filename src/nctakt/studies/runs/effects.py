@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Sequence
 
 from nctakt.studies.plans.plan import Method, Plan
-from nctakt.studies.runs.bench import Bench, Row
+from nctakt.studies.runs.study_runner import Row, StudyRunner
 
 #: Runs that are remembered for one dimension; of more nothing is said.
 MAX_REMEMBERED = 100_000
@@ -39,14 +39,14 @@ def without_effect(plan: Plan, rows: Iterable[Row]) -> list[str]:
 
 
 def without_shown_effect(
-    bench: Bench, rows: Sequence[Row], known: Collection[str]
+    runner: StudyRunner, rows: Sequence[Row], known: Collection[str]
 ) -> list[tuple[str, int]]:
     """Return the dimensions that changed nothing where runs were made again for it, and how many.
 
     Only of points by chance, and of dimensions of which it is not ``known``. A run that is made
     again has the value that the next one of them has.
     """
-    plan = bench.plan
+    plan = runner.plan
     finished = [row for row in rows if row.get("digest")]
     if plan.method not in BY_CHANCE or len(finished) < 2:
         return []
@@ -63,7 +63,7 @@ def without_shown_effect(
             if value == points[index][number]:
                 continue
             other = (*points[index][:number], value, *points[index][number + 1 :])
-            if bench.row_of(int(row["run"] or 0), other)["digest"] != row["digest"]:
+            if runner.row_of(int(row["run"] or 0), other)["digest"] != row["digest"]:
                 break
             count += 1
         else:

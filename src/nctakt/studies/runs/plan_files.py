@@ -15,7 +15,7 @@ from nctakt.plc.loading import input_file_of
 from nctakt.studies.measuring.python_measure import PythonMeasure
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.user_modules import UserModules
-from nctakt.studies.runs.schedule_bench import bench_of
+from nctakt.studies.runs.schedule_runner import runner_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class PlanFiles:
 def files_of(plan: Plan) -> PlanFiles:
     """Return the files of a plan; raises ``Failure`` for a plan that cannot be used."""
     access = FileAccess()
-    bench_of(plan, access).check()
+    runner_of(plan, access).check()
     files = [*access.read_files, *plan.files]
     functions = [one.node for one in plan.measures if isinstance(one.node, PythonMeasure)]
     sources = [one.file for one in functions if one.function is None]

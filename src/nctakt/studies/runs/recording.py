@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A run of a study in a file that shows it again: a tape, or a list and a load.
 
-In: a bench and the values of a run. Out: files, and the command that shows the run by them. A tape
+In: a runner and the values of a run. Out: files, and the command that shows the run by them. A tape
 has the run whole, with all that no option of ``nctakt run`` says: what the PLC has done, parameters
 that the lists do not have, other numbers in the program.
 """
@@ -24,34 +24,34 @@ from nctakt.studies.plans.changed_schedule import ScheduleFiles
 from nctakt.studies.plans.dimension import Value
 from nctakt.studies.plans.inputs import RunInputs, inputs_of
 from nctakt.studies.plans.plan import Plan
-from nctakt.studies.runs.bench import Bench
-from nctakt.studies.runs.schedule_bench import DURATION, ScheduleBench
+from nctakt.studies.runs.schedule_runner import DURATION, ScheduleRunner
+from nctakt.studies.runs.study_runner import StudyRunner
 
 #: The load of a recorded run whose plan has none.
 _LOAD = Path("load.toml")
 
 
-def record_run(bench: Bench, point: Sequence[Value], path: Path) -> str:
+def record_run(runner: StudyRunner, point: Sequence[Value], path: Path) -> str:
     """Write the files of a run; return the command that shows it.
 
     ``path``: of the tape; list and load of a schedule are beside it, with endings of their own.
     Raises ``Failure`` as the run, and for files that cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    if isinstance(bench, ScheduleBench):
-        return _write_schedule(bench, point, path)
-    inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
-    with OutputFile(path, "--record", _inputs(bench)) as file:
+    if isinstance(runner, ScheduleRunner):
+        return _write_schedule(runner, point, path)
+    inputs = inputs_of(runner.plan, point, runner.cycle_time_us)
+    with OutputFile(path, "--record", _inputs(runner)) as file:
         tape = TapeWriter(
             file.write,
-            _words(bench.plan, inputs),
-            _texts(bench, inputs),
-            bench.plan.plc is not None or bool(inputs.faults),
-            _lists(bench, inputs),
+            _words(runner.plan, inputs),
+            _texts(runner, inputs),
+            runner.plan.plc is not None or bool(inputs.faults),
+            _lists(runner, inputs),
         )
-        run = bench.begin(inputs, tape=tape).finish().outcome.run
-        tape.finish(run.state, run.ticks, _files(bench))
-    return shlex.join(["nctakt", "replay", str(path), *_roots(path, _files(bench))])
+        run = runner.begin(inputs, tape=tape).finish().outcome.run
+        tape.finish(run.state, run.ticks, _files(runner))
+    return shlex.join(["nctakt", "replay", str(path), *_roots(path, _files(runner))])
 
 
 def _roots(tape: Path, files: Mapping[str, Path]) -> list[str]:
@@ -69,20 +69,20 @@ def _roots(tape: Path, files: Mapping[str, Path]) -> list[str]:
     return [word for folder in folders for word in ("--root", folder)]
 
 
-def _inputs(bench: Bench) -> FileAccess:
+def _inputs(runner: StudyRunner) -> FileAccess:
     """Return the files of a study, which no run may overwrite."""
-    access, plan = FileAccess(), bench.plan
-    access.note_all(bench.access)
+    access, plan = FileAccess(), runner.plan
+    access.note_all(runner.access)
     for path in (*plan.files, *([] if plan.plc is None else [plan.plc])):
         access.note(path)
     return access
 
 
-def _write_schedule(bench: ScheduleBench, point: Sequence[Value], path: Path) -> str:
-    plan = bench.plan
-    text, load = bench.texts(point)
+def _write_schedule(runner: ScheduleRunner, point: Sequence[Value], path: Path) -> str:
+    plan = runner.plan
+    text, load = runner.texts(point)
     words = ["nctakt", "schedule", "simulate", str(path.with_suffix(".lis"))]
-    access = _inputs(bench)
+    access = _inputs(runner)
     write_file(words[-1], text, "--record", access)
     if load is not None:
         words += ["--load", str(path.with_suffix(".toml"))]
@@ -107,28 +107,28 @@ def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
     )
 
 
-def _texts(bench: Bench, inputs: RunInputs) -> dict[str, str]:
+def _texts(runner: StudyRunner, inputs: RunInputs) -> dict[str, str]:
     """Return the program if it is not that of its file."""
-    if bench.plan.text is None and not inputs.program_variables:
+    if runner.plan.text is None and not inputs.program_variables:
         return {}
-    return {str(bench.plan.program): bench.text_with(inputs.program_variables)}
+    return {str(runner.plan.program): runner.text_with(inputs.program_variables)}
 
 
-def _lists(bench: Bench, inputs: RunInputs) -> dict[str, str]:
+def _lists(runner: StudyRunner, inputs: RunInputs) -> dict[str, str]:
     """Return the lists that are not those of their files."""
-    lists = changed_texts(bench.machine, inputs.parameters)
-    changes, plan = inputs.schedule, bench.plan
+    lists = changed_texts(runner.machine, inputs.parameters)
+    changes, plan = inputs.schedule, runner.plan
     if plan.rtconf is not None and (changes.parameters or changes.entries):
         files = ScheduleFiles(plan.rtconf, plan.load, plan.system)
-        text, load = files.texts(changes, bench.access)
+        text, load = files.texts(changes, runner.access)
         lists[changes.rtconf or plan.rtconf] = text
         if load is not None:
             lists[changes.load or plan.load or _LOAD] = load
     return {name_on_tape(path): text for path, text in lists.items()}
 
 
-def _files(bench: Bench) -> dict[str, Path]:
+def _files(runner: StudyRunner) -> dict[str, Path]:
     """Return the programs and lists that the run has read, by their names on a tape."""
     own = (OWN_NAME, PYTHON_NAME)
-    files = [path for path in bench.access.read_files if path.name not in own]
-    return {name_on_tape(path): path for path in files if path != bench.plan.plc}
+    files = [path for path in runner.access.read_files if path.name not in own]
+    return {name_on_tape(path): path for path in files if path != runner.plan.plc}

@@ -11,7 +11,7 @@ import json
 from collections.abc import Iterable, Sequence
 from functools import cached_property
 
-from nctakt.studies.runs.bench import CRASHED, PASSED, Row
+from nctakt.studies.runs.study_runner import CRASHED, PASSED, Row
 
 _encode = json.JSONEncoder(ensure_ascii=False).encode
 

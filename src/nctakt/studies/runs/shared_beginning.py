@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Injections that share the beginning of their runs, which is run once.
 
-In: a bench whose plan injects a value at each tick. Out: the same rows as ``Bench.row`` makes. The
-unchanged run goes forward from injection to injection. At each, the ticks after it are tried and
-the realtime part is put back (``trial.py``). What cannot be tried is made by a copy of the process
-(``fork``), which goes on until the injection is decided and hands its row over; a process that does
-so has one thread. Where a copy takes longer than the beginning, or must not be made, the run is
-made from its start: that is measured, and changes no row.
+In: a runner whose plan injects a value at each tick. Out: the same rows as ``StudyRunner.row``
+makes. The unchanged run goes forward from injection to injection. At each, the ticks after it are
+tried and the realtime part is put back (``trial.py``). What cannot be tried is made by a copy of
+the process (``fork``), which goes on until the injection is decided and hands its row over; a
+process that does so has one thread. Where a copy takes longer than the beginning, or must not be
+made, the run is made from its start: that is measured, and changes no row.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nctakt.studies.plans.dimension import Value
 from nctakt.studies.plans.inputs import RunInputs, inputs_of
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.runs.begun_run import BegunRun, FinishedRun
-from nctakt.studies.runs.bench import Bench, Row, crashed_row
+from nctakt.studies.runs.study_runner import Row, StudyRunner, crashed_row
 from nctakt.studies.runs.trial import Trials
 
 #: From which length of the unchanged run on copying may be cheaper than running from the start.
@@ -46,58 +46,58 @@ def is_copied(plan: Plan, cycle_time_us: int) -> bool:
     return is_long and hasattr(os, "fork")
 
 
-def maker_of(bench: Bench, *, may_copy: bool) -> Bench | SharedBeginning:
-    """Return what makes the rows of a bench; ``may_copy``: this process may copy itself."""
-    return SharedBeginning(bench, may_copy=may_copy) if is_shared(bench.plan) else bench
+def maker_of(runner: StudyRunner, *, may_copy: bool) -> StudyRunner | SharedBeginning:
+    """Return what makes the rows of a runner; ``may_copy``: this process may copy itself."""
+    return SharedBeginning(runner, may_copy=may_copy) if is_shared(runner.plan) else runner
 
 
 class SharedBeginning:
-    """Makes the rows of a bench; each number should be higher than the one before.
+    """Makes the rows of a runner; each number should be higher than the one before.
 
     ``may_copy``: this process has one thread and may copy itself.
     """
 
-    def __init__(self, bench: Bench, *, may_copy: bool) -> None:
-        self._bench = bench
-        self._may_copy = may_copy and is_copied(bench.plan, bench.cycle_time_us)
+    def __init__(self, runner: StudyRunner, *, may_copy: bool) -> None:
+        self._runner = runner
+        self._may_copy = may_copy and is_copied(runner.plan, runner.cycle_time_us)
         self._begun: BegunRun | None = None
         self._trials: Trials | None = None
-        stimuli = (Stimulus(*one) for one in bench.plan.stimuli)
-        self._planned = as_inputs(stimuli, 0, bench.cycle_time_us)
+        stimuli = (Stimulus(*one) for one in runner.plan.stimuli)
+        self._planned = as_inputs(stimuli, 0, runner.cycle_time_us)
         self._beginning_s = 0.0
         self._copy_s = 0.0
 
     def row(self, number: int) -> Row:
         """Return the row of a run; of one whose process ends by itself, a row that says so."""
-        plan, bench = self._bench.plan, self._bench
+        plan, runner = self._runner.plan, self._runner
         point = plan.point(number)
         injected_us = plan.injection_us(point)
         assert injected_us is not None
-        injection = bench.injection(injected_us)
+        injection = runner.injection(injected_us)
         if injection is None and not self._may_copy:
-            return bench.row(number)
-        tick = -(-injected_us // bench.cycle_time_us)
+            return runner.row(number)
+        tick = -(-injected_us // runner.cycle_time_us)
         try:
             begun = self._advanced(tick)
         except Failure:
             self._begun = None
-            return bench.row(number)
+            return runner.row(number)
         if begun.controller.tick != tick:  # the unchanged run has ended before
-            return bench.row(number)
+            return runner.row(number)
         finished = None if injection is None else self._tried(begun, injection, point)
         if finished is not None:
-            return bench.row_head(number, point) | bench.judge(finished)
+            return runner.row_head(number, point) | runner.judge(finished)
         if self._may_copy and self._copying_pays():
             return self._copied(begun, number, point)
-        return bench.row(number)
+        return runner.row(number)
 
     def _advanced(self, tick: int) -> BegunRun:
         """Return the unchanged run at a tick, and note how long it takes to get there."""
         begin_s = time.perf_counter()
         if self._begun is None or self._begun.controller.tick > tick:
-            plan = self._bench.plan
+            plan = self._runner.plan
             inputs = RunInputs(dict(plan.assignments), list(plan.stimuli))
-            self._begun = self._bench.begin(inputs)
+            self._begun = self._runner.begin(inputs)
             self._trials = None
             self._beginning_s = 0.0
         self._begun.run.advance(tick)
@@ -110,21 +110,21 @@ class SharedBeginning:
         self, begun: BegunRun, injection: Injection, point: Sequence[Value]
     ) -> FinishedRun | None:
         """Return the run that a trial has made; ``None`` if there can be no trial."""
-        bench, controller = self._bench, begun.controller
+        runner, controller = self._runner, begun.controller
         is_due = any(injection.tick <= one.tick < injection.end for one in self._planned)
         has_errors = any(one.severity is Severity.ERROR for one in controller.diagnostics)
-        if is_due or has_errors or bench.plan.plc is not None or injection.end > begun.run.end:
+        if is_due or has_errors or runner.plan.plc is not None or injection.end > begun.run.end:
             return None
         if controller.state != "running" or begun.lent is None:
             return None
         if self._trials is None:
-            names = names_of_machine(bench.machine)
-            self._trials = Trials(begun.lent.part, names, bench.signals)
-        inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
-        own = [Stimulus(*one) for one in inputs.stimuli[len(bench.plan.stimuli) :]]
+            names = names_of_machine(runner.machine)
+            self._trials = Trials(begun.lent.part, names, runner.signals)
+        inputs = inputs_of(runner.plan, point, runner.cycle_time_us)
+        own = [Stimulus(*one) for one in inputs.stimuli[len(runner.plan.stimuli) :]]
         try:
             tried = self._trials.make(
-                injection, as_inputs(own, 0, bench.cycle_time_us), begun.before, begun.values()
+                injection, as_inputs(own, 0, runner.cycle_time_us), begun.before, begun.values()
             )
         except Failure:
             return None
@@ -170,16 +170,16 @@ class SharedBeginning:
         finally:
             os.waitpid(process, 0)
         if not data:
-            return crashed_row(self._bench.plan, number)
+            return crashed_row(self._runner.plan, number)
         copied: Row = pickle.loads(data)
         return copied
 
     def _finished(self, begun: BegunRun, number: int, point: Sequence[Value]) -> Row:
         """Take the injection, go on until it is decided, and return the row."""
-        bench = self._bench
-        inputs = inputs_of(bench.plan, point, bench.cycle_time_us)
-        own = [Stimulus(*one) for one in inputs.stimuli[len(bench.plan.stimuli) :]]
-        begun.add(as_inputs(own, 0, bench.cycle_time_us))
-        injected_us = bench.plan.injection_us(point)
-        finished = begun.finish(injected_us, bench.injection(injected_us))
-        return bench.row_head(number, point) | bench.judge(finished)
+        runner = self._runner
+        inputs = inputs_of(runner.plan, point, runner.cycle_time_us)
+        own = [Stimulus(*one) for one in inputs.stimuli[len(runner.plan.stimuli) :]]
+        begun.add(as_inputs(own, 0, runner.cycle_time_us))
+        injected_us = runner.plan.injection_us(point)
+        finished = begun.finish(injected_us, runner.injection(injected_us))
+        return runner.row_head(number, point) | runner.judge(finished)

@@ -21,7 +21,7 @@ from nctakt.results.coverage_files import from_json
 from nctakt.studies.plans.coordinates import Coordinates, PlanCoordinates
 from nctakt.studies.plans.dimension import Value, chance
 from nctakt.studies.plans.plan import COVERAGE
-from nctakt.studies.runs.bench import REFUSED, Bench
+from nctakt.studies.runs.study_runner import REFUSED, StudyRunner
 from nctakt.studies.searching.branch_distance import NOT_THERE, BranchDistance, BranchKey, distances
 from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.searching.unreachable import Proofs, unreachable
@@ -91,9 +91,9 @@ def reach(searched: SearchRuns, budget: int, earlier: Sequence[Sequence[Value]] 
     return search.result()
 
 
-def covered(bench: Bench, point: Sequence[Value]) -> Coverage:
+def covered(runner: StudyRunner, point: Sequence[Value]) -> Coverage:
     """Return the coverage of the run with these values; raises ``Failure`` for a wrong one."""
-    coverage = bench.cover(point).outcome.run.coverage
+    coverage = runner.cover(point).outcome.run.coverage
     assert coverage is not None
     return coverage
 
@@ -103,8 +103,8 @@ class _Search:
 
     def __init__(self, searched: SearchRuns) -> None:
         self._searched = searched
-        self._bench = bench = searched.bench
-        self._space = PlanCoordinates(bench.plan)
+        self._runner = runner = searched.runner
+        self._space = PlanCoordinates(runner.plan)
         self.coverage = Coverage()
         self._known: dict[Coordinates, _Distances] = {}
         self._nearest: dict[BranchKey, tuple[Coordinates, BranchDistance]] = {}
@@ -113,7 +113,7 @@ class _Search:
         self._refused: tuple[Value, ...] | None = None
         self._good: list[Coordinates] = []
         self._reached: set[BranchKey] = set()
-        self._proofs = unreachable(bench)
+        self._proofs = unreachable(runner)
         self._turns: dict[BranchKey, _Turn] = {}
         self._draws = 0
 
@@ -165,7 +165,7 @@ class _Search:
         self, budget: int, earlier: Sequence[Sequence[Value]]
     ) -> Iterator[Sequence[Coordinates]]:
         """Yield the coordinates of the runs, each once, those together that are made at once."""
-        rest = [dimension.rest_value for dimension in self._bench.plan.dimensions]
+        rest = [dimension.rest_value for dimension in self._runner.plan.dimensions]
         found = (self._space.of_point(point) for point in (*earlier, rest))
         first = [*dict.fromkeys(one for one in found if one is not None)]
         for begin in range(0, len(first), _AT_ONCE):
@@ -289,7 +289,7 @@ class _Search:
         """Return what the first run that was not possible reports, begun once more for that."""
         try:
             if self._refused is not None:
-                covered(self._bench, self._refused)
+                covered(self._runner, self._refused)
         except Failure as failure:
             return tuple(failure.diagnostics)
         return ()

@@ -17,7 +17,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
 from nctakt.studies.plans.dimension import Dimension, Value
 from nctakt.studies.plans.plan import Goal, Plan
-from nctakt.studies.runs.bench import PASSED, Row
+from nctakt.studies.runs.study_runner import PASSED, Row
 from nctakt.studies.searching.search_runs import Runs
 
 #: Halvings of a dimension without a step: a millionth of a millionth of its span.

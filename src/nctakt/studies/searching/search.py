@@ -21,7 +21,7 @@ from nctakt.messages.commands.studies import (
 )
 from nctakt.studies.plans.dimension import Dimension, Value
 from nctakt.studies.plans.plan import Goal
-from nctakt.studies.runs.bench import PASSED, Bench, Row
+from nctakt.studies.runs.study_runner import PASSED, Row, StudyRunner
 from nctakt.studies.searching.optimize import MAX_HALVINGS, objective_values, optimize
 from nctakt.studies.searching.search_runs import Runs, SearchRuns
 
@@ -52,9 +52,9 @@ def search(searched: SearchRuns, goal: Goal) -> Answer:
     """Return the answer to a goal; raises ``Failure`` (901311) without the package it needs."""
     runs = Runs(searched)
     if goal.word == "boundary":
-        answer = _boundary(searched.bench, goal, runs)
+        answer = _boundary(searched.runner, goal, runs)
     else:
-        optimize(searched.bench.plan, goal, runs)
+        optimize(searched.runner.plan, goal, runs)
         answer = _best(goal, runs)
     return replace(answer, without_effect=runs.without_effect())
 
@@ -96,13 +96,13 @@ def pareto_set(runs: Sequence[_Measured]) -> list[_Measured]:
     return kept
 
 
-def _boundary(bench: Bench, goal: Goal, runs: Runs) -> Answer:
+def _boundary(runner: StudyRunner, goal: Goal, runs: Runs) -> Answer:
     """Halve the span of a dimension, the others at their first value, until two neighbours differ.
 
     On a grid they are neighbours of it; times are always tried in whole ticks, so that its two
     neighbours are ticks that follow each other.
     """
-    dimensions = bench.plan.dimensions
+    dimensions = runner.plan.dimensions
     number = next(i for i, one in enumerate(dimensions) if goal.measure in ("", one.name))
     dimension = in_ticks(dimensions[number])
     point = [one.between(0.0) for one in dimensions]
@@ -150,16 +150,16 @@ def _value(dimension: Dimension, share: int, last: int) -> Value:
     return dimension.between(share / last)
 
 
-def shrink(bench: Bench, point: Sequence[Value], nominal: Sequence[Value]) -> Answer:
+def shrink(runner: StudyRunner, point: Sequence[Value], nominal: Sequence[Value]) -> Answer:
     """Return the smallest change from the nominal point that still breaks something.
 
     Each dimension goes back to its nominal value if the run stays broken then; a number that has to
     differ goes back as far as halving its change finds broken runs.
     """
-    runs = Runs(SearchRuns(bench))
+    runs = Runs(SearchRuns(runner))
     current = list(point)
     smallest = runs.row(current)
-    for index, dimension in enumerate(bench.plan.dimensions):
+    for index, dimension in enumerate(runner.plan.dimensions):
 
         def breaks(value: Value, index: int = index) -> bool:
             row = runs.row([*current[:index], value, *current[index + 1 :]])

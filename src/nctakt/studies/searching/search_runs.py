@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The runs of searches: each point is made once, here or elsewhere, and its row is kept.
 
-In: a bench, what makes rows of points, a store of rows. Out: rows. The same plan asks for the same
+In: a runner, what makes rows of points, a store of rows. Out: rows. The same plan asks for the same
 points in the same order: so the rows that an earlier call has stored are those of its first points.
 """
 
@@ -11,9 +11,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from nctakt.studies.plans.dimension import Value
 from nctakt.studies.rows.row_store import RowStore
-from nctakt.studies.runs.bench import Bench, Row
 from nctakt.studies.runs.effects import without_effect
 from nctakt.studies.runs.row_block import RowBlock
+from nctakt.studies.runs.study_runner import Row, StudyRunner
 
 #: A run of a search: its number and its values.
 Point = tuple[int, tuple[Value, ...]]
@@ -25,30 +25,30 @@ RowsOfPoints = Callable[[Sequence[Point]], Iterable[Row]]
 class SearchRuns:
     """The runs of all searches of a plan; ``points`` and ``rows`` by their numbers.
 
-    ``make``: makes rows elsewhere, by default the bench does. ``store`` keeps each new row and has
-    those of an earlier call. ``covers``: runs of ``--cover``, as ``Bench.row_of`` makes them.
+    ``make``: makes rows elsewhere, by default the runner does. ``store`` keeps each new row and has
+    those of an earlier call. ``covers``: runs of ``--cover``, as ``StudyRunner.row_of`` makes them.
     """
 
     def __init__(
         self,
-        bench: Bench,
+        runner: StudyRunner,
         store: RowStore | None = None,
         make: RowsOfPoints | None = None,
         *,
         covers: bool = False,
     ) -> None:
-        self.bench = bench
+        self.runner = runner
         self._covers = covers
         self.points: list[tuple[Value, ...]] = []
         self.rows: list[Row] = []
         self._store = store
-        self._make = make or self._rows_of_bench
+        self._make = make or self._rows_of_runner
         stored = () if store is None else store.rows()
         self._earlier = {row["run"]: row for row in stored}
 
-    def _rows_of_bench(self, points: Sequence[Point]) -> Iterator[Row]:
+    def _rows_of_runner(self, points: Sequence[Point]) -> Iterator[Row]:
         for number, point in points:
-            yield self.bench.row_of(number, point, covers=self._covers)
+            yield self.runner.row_of(number, point, covers=self._covers)
 
     def add(self, points: Sequence[tuple[Value, ...]]) -> list[Row]:
         """Make the runs of these points; return their rows."""
@@ -68,7 +68,7 @@ class SearchRuns:
     def _stored(self, number: int, point: tuple[Value, ...]) -> Row | None:
         """Return the row of an earlier call; ``None`` if it has none of a run with these values."""
         row = self._earlier.get(number)
-        head = self.bench.row_head(number, point)
+        head = self.runner.row_head(number, point)
         return row if row is not None and head.items() <= row.items() else None
 
 
@@ -103,4 +103,4 @@ class Runs:
 
     def without_effect(self) -> tuple[str, ...]:
         """Return the dimensions that changed nothing."""
-        return tuple(without_effect(self._searched.bench.plan, self._rows.values()))
+        return tuple(without_effect(self._searched.runner.plan, self._rows.values()))

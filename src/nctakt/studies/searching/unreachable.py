@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Branches of realtime cycles that no values of a plan can reach, proven by interval arithmetic.
 
-In: a bench. Out: for each such branch the variables that decide, and from where to where they are.
+In: a runner. Out: for each such branch the variables that decide, and from where to where they are.
 A V.E variable has bounds where only the plan gives it values: no PLC, no simulation model, no
 statement of a program writes it. Everything else may have any value.
 """
@@ -21,7 +21,7 @@ from nctakt.run.program_loader import LoadedProgram
 from nctakt.studies.plans.dimension import Dimension
 from nctakt.studies.plans.inputs import RunInputs
 from nctakt.studies.plans.plan import Plan
-from nctakt.studies.runs.bench import Bench
+from nctakt.studies.runs.study_runner import StudyRunner
 from nctakt.studies.searching.branch_distance import BranchKey
 from nctakt.studies.searching.intervals import Interval, VariableName, can_be, name_of, narrowed
 
@@ -38,13 +38,13 @@ _EXTERNAL = re.compile(r"(?:CH\d+\.)?V\.E\.(\w+(?:\.\w+)*)", re.IGNORECASE)
 _ROUNDS = 3
 
 
-def unreachable(bench: Bench) -> Proofs:
+def unreachable(runner: StudyRunner) -> Proofs:
     """Return the branches that no values of the plan reach, as far as that can be proven."""
-    bounds = _bounds(bench)
+    bounds = _bounds(runner)
     if not bounds:
         return {}
-    controller = Controller(bench.machine, None, bench.access)
-    program = bench.program_of(RunInputs(), controller)
+    controller = Controller(runner.machine, None, runner.access)
+    program = runner.program_of(RunInputs(), controller)
     if not isinstance(program, LoadedProgram) or not all(map(_is_known, program.texts)):
         return {}
     for text in program.texts:
@@ -64,14 +64,14 @@ def unreachable(bench: Bench) -> Proofs:
 # --- bounds of the variables ---------------------------------------------------------------------
 
 
-def _bounds(bench: Bench) -> dict[VariableName, Interval]:
+def _bounds(runner: StudyRunner) -> dict[VariableName, Interval]:
     """Return the bounds of the V.E variables that a plan varies or sets."""
-    plan = bench.plan
+    plan = runner.plan
     is_open = plan.plc is not None or not {name for name, _ in plan.further} <= _HARMLESS
     texts = ("program_variable", "series")
     if is_open or any(one.kind in texts for one in plan.dimensions):
         return {}
-    controller = Controller(bench.machine, None, bench.access)
+    controller = Controller(runner.machine, None, runner.access)
     bounds: dict[VariableName, Interval] = {}
     unknown = set()
     for target, values in _given(plan):

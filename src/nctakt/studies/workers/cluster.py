@@ -30,12 +30,12 @@ from nctakt.messages.commands.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER
 from nctakt.results.coverage_files import as_json, from_json
 from nctakt.studies.plans.dimension import Value
 from nctakt.studies.plans.plan import COVERAGE, Plan
-from nctakt.studies.runs.bench import Row, crashed_row
 from nctakt.studies.runs.blocks import Block, Blocks, MadeBlock, RowWriter, make_runs
 from nctakt.studies.runs.bundle import Bundle, bundle
 from nctakt.studies.runs.row_block import RowBlock
-from nctakt.studies.runs.schedule_bench import bench_of
+from nctakt.studies.runs.schedule_runner import runner_of
 from nctakt.studies.runs.shared_beginning import maker_of
+from nctakt.studies.runs.study_runner import Row, crashed_row
 from nctakt.studies.searching.search_runs import Point, RowsOfPoints
 
 #: Blocks that are on the cluster for each of its threads: one that is made, others that wait.
@@ -69,7 +69,7 @@ def received(packed: Bundle) -> Bundle:
 def make_block(
     packed: Bundle, key: str, block: Block, writer: RowWriter | None = None
 ) -> MadeBlock:
-    """Make the runs of a block, on a worker, where the bench stays for the next block.
+    """Make the runs of a block, on a worker, where the runner stays for the next block.
 
     Raises ``Failure`` (901485) on a worker that cannot make runs as they would be made elsewhere.
     """
@@ -114,12 +114,12 @@ class Station:
         self._modules: dict[str, ModuleType] = {}
         self._enter()
         try:
-            bench = bench_of(packed.plan(folder))
-            bench.check()
+            runner = runner_of(packed.plan(folder))
+            runner.check()
         except (Failure, ImportError) as error:
             raise _unfit(error_text(error)) from error
-        self._bench = bench
-        self._maker = maker_of(bench, may_copy=False)
+        self._runner = runner
+        self._maker = maker_of(runner, may_copy=False)
         gc.collect()
         gc.freeze()  # machine and program stay: no one looks for garbage in them again
 
@@ -129,9 +129,9 @@ class Station:
         return make_runs(self._maker, block, writer)
 
     def row_of(self, number: int, point: Sequence[Value], *, covers: bool) -> Row:
-        """Return the row of a run with these values, as ``Bench.row_of`` does elsewhere."""
+        """Return the row of a run with these values, as ``StudyRunner.row_of`` does elsewhere."""
         self._enter()
-        row = self._bench.row_of(number, point, covers=covers)
+        row = self._runner.row_of(number, point, covers=covers)
         if COVERAGE in row:
             coverage = from_json(COVERAGE, str(row[COVERAGE]))
             row[COVERAGE] = as_json(coverage.renamed(lambda name: self._shown.get(name, name)))
@@ -201,7 +201,7 @@ def points_of_cluster(
 ) -> Iterator[RowsOfPoints]:
     """Return what makes the runs of a search on a cluster; arguments and failures as above.
 
-    ``covers``: runs of ``--cover``, as ``Bench.row_of`` makes them.
+    ``covers``: runs of ``--cover``, as ``StudyRunner.row_of`` makes them.
     """
     packed = bundle(plan, uploads)
     with _connected(address) as client:

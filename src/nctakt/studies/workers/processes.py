@@ -16,11 +16,11 @@ from collections import deque
 from collections.abc import Iterable, Iterator
 
 from nctakt.studies.plans.plan import Plan
-from nctakt.studies.runs.bench import Bench, crashed_row
 from nctakt.studies.runs.blocks import Block, Blocks, RowWriter
 from nctakt.studies.runs.row_block import RowBlock
-from nctakt.studies.runs.schedule_bench import bench_of
+from nctakt.studies.runs.schedule_runner import runner_of
 from nctakt.studies.runs.shared_beginning import maker_of
+from nctakt.studies.runs.study_runner import StudyRunner, crashed_row
 from nctakt.studies.workers.worker_process import WorkerProcess, can_copy
 
 #: How long a worker has a block, in seconds.
@@ -35,7 +35,7 @@ ASKED = 2
 
 def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[RowBlock]:
     """Yield the rows of runs, made in this process one after another."""
-    maker = maker_of(bench_of(plan), may_copy=False)
+    maker = maker_of(runner_of(plan), may_copy=False)
     for number in numbers:
         yield RowBlock([maker.row(number)])
 
@@ -44,18 +44,18 @@ def rows_of_processes(
     plan: Plan,
     numbers: Iterable[int],
     count: int,
-    bench: Bench | None = None,
+    runner: StudyRunner | None = None,
     writer: RowWriter | None = None,
 ) -> Iterator[RowBlock]:
     """Yield the rows of runs, made by ``count`` processes, in the order in which they finish.
 
-    ``bench``: of this process, which its copies share. ``writer``: writes the rows there.
+    ``runner``: of this process, which its copies share. ``writer``: writes the rows there.
     Raises ``Failure`` if no process can be started, and that of the writer.
     """
     pool = _Pool(plan, Blocks(numbers, count, BLOCK_S if writer is None else PART_S), writer)
     workers: list[WorkerProcess | None] = [None] * count
     if can_copy():
-        workers = list(pool.copies(bench or bench_of(plan), count))
+        workers = list(pool.copies(runner or runner_of(plan), count))
     threads = [threading.Thread(target=pool.serve, args=(one,), daemon=True) for one in workers]
     for thread in threads:
         thread.start()
@@ -88,13 +88,13 @@ class _Pool:
         #: Rows, an error, or ``None`` from each thread at its end; bounded, so is the memory.
         self.answers: queue.Queue[RowBlock | BaseException | None] = queue.Queue(16)
 
-    def copies(self, bench: Bench, count: int) -> Iterator[WorkerProcess]:
+    def copies(self, runner: StudyRunner, count: int) -> Iterator[WorkerProcess]:
         """Yield workers that are copies of this process."""
         gc.collect()
         gc.freeze()  # a copy shares the memory in which no one looks for garbage
         try:
             for _ in range(count):
-                worker = WorkerProcess.copied(bench, self._workers)
+                worker = WorkerProcess.copied(runner, self._workers)
                 self._workers.append(worker)
                 yield worker
         finally:

@@ -20,10 +20,10 @@ from typing import IO
 
 from nctakt.base import interrupts
 from nctakt.base.failure import Failure
-from nctakt.studies.runs.bench import Bench
 from nctakt.studies.runs.blocks import make_runs
-from nctakt.studies.runs.schedule_bench import bench_of
+from nctakt.studies.runs.schedule_runner import runner_of
 from nctakt.studies.runs.shared_beginning import maker_of
+from nctakt.studies.runs.study_runner import StudyRunner
 
 
 def main() -> None:
@@ -33,20 +33,20 @@ def main() -> None:
     _leave_streams()
     sys.path[:] = pickle.load(questions)
     try:
-        bench = bench_of(pickle.load(questions))
+        runner = runner_of(pickle.load(questions))
     except Failure as failure:
         _answer(answers, failure)
         return
     gc.collect()
     gc.freeze()  # machine and program stay: no one looks for garbage in them again
     _answer(answers, True)
-    serve(bench, questions, answers)
+    serve(runner, questions, answers)
 
 
-def serve(bench: Bench, questions: IO[bytes], answers: IO[bytes]) -> None:
+def serve(runner: StudyRunner, questions: IO[bytes], answers: IO[bytes]) -> None:
     """Answer lists of numbers with the rows of their runs until there is none any more."""
     _leave_streams()
-    maker = maker_of(bench, may_copy=True)
+    maker = maker_of(runner, may_copy=True)
     with contextlib.suppress(EOFError, BrokenPipeError):
         while True:
             block, writer = pickle.load(questions)

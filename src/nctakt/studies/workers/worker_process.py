@@ -26,8 +26,8 @@ from nctakt.base.python_process import python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import WORKER_NOT_STARTED
 from nctakt.studies.plans.plan import Plan
-from nctakt.studies.runs.bench import Bench
 from nctakt.studies.runs.blocks import MadeBlock, RowWriter
+from nctakt.studies.runs.study_runner import StudyRunner
 from nctakt.studies.workers.worker import serve
 
 #: How often a process is started that ends before it is ready.
@@ -52,7 +52,7 @@ class WorkerProcess:
         self._has_ended = False
 
     @classmethod
-    def copied(cls, bench: Bench, others: Sequence[WorkerProcess]) -> Self:
+    def copied(cls, runner: StudyRunner, others: Sequence[WorkerProcess]) -> Self:
         """Return a copy of this process; it leaves the pipes of the others.
 
         Raises ``Failure`` if the system refuses one (901486).
@@ -78,7 +78,7 @@ class WorkerProcess:
                         other._leave()
                     os.close(questions)
                     os.close(answers)
-                    serve(bench, os.fdopen(asked, "rb"), os.fdopen(answered, "wb"))
+                    serve(runner, os.fdopen(asked, "rb"), os.fdopen(answered, "wb"))
                 except BaseException:  # noqa: BLE001 - reported as a new process would
                     sys.excepthook(*sys.exc_info())
                 finally:

@@ -136,7 +136,7 @@ class FeedRate:
         return feed, FeedModifiers(override, is_exempt, spindle, spindle_v)
 
     def with_end(
-        self, feed: float, pace: FeedModifiers | None, span: Span, value: float
+        self, feed: float, feed_modifiers: FeedModifiers | None, span: Span, value: float
     ) -> FeedModifiers | None:
         """Return the modifiers of a block whose feed at its end is E, in the unit of F.
 
@@ -149,10 +149,10 @@ class FeedRate:
             self._values.fail(FEED_NOT_POSITIVE, span, value=value)
         end_feed = self.per_minute(value)
         if feed <= 0.0 or end_feed >= state.feed_mm_s:
-            return pace
+            return feed_modifiers
         end_feed *= feed / state.feed_mm_s
-        pace = pace or FeedModifiers()
-        return replace(pace, end_feed=end_feed * pace.override)
+        feed_modifiers = feed_modifiers or FeedModifiers()
+        return replace(feed_modifiers, end_feed=end_feed * feed_modifiers.override)
 
     def _min_axis_override(
         self, start: Sequence[float], target: Sequence[float], arc: Arc | None

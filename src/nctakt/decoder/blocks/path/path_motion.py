@@ -253,12 +253,14 @@ class PathMotion:
         elif arc is not None:
             self.check_extremes(arc, start, span)
         is_exempt = NO_OVERRIDE in words.once
-        feed, pace = self.feed_rate.of(start, target, arc, is_exempt, span)
+        feed, feed_modifiers = self.feed_rate.of(start, target, arc, is_exempt, span)
         if words.end_feed is not None:
-            pace = self.feed_rate.with_end(feed, pace, *words.end_feed)
+            feed_modifiers = self.feed_rate.with_end(feed, feed_modifiers, *words.end_feed)
         exact = self._stops_exactly(words)
         if state.motion in THREADS:
-            feed, pace = self.threads.of(start, target, pace or FeedModifiers(), span)
+            feed, feed_modifiers = self.threads.of(
+                start, target, feed_modifiers or FeedModifiers(), span
+            )
             exact = exact or not state.thread.chains
         self.span = span
         rounding = state.path.rounding
@@ -275,7 +277,7 @@ class PathMotion:
             0.0 if exact or state.motion in THREADS else rounding,
             state.path.limits_jerk,
             None if arc is None else arc.row,
-            pace,
+            feed_modifiers,
             tilt,
         )
 

@@ -30,5 +30,5 @@ class FeedModifiers:
     @property
     def row(self) -> tuple[float, ...]:
         """The columns from ``rows.SPEED_OVERRIDE`` on, then the feed at the segment's end."""
-        pace = (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
-        return (*pace, self.thread, self.turn, self.angle, self.end_feed)
+        feed_modifiers = (self.override, self.is_exempt, self.spindle + 1, self.spindle_v)
+        return (*feed_modifiers, self.thread, self.turn, self.angle, self.end_feed)

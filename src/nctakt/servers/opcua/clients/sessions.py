@@ -22,7 +22,7 @@ from nctakt.servers.opcua.library import InternalSession, ServiceError
 from nctakt.servers.opcua.machine_services import MachineServices
 from nctakt.servers.opcua.values import Live
 
-#: The door's name in the log and in the sources of inputs.
+#: The endpoint's name in the log and in the sources of inputs.
 DOOR = "opcua"
 
 

@@ -22,7 +22,7 @@ from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import ChannelConfiguration
 from nctakt.servers.opcua.values import Moment, NotSupported, Value
 from nctakt.session.channel_states import ChannelState
-from nctakt.session.engine import Slice
+from nctakt.session.engine import StepResult
 
 #: Reads a value of a moment.
 Reader = Callable[[Moment], Value]
@@ -79,9 +79,9 @@ def signal(name: str, unit: str = "", low: float = 0.0, high: float = 0.0) -> Sh
 
 def state_of(moment: Moment, number: int) -> ChannelState:
     """Return the state of a channel, counted from 1."""
-    if moment.glance is None:
+    if moment.state_view is None:
         raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
-    return moment.glance.channels[number - 1]
+    return moment.state_view.channels[number - 1]
 
 
 # --- axes -----------------------------------------------------------------------------------------
@@ -262,7 +262,7 @@ def channel_components(
     axes: Mapping[str, AxisConfiguration],
     prefix: str,
     texts: ProgramTexts,
-    latest: Callable[[], Slice],
+    latest: Callable[[], StepResult],
 ) -> Mapping[str, Shown | ShownPosition]:
     """Return the components of a channel; ``axes``: by their names there."""
     number = configuration.number
@@ -334,11 +334,11 @@ def _functions_in_force(number: int) -> Mapping[str, Shown]:
     """Return the functions, offset and tool that a channel has in force."""
 
     def technology(moment: Moment) -> list[int]:
-        if moment.glance is None:
+        if moment.state_view is None:
             raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
         return [
             entry.number
-            for channel, entry in moment.glance.waiting
+            for channel, entry in moment.state_view.waiting
             if channel == number and isinstance(entry, TechnologyEntry) and entry.letter == "M"
         ]
 
@@ -357,7 +357,7 @@ def _functions_in_force(number: int) -> Mapping[str, Shown]:
 
 
 def _program_places(
-    number: int, texts: ProgramTexts, latest: Callable[[], Slice]
+    number: int, texts: ProgramTexts, latest: Callable[[], StepResult]
 ) -> Mapping[str, Shown]:
     """Return where a channel is in its main program and in the one that it has called."""
 

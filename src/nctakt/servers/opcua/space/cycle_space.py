@@ -107,9 +107,9 @@ class CycleSpace:
 
 
 def _find(key: Key, moment: Moment) -> CycleState | None:
-    if moment.glance is None:
+    if moment.state_view is None:
         raise NotSupported(int(ua.StatusCodes.BadWaitingForInitialData))
-    return next((one for one in moment.glance.cycles if key_of(one) == key), None)
+    return next((one for one in moment.state_view.cycles if key_of(one) == key), None)
 
 
 def _read(

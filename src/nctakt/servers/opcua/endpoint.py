@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The door of OPC UA: a machine's session for HMIs, control systems and other clients.
+"""The endpoint of OPC UA: a machine's session for HMIs, control systems and other clients.
 
-In: the host of all doors, an address. Out: a server with the companion models for CNC and machine
-tools, their values, events, methods and past.
+In: the host of all endpoints, an address. Out: a server with the companion models for CNC and
+machine tools, their values, events, methods and past.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ PORT = 4840
 _CYCLES_S = 0.5
 
 
-class OpcuaDoor:
+class OpcuaEndpoint:
     """OPC UA at an address; ``folder``: of certificate and users, for other addresses than this
     computer's own. Raises ``Failure`` where that cannot be used.
     """
@@ -106,7 +106,7 @@ class OpcuaDoor:
             host.store.listen(self.tool.states.take),
         ]
         if self.security is not None and self.security.made_password:
-            host.log.note("first user", door="opcua", folder=str(self.security.folder))
+            host.log.note("first user", endpoint="opcua", folder=str(self.security.folder))
         return f"opc.tcp://{address}/"
 
     def _read_text(self, file: str) -> Sequence[str]:

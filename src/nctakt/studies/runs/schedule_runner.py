@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The bench of a study of a schedule: a list and its load -> the row of each simulation.
+"""The runner of a study of a schedule: a list and its load -> the row of each simulation.
 
-In: a plan without a program. Out: rows as ``Bench`` makes them, of simulations in virtual time.
+In: a plan without a program. Out: rows as ``StudyRunner`` makes them, of simulations in virtual
+time.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.schedule_measures import ScheduleOutcome, problems_of_numbers
 from nctakt.studies.plans.units import units_of
 from nctakt.studies.runs.begun_run import FinishedRun
-from nctakt.studies.runs.bench import FAILED, PASSED, Bench, Row
+from nctakt.studies.runs.study_runner import FAILED, PASSED, Row, StudyRunner
 
 #: How long a schedule is simulated unless the plan says it.
 DURATION = Time(1_000_000)
@@ -32,7 +33,7 @@ DURATION = Time(1_000_000)
 SIMULATED = "simulated"
 
 
-class ScheduleBench(Bench):
+class ScheduleRunner(StudyRunner):
     """List and load of a plan; raises ``Failure`` for what cannot be read."""
 
     def __init__(self, plan: Plan, access: FileAccess | None = None) -> None:
@@ -111,6 +112,6 @@ class ScheduleBench(Bench):
         return self._files.texts(inputs.schedule, self.access)
 
 
-def bench_of(plan: Plan, access: FileAccess | None = None) -> Bench:
-    """Return the bench of a plan: of a schedule, or of a program."""
-    return ScheduleBench(plan, access) if plan.is_schedule else Bench(plan, access)
+def runner_of(plan: Plan, access: FileAccess | None = None) -> StudyRunner:
+    """Return the runner of a plan: of a schedule, or of a program."""
+    return ScheduleRunner(plan, access) if plan.is_schedule else StudyRunner(plan, access)

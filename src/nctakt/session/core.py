@@ -21,7 +21,7 @@ from nctakt.run.access.input_words import WRITE
 from nctakt.run.access.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
 from nctakt.session.cursor import Cursor
 from nctakt.session.decoders import DecoderState
-from nctakt.session.engine import CycleState, Glance, Slice, joined
+from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.branch import Branch
 from nctakt.session.history.comparing import BranchDifference
 from nctakt.session.history.past import Past
@@ -47,7 +47,7 @@ AUTOMATIC = "automatic"
 _NEVER = 1 << 60
 
 
-class Story:
+class SessionCore:
     """One session's commands; raises ``Failure`` with the mistakes of the setup.
 
     ``stops``: those at which it stops, in the order in which they were added. ``delay``: ticks
@@ -96,7 +96,7 @@ class Story:
         return self.timeline.progress
 
     @property
-    def latest(self) -> Slice:
+    def latest(self) -> StepResult:
         """What the last command that ran ticks has done."""
         return self._latest
 
@@ -113,7 +113,7 @@ class Story:
         stops: Sequence[StopAt] | None = None,
         events: bool = True,
         rests: bool = False,
-    ) -> Slice:
+    ) -> StepResult:
         """Run up to tick ``end``, to a stop, or to the end of the run.
 
         ``stops`` are watched instead of those of the session. Without ``events`` those of the slice
@@ -130,16 +130,16 @@ class Story:
             self._latest = self._run_acknowledging(last, watched, self.delay, rests=rests)
         return self._latest
 
-    def with_events(self) -> Slice:
+    def with_events(self) -> StepResult:
         """Return the latest slice with the events that were left for later."""
         self._latest = joined(self._latest, self.timeline.run(self.tick))
         return self._latest
 
     def _run_acknowledging(
         self, end: int, stops: Sequence[StopAt], delay: int, *, rests: bool
-    ) -> Slice:
+    ) -> StepResult:
         """Run, and plan an acknowledgement for all that comes up; the tape holds it then."""
-        whole: Slice | None = None
+        whole: StepResult | None = None
         watched = (*stops, HANDED)
         while True:
             self._plan_acknowledgements(delay)
@@ -164,7 +164,7 @@ class Story:
             if (answer.kind, answer.values) not in planned:
                 self.timeline.post([answer])
 
-    def moved_within(self, stops: Sequence[StopAt], *, is_back: bool = False) -> Slice | None:
+    def moved_within(self, stops: Sequence[StopAt], *, is_back: bool = False) -> StepResult | None:
         """Go to the next statement of this cycle of the PLC at which a stop holds, or back to one.
 
         Returns the latest slice with these stops as its hits; ``None`` where there is none.
@@ -201,13 +201,13 @@ class Story:
         later = {*own} - first | ({*faults} if first else set())
         return tuple(hit for hit in hits if hit not in later)
 
-    def step(self, ticks: int = 1) -> Slice:
+    def step(self, ticks: int = 1) -> StepResult:
         """Run this number of ticks, past any stop."""
         return self.run(self.tick + ticks, stops=())
 
     # --- back -----------------------------------------------------------------------------------
 
-    def go_to(self, tick: int, branch: int | None = None) -> Slice:
+    def go_to(self, tick: int, branch: int | None = None) -> StepResult:
         """Go to just before a tick the session has reached; raises ``Failure`` (901154, 901901).
 
         Where it is interrupted it stays where it was.
@@ -216,11 +216,11 @@ class Story:
         self._latest = self.timeline.go_to(tick, branch)
         return self._latest
 
-    def back(self, ticks: int = 1) -> Slice:
+    def back(self, ticks: int = 1) -> StepResult:
         """Go back by this number of ticks, at most to the start."""
         return self.go_to(max(0, self.tick - ticks))
 
-    def back_to(self, stops: Sequence[StopAt]) -> Slice | None:
+    def back_to(self, stops: Sequence[StopAt]) -> StepResult | None:
         """Go back to the last time that one of these stops held; ``None``, and stay, if never."""
         tick = self.timeline.previous(stops)
         return None if tick is None else self.go_to(tick)
@@ -326,7 +326,7 @@ class Story:
         shorter = (name.removeprefix("CH1.") for name in signals)
         return self.timeline.compare(one, other, tuple(dict.fromkeys(shorter)), poll)
 
-    def happened(self, first: int, end: int) -> Slice:
+    def happened(self, first: int, end: int) -> StepResult:
         """Return what the ticks from ``first`` up to ``end`` have done.
 
         The session stays where it is.
@@ -334,9 +334,9 @@ class Story:
         end = min(end, self.branch.latest)
         return self.timeline.happened(min(max(0, first), end), end)
 
-    def glance(self, names: Sequence[str]) -> Glance:
+    def state_view(self, names: Sequence[str]) -> StateView:
         """Return values, cycles and what waits, all of this tick."""
-        return cast("Glance", self.timeline.live.ask("glance", list(names)))
+        return cast("StateView", self.timeline.live.ask("state_view", list(names)))
 
     def past(self) -> Past:
         """Return what it takes to run the session up to here again."""

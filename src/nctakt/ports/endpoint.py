@@ -40,7 +40,7 @@ VISIT_BYTES = 1 << 20
 #: How many guests may be without a token, of those that there may be.
 GUESTS_WITHOUT_TOKEN = 0.5
 
-#: How often the door looks for visitors whose time is over, in seconds.
+#: How often the endpoint looks for visitors whose time is over, in seconds.
 _LOOK_S = 0.5
 
 #: How long the threads of connections may take to end, in seconds.
@@ -50,7 +50,7 @@ _CLOSING_S = 15.0
 _PASSING = (errno.EMFILE, errno.ENFILE, errno.ENOBUFS, errno.ENOMEM, errno.ECONNABORTED)
 
 
-class Door:
+class Endpoint:
     """A port; ``kind`` names it in the file of its token, ``port`` 0 is a free one.
 
     Raises ``Failure`` (901920) if the system refuses it. ``warning``: why there is no file, as a
@@ -184,8 +184,8 @@ class Door:
 class Visitor:
     """A connection: what it sends, and the way back. ``enter`` makes it a guest."""
 
-    def __init__(self, door: Door, connection: socket.socket) -> None:
-        self._door = door
+    def __init__(self, endpoint: Endpoint, connection: socket.socket) -> None:
+        self._endpoint = endpoint
         self._connection = connection
         self.since_s = time.monotonic()
         self.has_token = False
@@ -198,7 +198,7 @@ class Visitor:
         Raises ``Failure``: no token for this request (901921), another one (901922), too many
         guests (901923).
         """
-        self._door.admit(self, token, request, is_open=is_open)
+        self._endpoint.admit(self, token, request, is_open=is_open)
 
     def hang_up(self) -> None:
         """Let its streams end, in whatever thread they are read and written."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``python -m benchmarks.doors [SECONDS]``: what the servers reach beside a session of 1 ms.
+"""``python -m benchmarks.endpoints [SECONDS]``: what the servers reach beside a session of 1 ms.
 
 Server and clients are processes of this machine, loopback between them; ``--pace tick``, so each
 tick has its own time on the wall clock.

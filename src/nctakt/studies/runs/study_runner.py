@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The bench of a worker: machine and program, loaded once, on which the runs of a plan are made.
+"""The runner of a worker: machine and program, loaded once, on which the runs of a plan are made.
 
 In: a plan. Out: the row of each run: inputs, measures, verdict, digest. A run depends on its inputs
 alone, so that rows are the same whoever makes them, in whatever order.
@@ -65,7 +65,7 @@ EARLIER_VERDICTS = {"held": PASSED, "broken": FAILED}
 DECIDED = "decided"
 
 
-class Bench:
+class StudyRunner:
     """Machine and program of a plan; ``access`` notes the files that are read.
 
     Raises ``Failure`` for a machine or a program that cannot be read, and for each name of the plan

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The live page as one of the doors of ``nctakt serve``: the operator's, in the browser.
+"""The live page as one of the endpoints of ``nctakt serve``: the operator's, in the browser.
 
 In: the session that clients share, its programs. Out: the page's address until the servers end. The
 page commands the session as any client does, and cannot begin it anew.
@@ -25,7 +25,7 @@ from nctakt.messages.connections.live import SESSION_IS_SHARED
 from nctakt.session.session import Session
 
 
-class PageDoor:
+class PageEndpoint:
     """The page of a session at an address; ``programs``: by channel, at least one.
 
     ``tell_error`` and ``refused`` are called from the page's own thread.
@@ -109,7 +109,7 @@ class PageDoor:
                 tell_error=self._tell_error,
                 refused=self._refused,
             )
-        except BaseException as error:  # noqa: BLE001 - whoever opens the door gets it
+        except BaseException as error:  # noqa: BLE001 - whoever opens the endpoint gets it
             if not self._address_told.done():
                 self._address_told.set_exception(error)
 

@@ -22,7 +22,7 @@ MAX_EVENTS = 1000
 _BLOCKS = frozenset((rows.EVENT_BLOCK,))
 
 
-class Happened:
+class TickLog:
     """The events since the last slice: the latest of them, and the current blocks."""
 
     def __init__(self) -> None:

@@ -19,6 +19,7 @@ from support.run_folders import changed_machine
 import nctakt
 from nctakt import Controller, HliView, NcText, Plc, Run, ToolData, ToolRequest
 from nctakt.cli import main
+from nctakt.plc.loading import PlcError, load_plc
 from nctakt.session.session import Session
 
 DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
@@ -205,3 +206,46 @@ def test_check_looks_no_tool_up(folder: Path, tmp_path: Path) -> None:
     program = tmp_path / "part.nc"
     program.write_text("T500 D500\nM30\n", "utf-8")
     assert main(["check", str(program), "--machine", str(folder)]) == 0
+
+
+@pytest.mark.parametrize(
+    ("answer", "reason"),
+    [
+        ("5", "answers 5 for tool 12: neither ToolData nor None"),
+        ("ToolData(length='long')", "length='long' for tool 12: not a finite number"),
+        ("ToolData(length=float('nan'))", "length=nan for tool 12: not a finite number"),
+        ("ToolData(radius=-1)", "radius=-1 for tool 12: below 0"),
+        ("ToolData(kinematic=1.5)", "kinematic=1.5 for tool 12: not a whole number"),
+        ("ToolData(type=65536)", "type=65536 for tool 12: above 65535"),
+        ("ToolData(offsets=[0.0] * 7)", "for tool 12: not a series of at most 6"),
+        ("ToolData(parameters=['a'])", "parameters[0]='a' for tool 12: not a finite number"),
+    ],
+)
+def test_a_wrong_answer_is_told_at_the_method(
+    folder: Path, tmp_path: Path, answer: str, reason: str
+) -> None:
+    """902804 at the def of tool_data, for each kind of value of the interface."""
+    (tmp_path / "cell.py").write_text(PLC.replace("ToolData(length=float(request.basic))", answer))
+    with pytest.raises(PlcError) as caught:
+        run(folder, "D12", plc=load_plc(tmp_path / "cell.py"))
+    (found,) = caught.value.diagnostics
+    assert (found.id, found.span and found.span.line) == (902804, 6)
+    assert reason in found.text()
+
+
+def test_a_manager_that_is_never_asked_is_noted(folder: Path, tmp_path: Path) -> None:
+    """901014, since the demo machine has no external tool management; not where it was asked."""
+    (tmp_path / "cell.py").write_text(PLC)
+    plc = load_plc(tmp_path / "cell.py")
+    assert [one.id for one in run(folder, "D12", plc=plc).diagnostics] == []
+    plc = load_plc(tmp_path / "cell.py")
+    notes = Controller().run(NcText("t.nc", "G04 0.01\nM30"), plc=plc).diagnostics
+    assert [one.id for one in notes] == [901014]
+    assert "ext_wzv_vorhanden" in notes[0].text()
+
+
+def test_t_has_an_effect_where_the_tool_manager_is_told(folder: Path) -> None:
+    """No note 900201, which says that T has none; on the demo machine it is true."""
+    for machine, expected in ((folder, []), (DEMO, [900201])):
+        found = Controller(machine).run(NcText("t.nc", "T1\nM30"))
+        assert [one.id for one in found.diagnostics] == expected

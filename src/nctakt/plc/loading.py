@@ -152,8 +152,13 @@ class _LoadedPlc(WatchedPlc):
         return self._cycle
 
     def failure(self, error: BaseException, hli: PlcView) -> PlcError:
-        """Return a ``PlcError`` (900523) for an exception of the user's code."""
+        """Return a ``PlcError`` (900523) for an exception of the user's code.
+
+        What was refused in no line of the user's has its own place.
+        """
         reason, text = _reason_and_traceback(error, self._path)
+        if not text and _refused(error):
+            return PlcError(*map(self._as_named, _refused(error)))
         message = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
         return PlcError(message, *_refused(error))
 

@@ -34,7 +34,7 @@ import operator
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self, TypeVar, cast
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
@@ -48,6 +48,7 @@ from nctakt.messages.plcs.plc import (
     UNKNOWN_FUNCTION_IN_PLC,
     WHEN_CALLED_EACH_TICK,
     WRONG_PLC_TYPE,
+    WRONG_TOOL_DATA,
 )
 from nctakt.plc.class_check import class_slips
 from nctakt.plc.class_source import condition_mistake, source_position
@@ -61,7 +62,7 @@ from nctakt.plc.policies import (
     delays_of,
     earliest,
 )
-from nctakt.plc.tool_manager import ToolData, ToolRequest, answer_requests
+from nctakt.plc.tool_manager import ToolData, ToolRequest, answer_requests, mistake_in
 from nctakt.run.access.stimuli import Stimulus, not_reached
 from nctakt.run.conditions import read_expression
 from nctakt.run.plcs.plc_view import Declaration, WatchedPlc
@@ -76,6 +77,13 @@ _MARK = "_nctakt_when"
 #: Methods of ``Plc`` that are called with the HLI.
 _CALLED = ("each_tick", "begin_run", "unused_handlers")
 #: Members of ``Plc`` that it calls or reads.
+#: Among the called methods: ``tool_data``.
+_ASKED = ("tool_data", 0)
+_NO_REQUEST = Text(
+    "no program asked for a tool, as in channels with ext_wzv_vorhanden 1 (P-CHAN-00016)",
+    "kein Programm fragte nach einem Werkzeug, wie in Kanälen mit ext_wzv_vorhanden 1 "
+    "(P-CHAN-00016)",
+)
 _MEMBERS = ("cycle", "each_tick", "tool_data", "acknowledge", "spindles", "inputs")
 
 _CONDITION = Text(
@@ -319,6 +327,11 @@ class Plc(WatchedPlc):
             for name, index, mark in self._marks
             if (name, index) not in memory.called
         ]
+        if self._manages_tools() and _ASKED not in memory.called:
+            position = source_position(type(self), "tool_data")
+            unused.append(
+                diagnostic(HANDLER_NOT_CALLED, *position, name="tool_data", reason=_NO_REQUEST)
+            )
         return [*not_reached(memory.inputs, end_us, hli.cycle_time_us), *unused]
 
     def each_tick(self, hli: PlcView) -> None:
@@ -344,11 +357,30 @@ class Plc(WatchedPlc):
         """Call the methods that are due after a tick, and acknowledge."""
         functions, jobs = self._call_due(hli)
         if self._manages_tools():
-            answer_requests(hli, self.tool_data)
+            if answer_requests(hli, self._tool_of):
+                self._memory.called[_ASKED] = None
         for function in functions:
             if self.acknowledge.answers(function, hli):
                 hli.acknowledge(function)
         self._acknowledge_jobs(jobs, hli)
+
+    def _tool_of(self, hli: PlcView, request: ToolRequest) -> ToolData | None:
+        """Return what ``tool_data`` answers; raise ``Failure`` if it is not the data of a tool."""
+        answer: object = self.tool_data(hli, request)
+        mistake = mistake_in(answer)
+        if mistake is not None:
+            shown, reason = mistake
+            position = source_position(type(self), "tool_data")
+            raise Failure(
+                diagnostic(
+                    WRONG_TOOL_DATA,
+                    *position,
+                    answer=shown[:40],
+                    tool=request.basic,
+                    reason=reason,
+                )
+            )
+        return cast("ToolData | None", answer)
 
     def _acknowledge_jobs(self, jobs: Sequence[SpindleEntry], hli: PlcView) -> None:
         for job in jobs:

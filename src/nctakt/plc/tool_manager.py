@@ -8,11 +8,16 @@ A class that derives from ``Plc`` manages the tools of all channels with an exte
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
+from dataclasses import fields
+from numbers import Real
 from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
-from nctakt.hli.layout import PREFIX, TOOL_OFFSETS, TOOL_PARAMETERS
+from nctakt.base.diagnostics import Text
+from nctakt.hli.layout import PREFIX, TOOL_ANSWER, TOOL_OFFSETS, TOOL_PARAMETERS, Entry
+from nctakt.lists.declared.variables import SCALARS
 
 if TYPE_CHECKING:
     from nctakt.run.plcs.plc_view import PlcView
@@ -66,8 +71,52 @@ class ToolData:
     max_acceleration: float = 0.0
 
 
-def answer_requests(hli: PlcView, find: Callable[[PlcView, ToolRequest], ToolData | None]) -> None:
-    """Answer the open requests of all channels by what ``find`` returns; ``None``: no such tool."""
+_ENTRIES = {entry.name.removeprefix("tool_"): entry for entry in TOOL_ANSWER}
+#: The single values of a tool, and its series, each with the words of its values.
+_SINGLE = tuple(one.name for one in fields(ToolData) if one.name in _ENTRIES)
+_SERIES = (("offsets", "offset", TOOL_OFFSETS), ("parameters", "parameter", TOOL_PARAMETERS))
+
+
+def mistake_in(answer: object) -> tuple[str, Text] | None:
+    """Return what is wrong with an answer, and why; ``None`` for good data and for no tool."""
+    if answer is None:
+        return None
+    if not isinstance(answer, ToolData):
+        return repr(answer), Text("neither ToolData nor None", "weder ToolData noch None")
+    for name in _SINGLE:
+        reason = _misfit(_ENTRIES[name], getattr(answer, name))
+        if reason is not None:
+            return f"{name}={getattr(answer, name)!r}", reason
+    for name, word, count in _SERIES:
+        values = getattr(answer, name)
+        if not isinstance(values, Sequence) or len(values) > count:
+            reason = Text(f"not a series of at most {count}", f"keine Folge von höchstens {count}")
+            return f"{name}={values!r}", reason
+        for i, value in enumerate(values):
+            reason = _misfit(_ENTRIES[f"{word}_{i}"], value)
+            if reason is not None:
+                return f"{name}[{i}]={value!r}", reason
+    return None
+
+
+def _misfit(entry: Entry, value: object) -> Text | None:
+    """Return why a value cannot be that of an entry of the interface."""
+    number = float(value) if isinstance(value, Real) else math.nan
+    if not math.isfinite(number):
+        return Text("not a finite number", "keine endliche Zahl")
+    if entry.type != "REAL64" and not number.is_integer():
+        return Text("not a whole number", "keine ganze Zahl")
+    if number < 0.0 and not entry.is_signed:
+        return Text("below 0", "unter 0")
+    high = SCALARS[entry.type].high
+    return Text(f"above {high:g}", f"über {high:g}") if number > high else None
+
+
+def answer_requests(hli: PlcView, find: Callable[[PlcView, ToolRequest], ToolData | None]) -> bool:
+    """Answer the open requests of all channels by what ``find`` returns, ``None``: no such tool;
+    return whether there was one.
+    """
+    is_asked = False
     for number in range(1, hli.channel_count + 1):
         channel = hli.of_channel(number)
         if channel.read(f"{PREFIX}TOOL_MANAGER") == 0.0:
@@ -76,6 +125,8 @@ def answer_requests(hli: PlcView, find: Callable[[PlcView, ToolRequest], ToolDat
         if request != channel.read(f"{PREFIX}TOOL_ANSWER"):
             _write(channel, find(channel, _request(channel, number)))
             channel.write(f"{PREFIX}TOOL_ANSWER", request)
+            is_asked = True
+    return is_asked
 
 
 def _request(hli: PlcView, channel: int) -> ToolRequest:
@@ -101,16 +152,9 @@ def _write(hli: PlcView, tool: ToolData | None) -> None:
     hli.write(f"{PREFIX}TOOL_VALID", tool is not None)
     if tool is None:
         return
-    for name in (
-        "length", "radius", "type", "cutter", "spindle", "kinematic",
-        "min_speed", "max_speed", "max_acceleration",
-    ):  # fmt: skip
+    for name in _SINGLE:
         hli.write(f"{PREFIX}TOOL_{name.upper()}", getattr(tool, name))
-    for word, count, values in (
-        ("OFFSET", TOOL_OFFSETS, tool.offsets),
-        ("PARAMETER", TOOL_PARAMETERS, tool.parameters),
-    ):
-        if len(values) > count:
-            raise ValueError(f"a tool has at most {count} values of {word.lower()}s here")
+    for name, word, count in _SERIES:
+        values = getattr(tool, name)
         for i in range(count):
-            hli.write(f"{PREFIX}TOOL_{word}_{i}", values[i] if i < len(values) else 0.0)
+            hli.write(f"{PREFIX}TOOL_{word.upper()}_{i}", values[i] if i < len(values) else 0.0)

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from types import MappingProxyType
 
 from nctakt.base.diagnostics import Text
@@ -15,6 +15,7 @@ from nctakt.nc.vocabulary.function_rows import GFunction
 from nctakt.nc.vocabulary.functions import G_FUNCTIONS
 from nctakt.nc.vocabulary.keywords import KEYWORDS, KeywordMeaning
 from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, Function, Operator
+from nctakt.nc.vocabulary.single_axes import independent_axes, oscillation
 from nctakt.nc.vocabulary.variables.system_names import BY_NAME
 from nctakt.reference.article import Article, Fact, Topic, fact
 from nctakt.reference.variables import UNITS
@@ -126,6 +127,22 @@ _FURTHER: Mapping[str, tuple[Fact, ...]] = MappingProxyType(
     }
 )
 
+_FORMS_OF_MOTION = ("X[INDP_SYN …]", "X[INDP_ASYN …]")
+#: The keywords of the brackets of axes.
+_BRACKET_KEYWORDS: Mapping[str, Sequence[str]] = MappingProxyType(
+    {
+        **dict.fromkeys(_FORMS_OF_MOTION, (*independent_axes.FLAGS, *independent_axes.VALUES)),
+        "X[OSC …]": (*oscillation.FLAGS, *oscillation.VALUES),
+        **{
+            form.replace("…", row): [
+                word for word, of in independent_axes.REFUSED_KEYWORDS.items() if of == row
+            ]
+            for form in _FORMS_OF_MOTION
+            for row in independent_axes.REFUSED_KEYWORDS.values()
+        },
+    }
+)
+
 #: The beginning of a command for an axis or a spindle: its name and the first keyword.
 _AXIS_COMMAND = re.compile(r"[^\W\d]\w*\s*\[\s*([^\W\d]\w*)")
 _NUMBERED = re.compile(r"([GMH])0*(\d+)")
@@ -157,6 +174,8 @@ def _of_system(name: str) -> Iterator[Fact]:
 def entry_article(entry: Entry) -> Article:
     """Return the article of a row of the support table."""
     facts = [*_FURTHER.get(entry.name, ()), *_of_system(entry.name)]
+    if entry.name in _BRACKET_KEYWORDS:
+        facts.append(fact("Keywords", "Schlüsselwörter", ", ".join(_BRACKET_KEYWORDS[entry.name])))
     if entry.forms:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
     facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))

@@ -59,6 +59,11 @@ class ToolSelection:
     is_external: bool = False
     informs_of_t: bool = False
 
+    @property
+    def tells_of_t(self) -> bool:
+        """Whether T goes to the PLC, or to its tool manager."""
+        return self.output is not None or (self.is_external and self.informs_of_t)
+
     def mistakes(self, tool: Tool) -> Iterator[tuple[Message, Mapping[str, float]]]:
         """Yield why D must not select a tool: too short, too thin; with the values of the message,
         mm.

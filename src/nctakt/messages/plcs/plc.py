@@ -230,6 +230,17 @@ HANDLER_NOT_CALLED = note(
     name=("the method", "die Methode"),
     reason=("what did not come to pass", "was nicht eingetreten ist"),
 )
+WRONG_TOOL_DATA = error(
+    902804,
+    en="tool_data of the PLC answers {answer} for tool {tool}: {reason}",
+    de="tool_data der SPS antwortet {answer} auf Werkzeug {tool}: {reason}",
+    remedy_en="Return nctakt.ToolData(length=120.0, radius=4.0), or None for an unknown tool.",
+    remedy_de="nctakt.ToolData(length=120.0, radius=4.0) zurückgeben, oder None für ein "
+    "unbekanntes Werkzeug.",
+    answer=("what it returned", "was sie zurückgab"),
+    tool=("the number of the tool", "die Nummer des Werkzeugs"),
+    reason=("what does not fit", "was nicht passt"),
+)
 PLC_SILENT = error(
     902320,
     en="the PLC has not shown for 100 ms that it lives",

@@ -113,7 +113,8 @@ Role = Literal["main", "called", "either"]
 @dataclass(slots=True)
 class _BlockState:
     """The words of a block so far: their names, the G function of each group, any unknown word,
-    whether a G function is computed, whether G74 homes spindles.
+    the axes that it moves beside the path, whether a G function is computed, whether G74 homes
+    spindles.
 
     A block that begins with an unknown word is usually not NC text, so one report is enough.
     """
@@ -124,6 +125,7 @@ class _BlockState:
     groups: dict[Group, str] = field(default_factory=dict)
     unknown: bool = False
     axis_words: tuple[AxisWord, ...] = ()
+    independent: set[str] = field(default_factory=set)
     words: set[str] = field(default_factory=set)
     functions: set[float] = field(default_factory=set)
     is_computed: bool = False
@@ -182,7 +184,7 @@ class WordChecker:
                 case Word():
                     self._word(word, state)
                 case BracketCommand():
-                    if self._is_of_path(word) or self._is_independent(word, state.axis_words):
+                    if self._is_of_path(word) or self._is_independent(word, state):
                         continue
                     if not self.bracket(word, state):
                         self._unknown(word, state)
@@ -253,7 +255,7 @@ class WordChecker:
         elif entry.support is Support.REFUSED:
             self._findings.report_support(entry, word.span, self._findings.written(word.span))
         else:
-            if word.name != "T" or self._channel.tool_selection.output is None:
+            if word.name != "T" or not self._channel.tool_selection.tells_of_t:
                 self._findings.report_support(entry, word.span)
             self._value(word, state)
 
@@ -386,11 +388,17 @@ class WordChecker:
             return False
         return check_path_axis(command, self._values, self._findings)
 
-    def _is_independent(self, command: BracketCommand, path: tuple[AxisWord, ...]) -> bool:
+    def _is_independent(self, command: BracketCommand, state: _BlockState) -> bool:
         """Check a command for an axis beside the path, X[OSC …] …; return whether it is one."""
-        if command.name not in self.axes:
+        name = command.name
+        if name not in self.axes:
             return False
-        return check_independent(command, path, self._values, self._findings)
+        if not check_independent(command, state.axis_words, self._values, self._findings):
+            return False
+        if name in state.independent:
+            self._findings.report(DUPLICATE_WORD, command.span, word=name)
+        state.independent.add(name)
+        return True
 
     def bracket(self, command: BracketCommand, state: _BlockState | None = None) -> bool:
         """Check ``X[…]`` or ``M17[MAIN]``; return false if the name is unknown."""

@@ -74,18 +74,13 @@ class SpindleChecker:
         """Check one command."""
         if not command.name and not self._has_main:
             self._findings.report(NO_MAIN_SPINDLE, command.span)
-        for word in command.wrong:
-            written = self._findings.written(word.span)
-            form = _refused_form(word)
-            if form:
-                shown = form.replace("S", command.name or "S", 1)
-                self._findings.report_support(support_level.form(form), word.span, shown)
-                continue
-            if written in WORDS:
-                suggestion = f"{written}=…"
-            else:
-                suggestion = nearest(written, WORDS) or NOTHING
-            self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=suggestion)
+        refused = [(form, word) for word in command.wrong if (form := _refused_form(word))]
+        for form, word in refused:
+            shown = form.replace("S", command.name or "S", 1)
+            self._findings.report_support(support_level.form(form), word.span, shown)
+        # What else is in the brackets of a refused word belongs to it.
+        for word in () if refused else command.wrong:
+            self._not_a_word(command, word)
         for doubled in command.doubled:
             self._findings.report(
                 DUPLICATE_KEYWORD,
@@ -108,6 +103,17 @@ class SpindleChecker:
             self._findings.report(
                 SPINDLE_WORD_COUNT, command.span, command=self._findings.written(command.span)
             )
+
+    def _not_a_word(self, command: SpindleCommand, word: BlockWord | Keyword | Expression) -> None:
+        """Report what a spindle command cannot have, with what was meant."""
+        written = self._findings.written(word.span)
+        if written in (CALLAX, PUTAX):
+            suggestion = f"{command.name}[{written}]"
+        elif written in WORDS:
+            suggestion = f"{written}=…"
+        else:
+            suggestion = nearest(written, WORDS) or NOTHING
+        self._findings.report(NOT_A_SPINDLE_WORD, word.span, word=written, nearest=suggestion)
 
     def _fit(self, command: SpindleCommand) -> None:
         """Check that the words of a command of the main program fit together."""

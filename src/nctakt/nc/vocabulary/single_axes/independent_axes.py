@@ -20,7 +20,7 @@ from nctakt.nc.vocabulary.single_axes.axis_brackets import INDP_SYN, BracketRead
 from nctakt.nc.vocabulary.single_axes.axis_commands import Finding
 
 #: Keywords without and with a value.
-_VALUES = ("FEED", "TIME", "FEED_MAX_WEIGHT", "POS")
+VALUES = ("FEED", "TIME", "FEED_MAX_WEIGHT", "POS")
 _SPEEDS = ("FEED", "TIME", "FEED_MAX_WEIGHT")
 #: Keywords of the language that are refused; each has a row among the forms (``commands.py``).
 REFUSED_KEYWORDS = MappingProxyType(
@@ -105,7 +105,7 @@ class _Reader(BracketReader):
 
     syntax = INDEPENDENT_SYNTAX
     flags = FLAGS
-    values = _VALUES
+    values = VALUES
     refusals = REFUSED_KEYWORDS
 
     def read(self) -> bool:

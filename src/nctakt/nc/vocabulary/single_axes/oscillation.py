@@ -24,12 +24,12 @@ from nctakt.nc.tree import BracketCommand, Expression, Number
 from nctakt.nc.vocabulary.single_axes.axis_brackets import BracketReader
 from nctakt.nc.vocabulary.single_axes.axis_commands import Finding
 
-_FLAGS = ("ON", "OFF", "INSTANT", "INCL_OFFSETS", "SHORT")
+FLAGS = ("ON", "OFF", "INSTANT", "INCL_OFFSETS", "SHORT")
 _SPEEDS = ("FEED", "FREQ", "TIME")
 _REVERSALS, _CENTRE = ("1ST_POS", "2ND_POS"), ("ZERO_POS", "EXCUR")
 _PAUSES = ("1ST_DELT", "2ND_DELT")
 _COUNT = "NBR_OSC"
-_VALUES = (*_REVERSALS, *_CENTRE, *_PAUSES, *_SPEEDS, _COUNT)
+VALUES = (*_REVERSALS, *_CENTRE, *_PAUSES, *_SPEEDS, _COUNT)
 #: The highest number of oscillations.
 MAX_COUNT = 2**31 - 1
 
@@ -72,8 +72,8 @@ def read_oscillation(command: BracketCommand) -> tuple[OscillationCommand, list[
     """Return the command and its mistakes."""
     reader = _Reader(command)
     reader.read()
-    values = {name: reader.value(name) for name in _VALUES}
-    flags = frozenset(name for name in _FLAGS if name in reader.keywords)
+    values = {name: reader.value(name) for name in VALUES}
+    flags = frozenset(name for name in FLAGS if name in reader.keywords)
     parsed = {name: value for name, value in values.items() if value is not None}
     return OscillationCommand(command.name, command.span, parsed, flags), reader.findings
 
@@ -82,8 +82,8 @@ class _Reader(BracketReader):
     """Reads the keywords of one command."""
 
     syntax = OSCILLATION_SYNTAX
-    flags = _FLAGS
-    values = _VALUES
+    flags = FLAGS
+    values = VALUES
 
     def read(self) -> bool:
         """Note the keywords and what is wrong with them."""

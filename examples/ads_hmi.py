@@ -2,9 +2,9 @@
 """An HMI that knows only the controller's names: ``python ads_hmi.py HOST:PORT NETID PROGRAM``.
 
 It announces itself as the PLC, loads and starts a program by the operation mode manager, takes the
-override over, holds and continues, acknowledges M functions, shows positions and errors, and resets
-at the end. Needs pyads; start a controller before it, for example
-``nctakt serve crossing.nc --ads --wait-for-start``.
+override over, lets one block after the other go, holds and continues, acknowledges M functions,
+shows positions and errors, and resets at the end. Needs pyads; start a controller before it, for
+example ``nctakt serve crossing.nc --ads --wait-for-start``.
 """
 
 from __future__ import annotations
@@ -65,17 +65,28 @@ class Hmi:
         return self.number(path, pyads.PLCTYPE_DINT) / 10_000
 
     def acknowledge(self) -> int:
-        """Acknowledge the functions that have come; return how many."""
+        """Acknowledge the functions that have come; return how many.
+
+        Those of blocks are in the first area, those of realtime cycles in the second one.
+        """
         acknowledged = 0
-        for index in range(
-            int(self.number(f"{CHANNEL}.used_units_std_sync_r", pyads.PLCTYPE_UINT))
-        ):
-            unit = f"{CHANNEL}.techno_unit_std_sync[{index}]"
-            if self.number(f"{unit}.please_rw", pyads.PLCTYPE_BOOL):
-                self.write(f"{unit}.please_rw", False, pyads.PLCTYPE_BOOL)
-                self.write(f"{unit}.done_w", True, pyads.PLCTYPE_BOOL)
-                acknowledged += 1
+        for area in ("std_sync", "late_sync"):
+            used = int(self.number(f"{CHANNEL}.used_units_{area}_r", pyads.PLCTYPE_UINT))
+            for index in range(used):
+                unit = f"{CHANNEL}.techno_unit_{area}[{index}]"
+                if self.number(f"{unit}.please_rw", pyads.PLCTYPE_BOOL):
+                    self.write(f"{unit}.please_rw", False, pyads.PLCTYPE_BOOL)
+                    self.write(f"{unit}.done_w", True, pyads.PLCTYPE_BOOL)
+                    acknowledged += 1
         return acknowledged
+
+    def go_on(self) -> int:
+        """Press START if single block waits for it; return how often."""
+        if not self.number(f"{CHANNEL}.bahn_state.wait_continue_r", pyads.PLCTYPE_BOOL):
+            return 0
+        for pressed in (True, False):  # its rising edge counts
+            self.command("continue_on", pressed, pyads.PLCTYPE_BOOL)
+        return 1
 
     def error(self) -> int:
         """Return the number of a new error, 0 without one."""
@@ -96,30 +107,33 @@ class Hmi:
 
     def leave(self) -> None:
         """Give the control units back; functions acknowledge themselves again."""
-        for unit in ("override", "feedhold"):
+        for unit in ("override", "single_block", "continue_on"):
             self.write(f"{PATH}.{unit}.enable_w", False, pyads.PLCTYPE_BOOL)
         self.write(f"{CHANNEL}.head.plc_present_w", False, pyads.PLCTYPE_BOOL)
 
 
 def drive(plc: pyads.Connection, program: str) -> None:
-    """Run a program with half of the override, held once; then reset."""
+    """Run a program block by block with half of the override, held once; then reset."""
     hmi = Hmi(plc)
     hmi.command("override", 500, pyads.PLCTYPE_UINT)
+    hmi.command("single_block", True, pyads.PLCTYPE_BOOL)
     hmi.go_to(ACTIVE, program)
-    hmi.until(lambda: hmi.state == ACTIVE)
+    hmi.until(lambda: hmi.go_on() == 1)
+    starts = 1
     hmi.go_to(HOLD)
     hmi.until(lambda: hmi.state == HOLD)
     print(f"held at X {hmi.position_mm:.4f} mm")
     hmi.go_to(ACTIVE)
-    functions = 0
+    functions = hmi.acknowledge()
     while hmi.state in (ACTIVE, HOLD):
         functions += hmi.acknowledge()
+        starts += hmi.go_on()
         if number := hmi.error():
             print(f"error {number}")
             break
         time.sleep(0.005)
     hmi.go_to(RESETTING)
-    print(f"ended at X {hmi.position_mm:.4f} mm, {functions} functions")
+    print(f"ended at X {hmi.position_mm:.4f} mm, {starts} times START, {functions} functions")
     hmi.leave()
 
 

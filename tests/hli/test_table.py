@@ -58,6 +58,7 @@ def test_names_of_the_older_generation_count_from_one() -> None:
         ("gpCh[0]^.hb_mc_control.key[12].enable_w", "902101", "from 0 to 11"),
         ("gpCh[0]^.head.plc_present_w[0]", "902102", "plc_present_w"),
         ("gpPform[0]^.plc_present_w", "902102", "gpPform"),
+        ("pMC[0]^.addr^.StateBahn_Data.X_ProgramEnd", "902854", "an index from 1 on"),
         ("gpCh[x]^.head.plc_present_w", "902100", "x"),
     ],
 )

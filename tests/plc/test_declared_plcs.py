@@ -235,6 +235,24 @@ def test_a_mistake_in_a_condition_has_a_caret(tmp_path: Path) -> None:
     assert shown[-1][0].startswith(f"{path}:9:")
 
 
+@pytest.mark.parametrize(
+    ("text", "word"),
+    [("V.E.VALUE >> 20 $$", "a value is missing"), ("V.E.VALUE > 5 $ENDIF", "'$ENDIF' is not")],
+)
+def test_a_mistake_in_a_condition_is_told_once(text: str, word: str) -> None:
+    """What it does to the cycle around the text is no mistake of the user's."""
+
+    class Cell(Plc):
+        @when(text)
+        def full(self, hli: PlcView) -> None:
+            """Do nothing."""
+
+    with pytest.raises(Failure) as failure:
+        Controller().run(NcText("p.nc", "M30"), plc=Cell())
+    (found,) = failure.value.diagnostics
+    assert word in found.headline()
+
+
 def test_a_condition_that_is_made_of_parts() -> None:
     """Where the text does not stand in the file the mistake is shown in the text itself."""
     kind = "VALUE"

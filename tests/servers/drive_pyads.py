@@ -210,14 +210,14 @@ def try_selection_of_a_program(plc: pyads.Connection, connect: Connect) -> None:
 
 
 def try_the_hmi_of_the_examples(plc: pyads.Connection, connect: Connect) -> None:
-    """It loads, starts, holds, acknowledges and resets by the operation mode manager alone."""
+    """It loads, starts, goes block by block, holds, acknowledges and resets by names alone."""
     until(lambda: plc.read_by_name("HLI.STATE") == 0)
     sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
     from ads_hmi import drive  # noqa: PLC0415 - its folder is known here only
 
     with contextlib.redirect_stdout(io.StringIO()) as out:
         drive(plc, "there.nc")
-    assert out.getvalue().endswith("ended at X 60.0000 mm, 1 functions\n")
+    assert out.getvalue().endswith("ended at X 60.0000 mm, 2 times START, 1 functions\n")
 
 
 def main(address: str, net_id: str) -> None:

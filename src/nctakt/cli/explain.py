@@ -50,6 +50,7 @@ _MAX_FOUND = 30
 _MAX_ANSWERS = 3
 
 _FOUND = Text("'{word}' appears in {count} articles:", "'{word}' steht in {count} Artikeln:")
+_FOUND_ONE = Text("'{word}' appears in one article:", "'{word}' steht in einem Artikel:")
 _FURTHER = Text("… {count} more", "… {count} weitere")
 
 
@@ -211,9 +212,11 @@ def _lines(answer: _Answer, language: Language) -> Iterator[str]:
     if answer.listed:
         yield from list_lines(answer.listed, language)
     if answer.containing:
-        yield _FOUND.get(language).format(word=answer.word, count=len(answer.containing))
+        count = len(answer.containing)
+        found = _FOUND if count > 1 else _FOUND_ONE
+        yield found.get(language).format(word=answer.word, count=count)
         yield from list_lines(answer.containing[:_MAX_FOUND], language)
-        further = len(answer.containing) - _MAX_FOUND
+        further = count - _MAX_FOUND
         if further > 0:
             yield _FURTHER.get(language).format(count=further)
 

@@ -40,7 +40,12 @@ from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.messages import diagnostic
-from nctakt.messages.plcs.hli_table import INDEX_OUTSIDE_ARRAY, NO_INDEX_TAKEN, UNKNOWN_HLI_PATH
+from nctakt.messages.plcs.hli_table import (
+    COUNTED_FROM_ONE,
+    INDEX_OUTSIDE_ARRAY,
+    NO_INDEX_TAKEN,
+    UNKNOWN_HLI_PATH,
+)
 
 _FOLDER = Path(__file__).parent / "elements"
 
@@ -530,9 +535,9 @@ def find(path: str) -> Element:
 
     Names of the older generation are found, too. Missing indices are the first ones: as in
     ``gpCh^.head.plc_present_w``. Raises ``Failure`` for an unknown path (902100), with the nearest
-    one, and for an index that the array does not have (902101, 902102).
+    one, and for an index that the array does not have (902101, 902102, 902854).
     """
-    return _find(_modern(_plain(path)), path)
+    return _find(_modern(_plain(path), path), path)
 
 
 def _plain(path: str) -> str:
@@ -540,7 +545,7 @@ def _plain(path: str) -> str:
     return text[len(LIST_NAME) :] if text.lower().startswith(LIST_NAME.lower()) else text
 
 
-def _modern(text: str) -> str:
+def _modern(text: str, asked: str) -> str:
     """Return a path of the older generation as the present one; any other as it is."""
     bare = re.sub(r"\[[^\]]*\]", "[]", text).lower()
     for older, path in aliases().items():
@@ -551,6 +556,8 @@ def _modern(text: str) -> str:
         numbers = iter(re.findall(r"\[(\d+)\]", text))
         count = len(re.findall(r"\[\]", older))
         given = [int(number) - first for number, _ in zip(numbers, range(count), strict=False)]
+        if any(number < 0 for number in given):
+            raise Failure(diagnostic(COUNTED_FROM_ONE, path=asked))
         present = path
         for number in given:
             present = present.replace("[]", f"[{number}]", 1)

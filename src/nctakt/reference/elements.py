@@ -72,7 +72,7 @@ def _meaning(element: table.Element) -> Text:
 
 def _facts(element: table.Element) -> Iterator[Fact]:
     type_ = element.type
-    yield fact("Type", "Typ", f"{type_.name}, {type_.size_bytes} byte")
+    yield fact("Type", "Typ", _bytes(f"{type_.name}, {type_.size_bytes} byte"))
     if type_.members:
         yield fact("Members", "Elemente", ", ".join(one.name for one in type_.members))
     if element.unit:
@@ -88,10 +88,15 @@ def _facts(element: table.Element) -> Iterator[Fact]:
     yield fact("Effect", "Wirkung", _effect(element))
     if said is not None and said.sure:
         yield fact("Source", "Quelle", _SURE[said.sure])
-    yield fact("Place", "Stelle", f"{element.root}, byte {element.offset}")
+    yield fact("Place", "Stelle", _bytes(f"{element.root}, byte {element.offset}"))
     older = [name for name, path in table.aliases().items() if path == element.pattern]
     if older:
         yield fact("Older names", "Ältere Namen", ", ".join(older))
+
+
+def _bytes(text: str) -> Text:
+    """Return a text with numbers of bytes."""
+    return Text(text, text.replace(" byte", " Byte"))
 
 
 def _effect(element: table.Element) -> Text:
@@ -128,7 +133,7 @@ def _values(text: str) -> str:
 def _structure(type_: table.DataType) -> Article:
     lines = [f"{one.offset} {one.name}: {one.type.name}" for one in type_.members]
     facts = [
-        fact("Size", "Größe", f"{type_.size_bytes} byte"),
+        fact("Size", "Größe", _bytes(f"{type_.size_bytes} byte")),
         fact("Members", "Elemente", "\n".join(lines)),
     ]
     meaning = Text("its members with their places in bytes", "ihre Elemente mit ihren Bytestellen")

@@ -7,6 +7,7 @@ part in which each variable has its present value, or the mistakes of the text.
 
 from __future__ import annotations
 
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleBuilder
 from nctakt.decoder.state.environment import DecoderEnvironment
@@ -23,6 +24,9 @@ from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.variables.system_variables import is_decoder_data
 
+#: The line of the cycle around a text in which the text is, from 1.
+_LINE_OF_TEXT = 2
+
 
 def read_condition(
     text: str, environment: DecoderEnvironment, parameters: ChannelParameters
@@ -35,14 +39,18 @@ def read_condition(
     collector = Collector()
     read = inspect(Source("condition", lines), environment.names, parameters, collector)
     errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
-    if errors:
-        raise Failure(*errors)
+    if errors:  # those of the lines around the text come of what is wrong in it
+        raise Failure(*([found for found in errors if _is_in_text(found)] or errors))
     (cycle,) = read.cycles
     condition = cycle.body[0]
     if not isinstance(condition, tree.If) or len(cycle.body) > 1:
         raise Failure(*collector.diagnostics)
     state = state_at_program_start(parameters.program_start, [0.0] * len(environment.axes))
     return _LiveBuilder(Values(environment, state), 0).expression(condition.condition)
+
+
+def _is_in_text(found: Diagnostic) -> bool:
+    return found.span is not None and found.span.line == _LINE_OF_TEXT
 
 
 class _LiveBuilder(CycleBuilder):

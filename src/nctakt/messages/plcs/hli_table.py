@@ -115,3 +115,11 @@ PATH_NOT_SERVED = error(
     remedy_de="nctakt explain elements listet auf, was wirkt und was angezeigt wird.",
     path=_PATH,
 )
+COUNTED_FROM_ONE = error(
+    902854,
+    en="{path}: there is no index 0, names of the older generation count from 1",
+    de="{path}: den Index 0 gibt es nicht, Namen der älteren Generation zählen ab 1",
+    remedy_en="Give an index from 1 on, or the present name, which counts from 0.",
+    remedy_de="Einen Index ab 1 angeben, oder den heutigen Namen, der ab 0 zählt.",
+    path=_PATH,
+)

@@ -13,18 +13,25 @@ import pytest
 
 ROOT = Path(__file__).parent.parent
 
+#: Pages each of whose examples goes on where the one before it has stopped.
+_GO_ON = ("ads-handshakes",)
+
 _FENCE = re.compile(r"^```python[^\n]*\n(.*?)^```", re.MULTILINE | re.DOTALL)
 _IMPORT = re.compile(r"^(?:import|from) .*\n", re.MULTILINE)
 
 
 def examples() -> Iterator[tuple[str, str]]:
-    """Yield name and text of each example; later ones of a page have its imports so far."""
+    """Yield name and text of each example; later ones of a page have its imports so far.
+
+    Those of a page on which they go on have all that comes before them.
+    """
     for page in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))):
-        imports = ""
+        before = ""
         for match in _FENCE.finditer(text := page.read_text("utf-8")):
             line = text[: match.start()].count("\n") + 1
-            yield f"{page.stem}_{line}".replace("-", "_"), imports + match[1]
-            imports += "".join(_IMPORT.findall(match[1]))
+            yield f"{page.stem}_{line}".replace("-", "_"), before + match[1]
+            goes_on = page.stem in _GO_ON
+            before += match[1] if goes_on else "".join(_IMPORT.findall(match[1]))
     for file in sorted((ROOT / "examples").rglob("*.py")):
         name = "_".join(file.relative_to(ROOT).with_suffix("").parts)
         yield name, file.read_text("utf-8")

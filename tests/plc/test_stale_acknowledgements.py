@@ -93,7 +93,7 @@ def test_a_forged_job_of_a_spindle_is_refused(place: int) -> None:
 def test_requests_of_axes_that_cannot_be_are_refused() -> None:
     """Kind, mode and direction are numbers of a list; an owner is that of a request."""
     hli = Controller().hli
-    with pytest.raises(ValueError, match="kind of request 99 is not in 1 … 5"):
+    with pytest.raises(ValueError, match="kind of request 99 is not in 1 … 8"):
         hli.request_axis(99, "X", 0.0, 1.0, 0, 0)
     with pytest.raises(ValueError, match="buffer mode 7 is not in 0 … 1"):
         hli.request_axis(1, "X", 0.0, 1.0, 7, 0)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Random programs with independent axes, beside a realtime cycle and a PLC, against a slow model.
 
+The channel also gives axes and takes them again, while the PLC may move them.
+
 The model knows the rules only: which command is taken in which tick (RC-003, RC-005, RC-409, SA-1 …
 SA-6), and that an axis takes the shortest time from its present speed to a target (MO-11): speed up
 or down to one speed, keep it, brake. It finds that speed by bisection, and compares the place of
@@ -42,13 +44,20 @@ class Order:
 
 @dataclass(frozen=True)
 class Line:
-    """Orders, and the target of one axis of the path, of a block; or axes to wait for."""
+    """Orders, and the target of one axis of the path, of a block; or axes to wait for; or an axis
+    that the channel gives and takes again.
+    """
 
     orders: tuple[Order, ...] = ()
     path: tuple[str, float, float] | None = None
     awaited: str = ""
+    exchanged: str = ""
 
     def text(self) -> str:
+        if self.exchanged:
+            place = AXES.index(self.exchanged)
+            taken = f"#CALL AX [{self.exchanged}, {place + 1}, {place}]"
+            return f"#PUT AX [{self.exchanged}]\n{taken}"
         if self.awaited:
             return f"#WAIT INDP [{self.awaited}]"
         words = [order.text() for order in self.orders]
@@ -99,6 +108,9 @@ def interpreted(lines: list[Line], model: Model):
     uncertain = {"Z"}
     known = dict.fromkeys(AXES, 0.0)
     for line in lines:
+        if line.exchanged:
+            tick = yield from exchanged(line.exchanged, model, known)
+            uncertain.add("Z")
         if line.awaited:
             needed = [axis for axis in line.awaited if axis in independent | uncertain]
         else:
@@ -128,11 +140,31 @@ def interpreted(lines: list[Line], model: Model):
             tick = yield from read(awaited, model, independent, uncertain, known)
 
 
-def read(axes, model, independent, uncertain, known):
+def exchanged(axis, model, known):
+    """Answer when the channel has given the axis and has it again.
+
+    Both commands wait for all axes that the channel has, the second one for the axis as well. The
+    next block still asks for axes that moved beside the path.
+    """
+    yield from stand(AXES, model)
+    tick = yield from stand(AXES.replace(axis, ""), model)
+    while axis not in model.standing:
+        tick = yield
+    known.update(model.places)
+    return tick
+
+
+def stand(axes, model):
     """Answer at the end of the first tick in which all of them stand."""
     tick = yield
     while not model.standing.issuperset(axes):
         tick = yield
+    return tick
+
+
+def read(axes, model, independent, uncertain, known):
+    """Answer when all of them stand, with their places."""
+    tick = yield from stand(axes, model)
     uncertain.add("Z")
     for axis in axes:
         known[axis] = model.places[axis]
@@ -147,7 +179,10 @@ def random_lines(source: random.Random) -> list[Line]:
     places = [float(place) for place in range(-8, 9)]
     known = [0.0]
     for _ in range(source.randrange(2, 7)):
-        kind = source.randrange(4)
+        kind = source.randrange(5)
+        if kind == 4:
+            lines.append(Line(exchanged=source.choice("XY")))
+            continue
         if kind == 0:
             lines.append(Line(awaited=source.choice(AXES)))
             continue
@@ -186,7 +221,7 @@ class Mover(Plc):
 
 @each_seed(compiled=12, plain=4)
 def test_programs_cycles_and_the_plc_move_axes_as_the_rules_say(seed: int) -> None:
-    """SA-1 … SA-6: each place in each tick, from which also follows that limits hold."""
+    """SA-1 … SA-6, exchanges: each place in each tick, from which also follows that limits hold."""
     source = random.Random(seed)
     lines = random_lines(source)
     of_cycle, of_plc = source.randrange(1, 300), source.randrange(1, 300)

@@ -7,9 +7,12 @@ Sources: programming manual, pages 208235275 (PUTAX, CALLAX) and 206987659 (#CAL
 
 from __future__ import annotations
 
+import random
 from pathlib import Path
 
+import numpy as np
 import pytest
+from support.random_seeds import each_seed
 from support.run_folders import changed_machine
 
 from nctakt.cli import main
@@ -227,3 +230,55 @@ def test_a_tape_of_an_exchange_is_replayed(
         session.save("exchange.tape")
     assert main(["replay", "exchange.tape", "--root", "/"]) == 0
     assert "error" not in capsys.readouterr().err
+
+
+# --- at random ------------------------------------------------------------------------------------
+
+
+def random_programs(draw: random.Random) -> tuple[list[str], list[str]]:
+    """Channel 1 gives the axis of its spindle and wants it back, channel 2 fetches and moves it."""
+    one = ["M19 S.POS30 S60"]
+    for _ in range(draw.randint(1, 3)):
+        one += ["S[PUTAX]", f"G04 {draw.choice((0.0, 0.01, 0.05))}", "S[CALLAX]"]
+        one += draw.choice(([], [f"M19 S.POS{draw.randrange(360)} S60"], ["G04 0.03"]))
+    if draw.random() < 0.5:
+        one.append("S[PUTAX]")
+    two = []
+    for _ in range(draw.randint(1, 3)):
+        two += ["#CALL AX [C, 5, 3]", f"G01 C{draw.randrange(360)} F60000"]
+        two += [*draw.choice(([], ["G04 0.02"])), "#PUT AX [C]"]
+        two += draw.choice(([], ["G04 0.01"]))
+    return one, two
+
+
+def judged(found: Run) -> set[int]:
+    """Follow who has the axis, event by event; return the channels that wait at the end."""
+    holder, waiting = 1, set()
+    for channel, told in exchanges(found):
+        what = told.split()[1]
+        if what == "awaited":
+            assert (holder, told.split()[2]) == (3 - channel, f"CH{holder}")
+            waiting.add(channel)
+        elif what == "given":
+            assert holder == channel
+            holder = 0
+        else:
+            assert (what, holder) == ("taken", 0)
+            holder = channel
+            waiting.discard(channel)
+    return waiting
+
+
+@each_seed(compiled=8, plain=3)
+def test_random_exchanges_have_one_holder_and_no_step(seed: int) -> None:
+    """Who waits for what never comes is told (901506), nobody else; the spindle, which turns with
+    its axis, never turns farther in a tick than it can at 60000°/min.
+    """
+    one, two = random_programs(random.Random(seed))
+    found = run(one, two)
+    waiting = judged(found)
+    assert numbers(found) == [901506] * bool(waiting), (one, two)
+    assert found.trace is not None
+    steps = np.diff(found.trace["CH1.S.POSITION"])
+    steps = (steps + 180.0) % 360.0 - 180.0
+    assert np.abs(steps).max() <= 1.0 + 1e-9, (one, two)

@@ -152,6 +152,7 @@ def test_lines_are_short(capsys: Captured) -> None:
         ("hli_axis.command", "hli_axis.command: value of the interface to the PLC"),
         ("PATH_SPEED", "hli_channel.path_speed: value of the interface to the PLC"),
         ("HLI.OVERRIDE", "hli_command.override: value of the interface to the PLC"),
+        ("HLI.S2.OVERRIDE", "hli_spindle_command.override: value of the interface to the PLC"),
         ("rc-105", "RC-105: rule of realtime cycles"),
         ("RC-001", "RC-001: rule of realtime cycles"),
         ("V.E.CONDITION", "V.E.CONDITION: variable of the machine demo"),

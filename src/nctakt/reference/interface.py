@@ -15,6 +15,8 @@ from nctakt.hli.layout import (
     PANEL,
     PREFIX,
     SPINDLE,
+    SPINDLE_COMMAND,
+    SPINDLE_OVERRIDE,
     STRUCTURES,
     Entry,
     Structure,
@@ -107,6 +109,9 @@ def _find(word: str) -> tuple[Article, ...]:
     outside = PREFIX.lower()
     if name.startswith(outside):
         name = name.removeprefix(outside)
+        spindle, dot, value = name.rpartition(".")
+        if dot and value == SPINDLE_OVERRIDE.name and "." not in spindle:
+            name = f"{SPINDLE_COMMAND.name}.{value}"  # HLI.S2.OVERRIDE
     name = _OTHER_NAMES.get(name, name)
     return tuple(
         article for article in _all() if name in (article.name, article.name.rpartition(".")[2])

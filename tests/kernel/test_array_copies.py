@@ -8,7 +8,7 @@ import pytest
 from nctakt.kernel.state import ArrayCopies, PlainArrayCopies
 
 
-@pytest.mark.parametrize("kind", [ArrayCopies, PlainArrayCopies])
+@pytest.mark.parametrize("kind", [ArrayCopies, PlainArrayCopies], ids=["in_force", "plain"])
 def test_content_comes_back_until_it_is_taken_again(kind: type[PlainArrayCopies]) -> None:
     """Arrays of any length keep their places; what was taken last is put back."""
     arrays = [bytearray(b"first"), bytearray(), bytearray(b"second")]
@@ -25,7 +25,7 @@ def test_content_comes_back_until_it_is_taken_again(kind: type[PlainArrayCopies]
     assert [bytes(one) for one in views] == [b"first", b"", b"latest"]
 
 
-@pytest.mark.parametrize("kind", [ArrayCopies, PlainArrayCopies])
+@pytest.mark.parametrize("kind", [ArrayCopies, PlainArrayCopies], ids=["in_force", "plain"])
 def test_what_cannot_be_written_is_refused(kind: type[PlainArrayCopies]) -> None:
     """Memory that is read only, or none at all, is no array."""
     with pytest.raises((TypeError, BufferError)):

@@ -207,7 +207,7 @@ class Inputs:
         They come after what is planned for their tick: a semaphore is checked with the data that
         were written before it.
         """
-        names = [str(one.values[0]) for one in inputs if one.kind == WRITE]
+        names = [str(one.values[0]) for one in inputs if one.kind == WRITE and one.values]
         with self._access.draft(names):
             tick = inputs[0].tick if inputs else 0
             for planned in self._planned if names else ():

@@ -26,7 +26,7 @@ class OneAtATime:
 
     def __init__(self) -> None:
         lock = threading.RLock()
-        self.begin = functools.partial(lock.acquire, blocking=False)
+        self.begin = functools.partial(lock.acquire, False)  # as a keyword it is slower
         self.end = lock.release
 
 

@@ -132,12 +132,14 @@ def test_a_log_without_a_signal(capsys: pytest.CaptureFixture[str]) -> None:
     assert "902527" in text
 
 
-def changed_log(name: str, *, late_s: float = 0.0, gain: float = 1.0, bias: float = 0.0) -> None:
-    """A log of 2 ms from 1.2345 s on: all late from N40 on, or with a gain and a bias."""
+def changed_log(
+    name: str, *, late_s: float = 0.0, gain: float = 1.0, bias: float = 0.0, step_s: float = 0.002
+) -> None:
+    """A log of a step from 1.2345 s on: all late from N40 on, or with a gain and a bias."""
     trace = Controller().run("part.nc", signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]).trace
     assert trace is not None
     ours = numpy.arange(trace.ticks) * 0.001
-    stamps = numpy.arange(0.0, ours[-1] + 2.5, 0.002)
+    stamps = numpy.arange(0.0, ours[-1] + 2.5, step_s)
     # N30 is a dwell of 0.2 s: both axes stand from 2.3 s to 2.4 s
     in_run = stamps - 1.2345
     in_run = numpy.where(in_run > 2.35, numpy.maximum(in_run - late_s, 2.35), in_run)
@@ -145,7 +147,7 @@ def changed_log(name: str, *, late_s: float = 0.0, gain: float = 1.0, bias: floa
         gain * numpy.interp(in_run, ours, trace[signal]) + bias
         for signal in ("X.ACS.ACT_POS", "Y.ACS.ACT_POS")
     ]
-    rows = "".join(f"{1000 * t:.1f},{x},{y}\n" for t, x, y in zip(stamps, *cells, strict=True))
+    rows = "".join(f"{1000 * t:.2f},{x},{y}\n" for t, x, y in zip(stamps, *cells, strict=True))
     Path(name).write_text("time_ms,X.ACS.ACT_POS,Y.ACS.ACT_POS\n" + rows, "utf-8")
 
 
@@ -163,17 +165,29 @@ def test_a_delay_in_the_middle_does_not_move_the_beginning(
     assert found["delays"][0]["jump_us"] == pytest.approx(50_000.0, abs=3_000.0)
 
 
-@pytest.mark.parametrize(("gain", "bias"), [(1.01, 0.0), (1.0, 0.5)])
+@pytest.mark.parametrize(
+    ("gain", "bias", "step_s"), [(1.01, 0.0, 0.002), (1.01, 0.0, 40e-6), (1.0, 0.5, 0.002)]
+)
 def test_gain_and_bias_are_no_delays(
-    gain: float, bias: float, capsys: pytest.CaptureFixture[str]
+    gain: float, bias: float, step_s: float, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Both are told as what they are, and the log is late nowhere."""
-    changed_log("scaled.csv", gain=gain, bias=bias)
+    """Both are told as what they are, and the log is late nowhere, however fast it is sampled."""
+    changed_log("scaled.csv", gain=gain, bias=bias, step_s=step_s)
     assert main(["compare", "scaled.csv", "part.nc"]) == 0
     text = capsys.readouterr().out
     assert f"the log is {gain:.5f} times the run, {bias:.4g} beside it" in text
     assert " ms later than before" not in text
     assert " ms earlier than before" not in text
+
+
+def test_a_delay_beside_a_gain(capsys: pytest.CaptureFixture[str]) -> None:
+    """1 % too far and 3 ms late from N40 on, with 25 samples a tick: each is what it is."""
+    changed_log("both.csv", gain=1.01, late_s=0.003, step_s=40e-6)
+    assert main(["compare", "both.csv", "part.nc", "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)["comparison"]
+    assert found["alignment"]["gain"] == pytest.approx(1.01, abs=1e-4)
+    assert [one["block"]["line"] for one in found["delays"]] == [4]
+    assert found["delays"][0]["jump_us"] == pytest.approx(3_000.0, rel=0.05)
 
 
 def test_another_override_makes_the_begin_uncertain(capsys: pytest.CaptureFixture[str]) -> None:

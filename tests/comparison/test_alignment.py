@@ -179,7 +179,7 @@ def test_delays_do_not_depend_on_stretches() -> None:
     stamps = numpy.arange(2000.0, 3.9e6, 2000.0)
     late = numpy.where(stamps < 2e6, 0.0, 4000.0)
     differences = 1.02 * curve.at(stamps - late) + 3.0 - curve.at(stamps)
-    slopes = curve.slope_at(stamps)
+    slopes, values = curve.slope_at(stamps), curve.at(stamps)
     blocks = [
         Event(time // 1000, time, "block", "", Span("part.nc", time // 1_000_000 + 1, 1, 2))
         for time in (0, 1_000_000, 2_000_000, 3_000_000)
@@ -189,7 +189,7 @@ def test_delays_do_not_depend_on_stretches() -> None:
         gathered = BlockDelays(blocks, 1000, is_scaled=True)
         for begin in range(0, len(stamps), length):
             part = slice(begin, begin + length)
-            gathered.add(stamps[part], differences[part], slopes[part])
+            gathered.add(stamps[part], differences[part], slopes[part], values[part])
         gathered.end_signal()
         found.append([(one.time_us, one.jump_us) for one in gathered.found()])
     assert [time for time, _ in found[0]] == [2_000_000]
@@ -208,6 +208,56 @@ def test_a_block_in_which_little_moves_tells_nothing(moving: int, told: list[flo
     slopes = numpy.repeat([1.0, 0.0], [100 + moving, 100 - moving])
     late = numpy.repeat([0.0, 1000.0], 100)  # by 1 ms from the second block on
     for _ in range(6):
-        gathered.add(numpy.arange(200) * 1000.0, -slopes * late, slopes)
+        gathered.add(numpy.arange(200) * 1000.0, -slopes * late, slopes, numpy.cumsum(slopes))
         gathered.end_signal()
     assert [one.jump_us for one in gathered.found()] == pytest.approx(told)
+
+
+@pytest.mark.parametrize("samples", [1, 25])
+@pytest.mark.parametrize(("apart", "told"), [(700.0, [600.0]), (1000.0, [])])
+def test_samples_within_a_tick_say_what_one_says(
+    samples: int, apart: float, told: list[float]
+) -> None:
+    """LG-706: 600 µs later and ± ``apart`` from tick to tick, 100 ticks before and after.
+
+    The square of each error is 100 · apart² / 99 / 100, so that five errors of the jump are
+    497 µs or 711 µs, however many samples a tick has.
+    """
+    blocks = [Event(tick, 1000 * tick, "block", "", None) for tick in (0, 100)]
+    ticks = numpy.arange(200 * samples) // samples
+    times = numpy.arange(200 * samples) * (1000.0 / samples)
+    late = numpy.where(ticks < 100, 0.0, 600.0) + numpy.where(ticks % 2, apart, -apart)
+    slopes = numpy.ones(len(times))
+    gathered = BlockDelays(blocks, 1000, is_scaled=False)
+    gathered.add(times, -slopes * late, slopes, times)
+    gathered.end_signal()
+    assert [one.jump_us for one in gathered.found()] == pytest.approx(told)
+
+
+@pytest.mark.parametrize(("late_us", "told"), [(0.0, []), (900.0, [900.0])])
+def test_a_gain_is_no_delay_where_the_speed_follows_the_position(
+    late_us: float, told: list[float]
+) -> None:
+    """LG-706: 1 % too far, and later from the second block on; both are told apart.
+
+    The axis only accelerates, so that where it is farther it is faster, too.
+    """
+    blocks = [Event(tick, 1000 * tick, "block", "", None) for tick in (0, 100)]
+    tick = numpy.arange(200.0)
+    speed = 1.0 + tick % 100
+    place = numpy.cumsum(speed)
+    differences = 0.01 * place - speed * numpy.where(tick < 100, 0.0, late_us)
+    gathered = BlockDelays(blocks, 1000, is_scaled=True)
+    gathered.add(tick * 1000.0, differences, speed, place)
+    gathered.end_signal()
+    assert [one.jump_us for one in gathered.found()] == pytest.approx(told)
+
+
+def test_at_a_constant_speed_a_log_with_a_bias_is_late_nowhere() -> None:
+    """LG-702: there a delay and a bias are one, so that no block tells one."""
+    blocks = [Event(tick, 1000 * tick, "block", "", None) for tick in (0, 100)]
+    slopes, places = numpy.ones(200), numpy.arange(200.0)
+    gathered = BlockDelays(blocks, 1000, is_scaled=True)
+    gathered.add(places * 1000.0, numpy.repeat([0.0, -900.0], 100), slopes, places)
+    gathered.end_signal()
+    assert gathered.found() == []

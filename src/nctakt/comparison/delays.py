@@ -4,7 +4,10 @@
 Within a block the deviation of a moving axis is its speed times the time that the log is late, and
 a rest. Where that time jumps from one block to the next, something took longer on the machine: a
 dwell, a function that waits, a corner. A log with a gain or a bias is always beside the run: there
-counts how deviation and speed change together within the block.
+counts how deviation and speed change together within the block, less what position explains.
+
+Samples within one tick say together what one says: the run is known once a tick, so that a log that
+is sampled faster is not surer where the log is late.
 """
 
 from __future__ import annotations
@@ -22,14 +25,21 @@ from nctakt.trace.events import Event
 
 #: The smallest jump that counts, in µs and in standard errors.
 _MIN_JUMP_US, _SIGNIFICANT = 500.0, 5.0
-#: Smallest number of samples of a block in which a signal moves.
+#: Share of the jumps so far that a jump has at least in a log with a gain or a bias: there a delay
+#: is known from the ramps of the speed alone, less exactly the nearer it is to how long they take.
+_UNSURE_SHARE = 0.5
+#: Smallest number of ticks of a block that have samples and in which a signal moves.
 _MIN_MOVING = 5
 #: Variance below which two delays cannot be distinguished, in µs².
 _MIN_VARIANCE = 1.0
 #: Variance of a speed, as a share of its square, up to which it is constant.
 _CONSTANT = 1e-12
+#: Share of the variance of a speed, up to which the position explains it.
+_EXPLAINED = 1e-6
 #: How many sums each block has.
 _SUMS = 4
+#: Which rows of slopes (0), differences (1) and values (2) are multiplied.
+_PRODUCTS = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,15 +68,16 @@ class BlockDelays:
             if isinstance(blocks, StoredEvents)
             else numpy.array([event.tick for event in blocks], dtype=numpy.float64)
         )
+        self._cycle_time_us = cycle_time_us
         self._begins = ticks * float(cycle_time_us)
         self._sums = numpy.zeros((_SUMS, len(blocks) + 1))
         self._moving = numpy.zeros(len(blocks) + 1)
         self._signal = _SignalSums(len(blocks) + 1, is_scaled)
 
-    def add(self, times: Numbers, differences: Numbers, slopes: Numbers) -> None:
-        """Add a stretch of a signal: times of the run, log minus run, and the run's slopes.
+    def add(self, times: Numbers, differences: Numbers, slopes: Numbers, values: Numbers) -> None:
+        """Add a stretch of a signal: times of the run, log minus run, the run's slopes and values.
 
-        Both are shares of the signal's span; blocks in which nothing moves say nothing.
+        All but times are shares of the signal's span; blocks in which nothing moves say nothing.
         """
         first, last = numpy.searchsorted(self._begins, times[[0, -1]], side="right")
         starts = numpy.append(0, numpy.searchsorted(times, self._begins[first:last]))
@@ -74,27 +85,32 @@ class BlockDelays:
         has_samples = sizes > 0
         number = first + numpy.flatnonzero(has_samples)
         starts, sizes = starts[has_samples], sizes[has_samples]
-        self._signal.add(number, starts, sizes, slopes, differences)
+        ticks = times // self._cycle_time_us
+        self._signal.add(number, starts, sizes, ticks, numpy.stack([slopes, differences, values]))
 
     def end_signal(self) -> None:
         """End a signal: what is added afterwards is another one's."""
-        self._sums += self._signal.without_constant_speeds()
-        self._moving = numpy.maximum(self._moving, self._signal.moving)
+        sums = self._signal.without_position()
+        self._sums += sums
+        self._moving = numpy.maximum(self._moving, sums[2])
         self._signal = _SignalSums(self._sums.shape[1], self._is_scaled)
 
     def found(self) -> list[Delay]:
         """Return where the log becomes later or earlier, in the order of the blocks."""
         delays: list[Delay] = []
         weights = weighted = 0.0  # of the blocks since the last jump
+        late_by = 0.0  # the sum of the jumps
         for number in map(int, numpy.flatnonzero(self._moving >= _MIN_MOVING)):
             late, variance = self._late(number)
             if weights > 0.0:
                 jump = late - weighted / weights
                 limit = _SIGNIFICANT * (variance + 1.0 / weights) ** 0.5
-                if abs(jump) > max(_MIN_JUMP_US, limit):
+                unsure = _UNSURE_SHARE * abs(late_by) if self._is_scaled else 0.0
+                if abs(jump) > max(_MIN_JUMP_US, limit, unsure):
                     block = self._blocks[number - 1]
                     delays.append(Delay(block.span, block.time_us, jump))
                     weights = weighted = 0.0
+                    late_by += jump
             weights += 1.0 / variance
             weighted += late / variance
         return delays
@@ -108,56 +124,64 @@ class BlockDelays:
 
 
 class _SignalSums:
-    """Sums of a signal in each block: slopes², slopes · differences, moving samples, differences².
+    """Sums of a signal in each block: products of slopes, differences and values, moving ticks.
 
-    With ``is_scaled`` slopes and differences count less their mean in the block, whatever the
-    stretches are: the sums of two of them add up with the distance of their means.
+    With ``is_scaled`` all three count less their mean in the block, whatever the stretches are: the
+    sums of two of them add up with the distance of their means.
     """
 
     def __init__(self, size: int, is_scaled: bool) -> None:
         self._is_scaled = is_scaled
-        self._sums: Numbers = numpy.zeros((_SUMS, size))
-        self._sizes, self._slopes, self._differences = numpy.zeros((3, size))
+        self._products: Numbers = numpy.zeros((len(_PRODUCTS), size))
+        self._sizes, self._moving = numpy.zeros((2, size))
+        self._means: Numbers = numpy.zeros((3, size))
+        self._tick = -1.0
 
     def add(
         self,
         number: NDArray[numpy.int64],
         starts: NDArray[numpy.int64],
         sizes: NDArray[numpy.int64],
-        slopes: Numbers,
-        differences: Numbers,
+        ticks: Numbers,
+        rows: Numbers,
     ) -> None:
-        """Add a stretch; ``starts``: where in it the blocks of a ``number`` begin."""
-        self._sums[2, number] += numpy.add.reduceat((slopes != 0.0).astype(float), starts)
+        """Add a stretch; ``starts``: where in it the blocks of a ``number`` begin.
+
+        ``ticks``: of the samples; ``rows``: slopes, differences, values.
+        """
+        is_new = numpy.diff(ticks, prepend=self._tick) != 0.0
+        self._tick = float(ticks[-1])
+        counts = (is_new & (rows[0] != 0.0)).astype(float)
+        self._moving[number] += numpy.add.reduceat(counts, starts)
+        apart: Numbers = numpy.zeros((3, len(number)))
+        weight: Numbers = numpy.zeros(len(number))
         if self._is_scaled:
-            slope, difference = (
-                numpy.add.reduceat(one, starts) / sizes for one in (slopes, differences)
-            )
-            slopes = slopes - numpy.repeat(slope, sizes)
-            differences = differences - numpy.repeat(difference, sizes)
-            slope -= self._slopes[number]
-            difference -= self._differences[number]
+            means = numpy.add.reduceat(rows, starts, axis=1) / sizes
+            rows = rows - numpy.repeat(means, sizes, axis=1)
             before = self._sizes[number]
             share = sizes / (before + sizes)
-            self._slopes[number] += slope * share
-            self._differences[number] += difference * share
+            apart, weight = means - self._means[:, number], before * share
+            self._means[:, number] += apart * share
             self._sizes[number] += sizes
-            apart = before * share
-            self._sums[0, number] += slope * slope * apart
-            self._sums[1, number] += slope * difference * apart
-            self._sums[3, number] += difference * difference * apart
-        self._sums[0, number] += numpy.add.reduceat(slopes * slopes, starts)
-        self._sums[1, number] += numpy.add.reduceat(slopes * differences, starts)
-        self._sums[3, number] += numpy.add.reduceat(differences * differences, starts)
+        for sums, (one, other) in zip(self._products, _PRODUCTS, strict=True):
+            sums[number] += numpy.add.reduceat(rows[one] * rows[other], starts)
+            sums[number] += apart[one] * apart[other] * weight
 
-    @property
-    def moving(self) -> Numbers:
-        """How many samples move in each block."""
-        counts: Numbers = self._sums[2]
-        return counts
+    def without_position(self) -> Numbers:
+        """Return slopes², slopes · differences, moving ticks, differences².
 
-    def without_constant_speeds(self) -> Numbers:
-        """Return the sums; at constant speed a delay cannot be told from a bias."""
-        is_constant = self._sums[0] <= _CONSTANT * self._sizes * self._slopes**2
-        self._sums[:3, is_constant] = 0.0
-        return self._sums
+        With ``is_scaled`` less what the values explain, as those of a gain do. At a constant speed
+        a delay cannot be distinguished from a bias, at one that the values explain not from a gain.
+        """
+        slopes, both, differences, of_slopes, of_differences, squares = self._products
+        sums = numpy.stack([slopes, both, self._moving, differences])
+        if self._is_scaled:
+            divisor = numpy.where(squares > 0.0, squares, 1.0)
+            sums[0] -= of_slopes**2 / divisor
+            sums[1] -= of_slopes * of_differences / divisor
+            sums[3] -= of_differences**2 / divisor
+            limit = numpy.maximum(
+                _CONSTANT * self._sizes * self._means[0] ** 2, _EXPLAINED * slopes
+            )
+            sums[:3, sums[0] <= limit] = 0.0
+        return sums

@@ -136,7 +136,7 @@ def _beside(
         ours = curve.of_ticks(times) if pair.signal.integral else curve.at(times)
         differences = values - ours
         if span > 0.0 and delays is not None:
-            delays.add(times, differences / span, curve.slope_at(times) / span)
+            delays.add(times, differences / span, curve.slope_at(times) / span, ours / span)
         yield times, values, differences
     if delays is not None:
         delays.end_signal()

@@ -15,6 +15,8 @@ from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.script import Plc
 from nctakt.proposals.changes import Change, changes_by_axis, changes_of
+from nctakt.proposals.nearer import Proposal, Proposals
+from nctakt.proposals.report import proposals_document, proposals_text
 from nctakt.run.controller import Controller
 from nctakt.studies.plans.changed_lists import changed_machine
 from nctakt.studies.plans.faults import FaultyPlc, PlcFaults
@@ -37,6 +39,8 @@ def _part(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         ("HLI.OVERRIDE", [], 80.0),
         ("P-AXIS-00008", ["X", "Y"], 2500.0),
         ("P-AXIS-00008", ["Y"], 1500.0),
+        ("P-AXIS-00209", ["X", "Y"], 200_000.0),
+        ("P-AXIS-00212", ["X", "Y"], 150_000.0),
         ("M10", [], 42_000.0),
     ],
 )
@@ -58,6 +62,52 @@ def test_the_change_is_found(
     assert (found[0]["target"], found[0]["of"]) == (target, owners)
     assert found[0]["value"] == pytest.approx(value, rel=0.01)
     assert found[0]["distance"] < 1e-3
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize(
+    ("target", "value", "others"),
+    [
+        ("P-AXIS-00196", 20_000.0, set()),
+        ("P-AXIS-00196", 200_000.0, set()),
+        ("P-AXIS-00198", 100_000.0, {"P-AXIS-00195", "P-AXIS-00197"}),
+    ],
+)
+def test_another_jerk_is_found_or_one_of_several(
+    target: str, value: float, others: set[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The slowest ramp makes the jerk of a path: a log does not say which of three it is."""
+    Path("part.nc").write_text(f"#SLOPE [TYPE=TRAPEZ]\n{PART}", "utf-8")
+    machine = changed_machine(load_machine(None), {(target, axis): value for axis in "XY"})
+    with Path("log.csv").open("w", encoding="utf-8", newline="") as file:
+        Controller(machine).run("part.nc", signals=SIGNALS, sinks=[CsvSink(file)])
+    words = ["compare", "log.csv", "part.nc", "--propose", "--format", "json", "--quiet"]
+    assert main(words) == 0
+    proposals = json.loads(capsys.readouterr().out)["comparison"]["proposals"]
+    first = proposals["found"][: proposals["equal"]]
+    assert {one["target"] for one in first} == {target, *others}
+    assert ["X", "Y"] in [one["of"] for one in first if one["target"] == target]
+    for one in first:
+        assert one["value"] == pytest.approx(value, rel=0.01)
+        assert one["distance"] < 1e-3
+
+
+def proposed(target: str, distance: float) -> Proposal:
+    """A proposal of 80 instead of 50 for an axis."""
+    return Proposal(Change("parameter", target, ("X",), 50.0, 50.0, "µs"), 80.0, distance)
+
+
+@pytest.mark.parametrize(
+    ("distances", "equal"), [((), 0), ((0.1,), 1), ((0.1, 0.103), 1), ((0.1, 0.102, 0.2), 2)]
+)
+def test_what_comes_equally_near_is_told(distances: tuple[float, ...], equal: int) -> None:
+    """Up to 2 % more than the first one is as near: then the log does not choose."""
+    found = [proposed(f"P-AXIS-0019{n}", one) for n, one in enumerate(distances, 5)]
+    proposals = Proposals(0.5, 20, found)
+    assert proposals.equal == equal
+    assert proposals_document(proposals)["equal"] == equal
+    text = proposals_text(proposals, "en")
+    assert ("The first 2 come equally near: the log does not say which" in text) is (equal == 2)
 
 
 def test_what_is_tried() -> None:

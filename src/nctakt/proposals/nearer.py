@@ -10,7 +10,9 @@ where it is, so that none is near by being short.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+
+import numpy
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
@@ -28,12 +30,15 @@ _FIRST = (0.7, 1.4)
 _FACTORS = (0.1, 0.2, 0.35, 0.5, 0.7, 0.85, 1.2, 1.4, 2.0, 3.0, 5.0, 10.0)
 #: Delays of a function that are tried, in µs.
 _DELAYS_US = (3e3, 1e4, 3e4, 1e5, 3e5, 1e6, 3e6)
-#: Changes for which these values are tried; for how many runs close in on the best, and rounds.
-_COARSE, _REFINED, _ROUNDS = 12, 3, 14
+#: Changes for which these values are tried, for which those around the best one are, and for how
+#: many runs close in on it; rounds of that.
+_COARSE, _CLOSER, _REFINED, _ROUNDS = 12, 6, 3, 14
 #: The largest share of the distance that a proposal leaves, and how many are made.
 _LEFT, _MAX_PROPOSALS = 0.8, 5
 #: A better value by less than this share is as good as the rounder one.
 _AS_GOOD = 1.02
+#: Into how many parts the values around the best one are divided before the search closes in.
+_PARTS = 8
 #: A distance that is rounding, as a share of the curves' spans.
 _EQUAL = 1e-9
 _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
@@ -60,6 +65,14 @@ class Proposals:
     distance: float
     runs: int
     found: Sequence[Proposal]
+
+    @property
+    def equal(self) -> int:
+        """How many of those found, the first included, come equally near."""
+        if not self.found:
+            return 0
+        limit = _AS_GOOD * self.found[0].distance + _EQUAL
+        return sum(one.distance <= limit for one in self.found)
 
 
 class Search:
@@ -92,18 +105,31 @@ class Search:
         ]
         run = self._run
         functions = [one.name for one in run.outputs] if self._jumps else []
-        promising: list[tuple[float, int, Change]] = []
+        groups: dict[tuple[float, ...], list[Change]] = {}
         for change in changes_of(machine, moving, functions, override, run.cycle_time_us):
             for one in (change, *self._parts(machine, change)):
-                nearest = min(self._tried(one, value) for value in self._first(one))
-                if nearest < self._before:
-                    promising.append((nearest, len(promising), one))
-        coarse = [self._nearest(change) for _, _, change in sorted(promising)[:_COARSE]]
-        best = sorted(coarse, key=lambda one: one.distance)[:_REFINED]
-        found = [self._refined(one.change) for one in best]
+                distances = tuple(self._tried(one, value) for value in self._first(one))
+                if min(distances) < self._before:
+                    groups.setdefault(distances, []).append(one)
+        promising = [groups[distances] for distances in sorted(groups, key=min)[:_COARSE]]
+        promising.sort(key=lambda group: self._nearest(group[0], self._values(group[0])).distance)
+        promising = promising[:_CLOSER]
+        promising.sort(key=lambda group: self._nearest(group[0], self._around(group[0])).distance)
+        found = [one for group in promising[:_REFINED] for one in self._of_group(group)]
         near = [one for one in found if one.distance <= _LEFT * self._before]
         near.sort(key=lambda one: one.distance)
-        return Proposals(self._before, len(self._known), near[:_MAX_PROPOSALS])
+        all_ = Proposals(self._before, len(self._known), near)
+        return Proposals(all_.distance, all_.runs, near[: max(all_.equal, _MAX_PROPOSALS)])
+
+    def _of_group(self, group: Sequence[Change]) -> Iterator[Proposal]:
+        """Yield the proposals of changes that do the same at the values tried first."""
+        first = self._refined(group[0])
+        yield first
+        for change in group[1:]:
+            if self._tried(change, first.value) == first.distance:
+                yield Proposal(change, first.value, first.distance)
+            else:
+                yield self._refined(change)
 
     def _parts(self, machine: Machine, change: Change) -> list[Change]:
         """Return the change of each axis alone, if that of all has an effect."""
@@ -121,16 +147,22 @@ class Search:
             return sorted({0.0, *_DELAYS_US, *self._jumps})
         return [_possible(change, factor * change.guess) for factor in _FACTORS]
 
-    def _nearest(self, change: Change) -> Proposal:
-        """Return the best of these values."""
+    def _around(self, change: Change) -> list[float]:
+        """Return the values around the best one of ``_values``, ascending."""
         values = self._values(change)
+        at = values.index(self._nearest(change, values).value)
+        low, high = values[max(at - 1, 0)], values[min(at + 1, len(values) - 1)]
+        return sorted({values[at], *numpy.linspace(low, high, _PARTS + 1).tolist()})
+
+    def _nearest(self, change: Change, values: Sequence[float]) -> Proposal:
+        """Return the best of some values."""
         value = min(values, key=lambda one: self._tried(change, one))
         return Proposal(change, value, self._tried(change, value))
 
     def _refined(self, change: Change) -> Proposal:
         """Return the best value of a change, as round as it may be."""
-        values = self._values(change)
-        at = values.index(self._nearest(change).value)
+        values = self._around(change)
+        at = values.index(self._nearest(change, values).value)
         low, high = values[max(at - 1, 0)], values[min(at + 1, len(values) - 1)]
         inner = [high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)]
         for _ in range(_ROUNDS):

@@ -27,6 +27,10 @@ _HEADS = (
     Text("then", "dann"),
     Text("RMS", "RMS"),
 )
+_EQUAL = Text(
+    "The first {count} come equally near: the log does not say which one of them it is.",
+    "Die ersten {count} kommen gleich nahe: Welche davon es ist, sagt die Aufzeichnung nicht.",
+)
 _OF = Text("{target} of {owners}", "{target} von {owners}")
 _LATE = Text("{target} acknowledged later", "{target} später quittiert")
 
@@ -38,9 +42,10 @@ def proposals_text(proposals: Proposals, language: Language) -> str:
         return _NONE.get(language).format(**words) + "\n"
     rows = tuple(_row(one, language) for one in proposals.found)
     heads = tuple(head.get(language) for head in _HEADS)
-    return (
-        "\n".join([_TITLE.get(language).format(**words), *plain_table(Table(heads, rows))]) + "\n"
-    )
+    lines = [_TITLE.get(language).format(**words), *plain_table(Table(heads, rows))]
+    if proposals.equal > 1:
+        lines.append(_EQUAL.get(language).format(count=proposals.equal))
+    return "\n".join(lines) + "\n"
 
 
 def _row(one: Proposal, language: Language) -> tuple[str, ...]:
@@ -75,6 +80,7 @@ def proposals_document(proposals: Proposals) -> dict[str, Any]:
     return {
         "distance": proposals.distance,
         "runs": proposals.runs,
+        "equal": proposals.equal,
         "found": [
             {
                 "kind": one.change.kind,

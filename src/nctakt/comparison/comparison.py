@@ -127,7 +127,8 @@ def compare(
 
 def _findings(log: Log, alignment: Alignment, *, is_searched: bool) -> list[Diagnostic]:
     """Return what reading and aligning the log left open."""
-    found = list(dict.fromkeys(log.notes))  # it may have been read before
+    # it may have been read before
+    found = [one for at, one in enumerate(log.notes) if one not in log.notes[:at]]
     if alignment.reason is not None:
         found.append(diagnostic(TIMES_NOT_ALIGNED, reason=alignment.reason))
     elif is_searched and alignment.is_uncertain:

@@ -203,9 +203,13 @@ def test_another_override_makes_the_begin_uncertain(capsys: pytest.CaptureFixtur
 
 
 def test_a_log_that_is_not_utf_8_is_compared(capsys: pytest.CaptureFixture[str]) -> None:
-    """What reading finds out comes with the answer, not in its place."""
+    """What reading finds out comes with the answer, not in its place; ``--quiet`` hides it."""
     changed_log("plain.csv")
     head, rest = Path("plain.csv").read_text("utf-8").split("\n", 1)
     Path("latin.csv").write_text(f"{head},Kühlung\n{rest}", "latin-1")
     assert main(["compare", "latin.csv", "part.nc"]) == 0
-    assert "the run begins 1.234500 s" in capsys.readouterr().out
+    shown = capsys.readouterr()
+    assert "the run begins 1.234500 s" in shown.out
+    assert "902526" in shown.err
+    assert main(["compare", "latin.csv", "part.nc", "--quiet"]) == 0
+    assert "902526" not in capsys.readouterr().err

@@ -120,6 +120,21 @@ def test_stamps_that_several_samples_share(tmp_path: Path) -> None:
     assert numbers(log) == [902525]
 
 
+def test_cells_without_a_number_and_gaps_are_noted(tmp_path: Path) -> None:
+    """Of ten rows, 1 ms apart, two have no number of x; then none comes for 21 ms: 21 periods.
+
+    A step of 20 periods is no gap yet; a row without a time is no time of any column.
+    """
+    rows = [f"{at},{'nan' if at in (3, 4) else at},{at}" for at in range(10)]
+    log = opened(tmp_path, "time_ms,x,y\n" + "\n".join([*rows, "30,1,1", ",5,5", "50,2,2"]) + "\n")
+    assert {name: len(found) for name, found in samples(log).items()} == {"x": 10, "y": 12}
+    assert [(one.id, one.values) for one in log.notes] == [
+        (902864, {"name": "x", "count": 2}),
+        (902865, {"name": "x", "length": "21", "time": "0.009", "period": "1"}),
+        (902865, {"name": "y", "length": "21", "time": "0.009", "period": "1"}),
+    ]
+
+
 def test_encodings(tmp_path: Path) -> None:
     """UTF-8 with a mark, UTF-16, and what Windows wrote, which is told."""
     text = "t;Höhe [°]\n0;1\n"
@@ -176,7 +191,7 @@ def test_a_log_of_any_length_is_read_in_parts(tmp_path: Path) -> None:
     assert (values[10], values[149_850]) == (1.0, 0.0)
     wrong = [at for at, row in enumerate(expected) if values[at] != row / 8]
     assert wrong == [10, 149_850]
-    assert numbers(log) == [902525]
+    assert numbers(log) == [902525, 902864]
     assert all(
         times[at] == row * 1000.0 + (0.0 if row >= 180_000 and row % 2 else 500.0)
         for at, row in enumerate(expected)

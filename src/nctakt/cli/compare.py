@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Severity, Text
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.common.help import described, option
 from nctakt.cli.common.log_options import LogWords, log_options, opened_log
@@ -168,7 +168,8 @@ def _compare(
         )
         if file is not None:
             _draw(file, comparison, options)
-    print_diagnostics(comparison.diagnostics, options.language, shown_from(options))
+    lowest = Severity.ERROR if options.quiet else Severity.NOTE
+    print_diagnostics(comparison.diagnostics, options.language, lowest)
     proposals = None
     if proposes:
         again = partial(_run_again, options, access, controller.machine, log.signals)

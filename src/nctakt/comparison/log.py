@@ -18,7 +18,16 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.comparison.columns import Beginning, Column, Numbers, NumberTable, range_of, stretches
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.comparison import EQUAL_STAMPS, LOG_IS_EMPTY, TIME_RUNS_BACK
+from nctakt.messages.commands.comparison import (
+    CELLS_LEFT_OUT,
+    EQUAL_STAMPS,
+    GAP_IN_LOG,
+    LOG_IS_EMPTY,
+    TIME_RUNS_BACK,
+)
+
+#: A step between samples that is so many times the usual one is a gap.
+_GAP_PERIODS = 20
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +96,9 @@ class Settling:
 
     ``samples``: how many there are; ``back_us``: the stamp before the first one that runs back,
     ``None`` for none; ``largest_group``: the largest number of samples that share a stamp;
-    ``period_us``: the median time between two stamps, of the first stretch that has two.
+    ``period_us``: the median time between two stamps, of the first stretch that has two;
+    ``left_out``: how many times have no number; ``gap_us``, ``gap_at_us``: the longest time between
+    two samples, and where it begins.
     """
 
     def __init__(self, times: Column, values: Column) -> None:
@@ -96,8 +107,13 @@ class Settling:
         self.back_us: float | None = None
         self.largest_group = 1
         self.period_us = 0.0
+        self.left_out = 0
+        self.gap_us = self.gap_at_us = 0.0
+        before = numpy.empty(0)
         for stamps, _ in self._distinct():
             self.samples += len(stamps)
+            self._note_gap(numpy.concatenate((before, stamps)))
+            before = stamps[-1:]
             if self.back_us is not None:
                 break
             if not self.period_us or (numpy.diff(stamps) == 0.0).any():
@@ -121,10 +137,13 @@ class Settling:
     def _distinct(self) -> Iterator[tuple[Numbers, Numbers]]:
         """Yield samples without repetitions; those that share a stamp come together."""
         held_times, held_values = numpy.empty(0), numpy.empty(0)
+        self.left_out = 0
         for one in stretches(len(self._times)):
             times, values = self._times[one], self._values[one]
-            is_number = numpy.isfinite(times) & numpy.isfinite(values)
+            has_time = numpy.isfinite(times)
+            is_number = has_time & numpy.isfinite(values)
             if not is_number.all():
+                self.left_out += int(numpy.count_nonzero(has_time & ~is_number))
                 times, values = times[is_number], values[is_number]
             times = numpy.concatenate((held_times, times))
             values = numpy.concatenate((held_values, values))
@@ -142,6 +161,12 @@ class Settling:
                 yield times[:end], values[:end]
         if len(held_times):
             yield held_times, held_values
+
+    def _note_gap(self, stamps: Numbers) -> None:
+        steps = numpy.diff(stamps)
+        if len(steps) and steps.max() > self.gap_us:
+            at = int(steps.argmax())
+            self.gap_us, self.gap_at_us = float(steps[at]), float(stamps[at])
 
     def _note_back(self, times: Numbers, steps: Numbers) -> None:
         is_back = steps < 0.0
@@ -179,9 +204,16 @@ class Log(abc.ABC):
             raise Failure(diagnostic(TIME_RUNS_BACK, file=self.file, name=name, time=at))
         if not settling.samples:
             raise Failure(diagnostic(LOG_IS_EMPTY, file=self.file, name=name))
+        period = f"{settling.period_us / 1e3:g}"
         if settling.largest_group > 1:
-            period = f"{settling.period_us / 1e3:g}"
             self.notes.append(
                 diagnostic(EQUAL_STAMPS, name=name, count=settling.largest_group, time=period)
+            )
+        if settling.left_out:
+            self.notes.append(diagnostic(CELLS_LEFT_OUT, name=name, count=settling.left_out))
+        if settling.gap_us > _GAP_PERIODS * settling.period_us > 0.0:
+            length, at = f"{settling.gap_us / 1e3:g}", f"{settling.gap_at_us / 1e6:g}"
+            self.notes.append(
+                diagnostic(GAP_IN_LOG, name=name, length=length, time=at, period=period)
             )
         return Samples(*settling.settled())

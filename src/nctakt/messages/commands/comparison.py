@@ -140,6 +140,24 @@ EQUAL_STAMPS = note(
     time=("the time between two stamps", "die Zeit zwischen zwei Zeitstempeln"),
     count=("the count", "die Anzahl"),
 )
+CELLS_LEFT_OUT = note(
+    902864,
+    en="{name} has no number at {count} of its times; these are no samples",
+    de="{name} hat zu {count} seiner Zeiten keine Zahl; das sind keine Werte",
+    remedy_en="Nothing, unless the machine should have recorded values there.",
+    remedy_de="Nichts, es sei denn, die Maschine sollte dort Werte aufgezeichnet haben.",
+    count=("how many", "wie viele"),
+)
+GAP_IN_LOG = note(
+    902865,
+    en="{name} has no sample for {length} ms after {time} s; {period} ms are usual",
+    de="{name} hat nach {time} s für {length} ms keinen Wert; üblich sind {period} ms",
+    remedy_en="What happened there is not compared.",
+    remedy_de="Was dort geschah, wird nicht verglichen.",
+    length=("how long the gap is", "wie lang die Lücke ist"),
+    time=("where it begins, in the log's time", "wo sie beginnt, in der Zeit des Logs"),
+    period=("the usual time between two samples", "die übliche Zeit zwischen zwei Werten"),
+)
 LOG_NOT_UTF8 = note(
     902526,
     en="{file} is no UTF-8; it is read as Windows-1252",

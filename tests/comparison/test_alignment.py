@@ -48,6 +48,20 @@ def test_offset_and_drift_are_found(step_us: float, gain: float) -> None:
     assert found.gain == pytest.approx(gain, abs=5e-5)
 
 
+def test_a_rest_says_nothing_about_a_drift() -> None:
+    """LG-704: 100 mm in 1.02 s with ramps in the run, in 1 s without any in the log; then 99 s.
+
+    The motion takes 1 s of 100: that it differs is no drift of 2 %.
+    """
+    times_s = numpy.arange(0.0, 100.0, 0.001)
+    ramps = numpy.minimum(times_s, 1.02 - times_s) / 0.02
+    run = numpy.cumsum(100.0 * numpy.clip(ramps, 0.0, 1.0)) * 0.001
+    log = Samples(1e6 * times_s, numpy.minimum(100.0 * times_s, 100.0))
+    found = align([(log, Curve(1000.0, run))])
+    assert found.reason is None
+    assert found.drift == 0.0
+
+
 def test_a_short_log_has_no_drift() -> None:
     """LG-704: in 20 s a drift of some ppm cannot be known."""
     curve = wandering(20.0, 2)

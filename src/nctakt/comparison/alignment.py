@@ -27,7 +27,7 @@ _SECOND_PEAK = 0.95
 _MIN_QUALITY = 0.5
 #: From this correlation on, and up to this distance of the gain from 1, it is sure.
 _SURE_QUALITY, _SURE_GAIN = 0.9, 0.05
-#: Shortest log for which a drift is reported, in µs.
+#: Shortest time from the first to the last motion for which a drift is reported, in µs.
 _DRIFT_FROM_US = 60e6
 #: Largest number of samples in the fit, and of its rounds.
 _MAX_FITTED, _ROUNDS = 200_000, 30
@@ -260,7 +260,7 @@ def _fine(
     """Return the alignment near a coarse offset, by one pair."""
     samples, curve = pair
     stamps, values = _fitted(samples)
-    may_drift = may_drift and float(stamps[-1] - stamps[0]) >= _DRIFT_FROM_US
+    may_drift = may_drift and _time_of_motion(stamps, curve, coarse_us) >= _DRIFT_FROM_US
     middle = float(stamps.mean())
     offset, drift, gain, bias = coarse_us, 0.0, 1.0, 0.0
     error = numpy.zeros(4)
@@ -288,6 +288,15 @@ def _fine(
         return _fine(pair, coarse_us, quality, may_drift=False)
     min_bias = max(_SIGNIFICANT * float(error[1]), _MIN_SCALE * float(numpy.ptp(values)))
     return Alignment(offset, drift, quality, gain, bias if abs(bias) > min_bias else 0.0)
+
+
+def _time_of_motion(stamps: Numbers, curve: Curve, offset_us: float) -> float:
+    """Return how long it takes from the first to the last motion of the curve, in µs.
+
+    Where a curve rests, nothing says whether the clocks differ.
+    """
+    moving = stamps[curve.slope_at(stamps - offset_us) != 0.0]
+    return float(moving[-1] - moving[0]) if len(moving) else 0.0
 
 
 def _fitted(samples: Samples) -> tuple[Numbers, Numbers]:

@@ -26,7 +26,7 @@ from nctakt.messages.commands.comparison import (
     TIME_RUNS_BACK,
 )
 
-#: A step between samples that is so many times the usual one is a gap.
+#: A step between two samples of more than this many usual ones is a gap.
 _GAP_PERIODS = 20
 
 

@@ -112,7 +112,7 @@ class ActiveTool:
     def announce(
         self, identity: Identity, command: str, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """Let the tool manager of the PLC get a tool ready, if it is told of T (P-CHAN-00087)."""
+        """Let the tool manager of the PLC get a tool ready, if T asks for that (P-CHAN-00087)."""
         informs = self._environment.parameters.tool_selection.informs_of_t
         if informs and any(identity) and self.manager.is_there:
             wrong, _ = yield from self.manager.ask(PREPARATION, identity, span, number)

@@ -69,7 +69,7 @@ class PlcProjects:
         ]
 
     def tidy(self) -> None:
-        """Collect what earlier checks have left, while nobody waits for an answer."""
+        """Collect what earlier checks have left, while no request waits for an answer."""
         projects = [one for one in self._projects.values() if one.has_garbage]
         for project in projects:
             project.has_garbage = False

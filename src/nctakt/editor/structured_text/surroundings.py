@@ -81,7 +81,7 @@ def surroundings(text: str, offset: int, title: str = "", *, is_declaration: boo
 
 
 def hidden_parts(text: str) -> Iterator[tuple[int, int]]:
-    """Yield begin and end of what is no code: comments, pragmas, texts.
+    """Yield where comments, pragmas and texts begin and end.
 
     What is open at the end of the text reaches to it; comments may be nested (ST-201).
     """

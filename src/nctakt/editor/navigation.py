@@ -180,7 +180,7 @@ def renamed_part(document: Document, item: Occurrence) -> tuple[int, int]:
 def rename(
     document: Document, position: Position, new: str, loaded: LoadedMachine, programs: Programs
 ) -> WorkspaceEdit | None:
-    """Return the edits that give a name another one, ``None`` where there is no name.
+    """Return the edits that rename what is at a place; ``None`` where there is no name.
 
     A name of the machine changes in its lists and in all its programs, one of a program in all
     programs that it calls and that call it. Raises ``Failure`` for a name that must not become the

@@ -40,7 +40,7 @@ from nctakt.st.sources import Piece, Sources
 from nctakt.st.tree import Declaration, TaskNode
 from nctakt.st.vocabulary.libraries import default_libraries
 
-#: All is read anew once there are so many pieces of text for each one that counts.
+#: With more pieces of text than this for each one that counts, all is read anew.
 _MAX_PIECES = 20
 _FEW_PIECES = 2000
 

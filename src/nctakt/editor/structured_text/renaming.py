@@ -54,7 +54,7 @@ Programs = Callable[[], Iterable[Document]]
 def rename(
     names: ProjectNames, document: Document, position: Position, new: str, programs: Programs
 ) -> WorkspaceEdit | None:
-    """Return the edits that give a name another one, ``None`` where there is no name.
+    """Return the edits that rename what is at a place; ``None`` where there is no name.
 
     Raises ``Failure`` for a name that must not change, or must not become the new one.
     """

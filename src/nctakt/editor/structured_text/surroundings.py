@@ -101,7 +101,7 @@ def hidden_parts(text: str) -> Iterator[tuple[int, int]]:
 
 
 def masked(text: str, letter: str) -> str:
-    """Return a text with a letter for each character of what is no code; lines stay."""
+    """Return a text with a letter in place of each character outside of code; lines stay."""
     parts: list[str] = []
     done = 0
     for start, end in hidden_parts(text):

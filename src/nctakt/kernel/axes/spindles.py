@@ -288,7 +288,7 @@ class Spindles:
             self.uncouple(spindle)
 
     def turn_to(self, spindle: int, angle: float) -> None:
-        """Let a spindle at rest stand at an angle, to which another one has turned its axis."""
+        """Set the angle of a spindle at rest, to which another one has turned its axis."""
         if self.has_no_axis[spindle] or self.is_resting(spindle):
             self.position[spindle] = wrapped(angle)
             self.publish(spindle)

@@ -92,6 +92,23 @@ def test_another_jerk_is_found_or_one_of_several(
         assert one["distance"] < 1e-3
 
 
+@pytest.mark.nightly
+def test_another_tolerance_of_corners_is_found(capsys: pytest.CaptureFixture[str]) -> None:
+    """P-CHAN-00122 counts in ``#HSC ON`` without PATH_DEV: 2 mm instead of 0.2 mm, nothing else."""
+    Path("part.nc").write_text("#HSC ON\nG01 X50 F10000\nY50\nX0\nY0\n#HSC OFF\nM30\n", "utf-8")
+    machine = changed_machine(load_machine(None), {("P-CHAN-00122", "1"): 20_000.0})
+    with Path("log.csv").open("w", encoding="utf-8", newline="") as file:
+        Controller(machine).run("part.nc", signals=SIGNALS, sinks=[CsvSink(file)])
+    words = ["compare", "log.csv", "part.nc", "--propose", "--format", "json", "--quiet"]
+    assert main(words) == 0
+    proposals = json.loads(capsys.readouterr().out)["comparison"]["proposals"]
+    first = proposals["found"][0]
+    assert (first["target"], first["of"], proposals["equal"]) == ("P-CHAN-00122", ["1"], 1)
+    assert first["present"] == 2000.0
+    assert first["value"] == pytest.approx(20_000.0, rel=0.01)
+    assert first["distance"] < 1e-3
+
+
 def proposed(target: str, distance: float) -> Proposal:
     """A proposal of 80 instead of 50 for an axis."""
     return Proposal(Change("parameter", target, ("X",), 50.0, 50.0, "µs"), 80.0, distance)
@@ -121,7 +138,7 @@ def test_what_is_tried() -> None:
     assert (together.of, together.present) == (("X", "Y"), 4000.0)
     assert [one.of for one in changes_by_axis(machine, together)] == [("X",), ("Y",)]
     assert by_target["P-AXIS-00196"].present == 50_000.0
-    assert {"P-CHAN-00002", "P-CHAN-00361"} <= by_target.keys()
+    assert {"P-CHAN-00002", "P-CHAN-00361", "P-CHAN-00122"} <= by_target.keys()
 
 
 def test_a_run_that_is_the_log_gets_no_proposal(capsys: pytest.CaptureFixture[str]) -> None:

@@ -19,6 +19,8 @@ OVERRIDE = "HLI.OVERRIDE"
 
 #: A limit of the path from here on limits nothing.
 _NO_LIMIT = 1e8
+#: The tolerance of corners of ``#HSC``, in 0.1 µm, where a search begins if there is none.
+_TOLERANCE = 2000.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,3 +104,8 @@ def _of_path(machine: Machine, fastest: float) -> Iterator[Change]:
             value = parameters.path_limits[word]
             guess = value if value < _NO_LIMIT else fastest * per
             yield Change("parameter", id_, (str(channel.number),), value, guess, unit)
+        tolerance = round(parameters.hsc_deviation_mm * 10_000.0, 6)
+        guess = tolerance or _TOLERANCE
+        yield Change(
+            "parameter", "P-CHAN-00122", (str(channel.number),), tolerance, guess, "0.1 µm"
+        )

@@ -159,7 +159,7 @@ def test_instances_are_independent_and_can_be_reset(told: Told) -> None:
     assert first.getFloat64([1]) == [first_x]
     with pytest.raises(fmpy.fmi1.FMICallException):
         second.doStep(0.05, 0.0005)
-    assert "902616: a communication step of 0.0005 s is no whole number of ticks" in log[-1]
+    assert "902616: a communication step of 0.0005 s is not a whole number of ticks" in log[-1]
     first.freeInstance()
 
 

@@ -52,7 +52,7 @@ def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
     assert (note.severity.name, note.span.line, note.remedy()[:25]) == (
         "NOTE",
         3,
-        "With END_ACTION=MOVE_CONT",
+        "END_ACTION=MOVE_CONT lets",
     )
 
 

@@ -21,7 +21,7 @@ FOLDER_INSTEAD_OF_FILE = error(
 )
 NOT_A_REGULAR_FILE = error(
     901483,
-    en="{file} is no regular file but a pipe, a socket or a device",
+    en="{file} is not a regular file but a pipe, a socket or a device",
     de="{file} ist keine reguläre Datei, sondern eine Pipe, ein Socket oder ein Gerät",
     remedy_en="Name a regular file: reading anything else may never end.",
     remedy_de="Eine reguläre Datei nennen: Anderes zu lesen endet vielleicht nie.",

@@ -15,7 +15,7 @@ NO_STRUCTURED_TEXT = error(
 )
 NO_STATEMENT_THERE = error(
     902811,
-    en="in line {line} of {file} begins no statement of the PLC",
+    en="no statement of the PLC begins in line {line} of {file}",
     de="in Zeile {line} von {file} beginnt keine Anweisung der SPS",
     remedy_en="Name a line in which a statement of the project itself begins.",
     remedy_de="Eine Zeile nennen, in der eine Anweisung des Projekts selbst beginnt.",

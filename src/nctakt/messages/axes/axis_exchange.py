@@ -92,7 +92,7 @@ AXIS_OF_SPINDLE = error(
 )
 AXIS_NEVER_GIVEN = warning(
     901808,
-    en="no program of this run gives axis number {number}, which channel {channel} has",
+    en="no program of this run gives away axis number {number}, which belongs to channel {channel}",
     de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
     remedy_en="Program {command} in channel {channel}; without it the command never ends.",
     remedy_de="{command} in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",

@@ -104,11 +104,11 @@ MOTION_ENDED_WITH_CYCLE = note(
     902001,
     en="{axis} {what}: realtime cycle {cycle} {how} (MOVE_ABORT)",
     de="{axis} {what}: Echtzeit-Zyklus {cycle} {how} (MOVE_ABORT)",
-    remedy_en="With END_ACTION=MOVE_CONT the motion goes on; "
-    "MOVE_ABORT there says that this is meant.",
+    remedy_en="END_ACTION=MOVE_CONT lets the motion continue; END_ACTION=MOVE_ABORT confirms that "
+    "it shall end.",
     remedy_de="Mit END_ACTION=MOVE_CONT geht die Bewegung weiter; "
     "MOVE_ABORT dort heißt: so gemeint.",
-    cause_en="Without END_ACTION the motions of a cycle are given up when it ends: at the end of "
+    cause_en="Without END_ACTION the motions of a cycle are aborted when it ends: at the end of "
     "its scope or of the program, or by #RT CYCLE DELETE.",
     cause_de="Ohne END_ACTION werden die Bewegungen eines Zyklus abgebrochen, wenn er endet: am "
     "Ende seiner Gültigkeit oder des Programms oder durch #RT CYCLE DELETE.",

@@ -24,7 +24,7 @@ COUPLING_DURING_COMPENSATION = error(
     en="{command} during tool radius compensation",
     de="{command} während der Werkzeugradiuskorrektur",
     remedy_en="Couple the axes before G41 or G42, and release them after G40.",
-    remedy_de="Die Achsen vor G41 oder G42 koppeln und hinter G40 lösen.",
+    remedy_de="Die Achsen vor G41 oder G42 koppeln und nach G40 lösen.",
     command=_COMMAND,
 )
 COUPLING_GROUP_OUT_OF_RANGE = error(
@@ -200,7 +200,7 @@ UNKNOWN_COUPLING_GROUP = error(
 )
 UNKNOWN_COUPLED_AXIS = error(
     901881,
-    en="{axis} is no axis or spindle of the channel",
+    en="{axis} is not an axis or spindle of the channel",
     de="{axis} ist keine Achse oder Spindel des Kanals",
     remedy_en="Name one of these: {known}",
     remedy_de="Eine von diesen nennen: {known}",

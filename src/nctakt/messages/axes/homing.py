@@ -18,7 +18,7 @@ HOMING_NOT_ALLOWED = error(
 )
 INVALID_HOMING_ORDER = error(
     901710,
-    en="{value} is no place in the order of homing",
+    en="{value} is not a valid place in the homing order",
     de="{value} ist kein Platz in der Reihenfolge der Referenzpunktfahrt",
     remedy_en="Write a whole number from 1 on: the axes with 1 come first, equal ones together.",
     remedy_de="Eine ganze Zahl ab 1 schreiben: Achsen mit 1 kommen zuerst, gleiche gemeinsam.",

@@ -36,7 +36,7 @@ NO_SIGNAL_IN_LOG = error(
 )
 NO_NUMBER_IN_LOG = error(
     902514,
-    en="'{text}' is no number",
+    en="'{text}' is not a number",
     de="'{text}' ist keine Zahl",
     remedy_en="Say separator and decimal mark in a mapping file, or leave the column out of it.",
     remedy_de="Trennzeichen und Dezimalzeichen in einer Zuordnungsdatei sagen oder die Spalte "
@@ -100,7 +100,7 @@ COLUMN_UNKNOWN = error(
 )
 MAPPING_UNREADABLE = error(
     902521,
-    en="{file} is no mapping of a log: {reason}",
+    en="{file} is not a mapping of a log: {reason}",
     de="{file} ist keine Zuordnung einer Aufzeichnung: {reason}",
     remedy_en="docs/compare.md says what it may hold.",
     remedy_de="docs/compare.md sagt, was darin stehen kann.",
@@ -160,7 +160,7 @@ GAP_IN_LOG = note(
 )
 LOG_NOT_UTF8 = note(
     902526,
-    en="{file} is no UTF-8; it is read as Windows-1252",
+    en="{file} is not UTF-8; it is read as Windows-1252",
     de="{file} ist kein UTF-8; die Datei wird als Windows-1252 gelesen",
     remedy_en="Export it as UTF-8 if names look wrong.",
     remedy_de="Als UTF-8 exportieren, wenn Namen falsch aussehen.",
@@ -184,7 +184,7 @@ TIMES_NOT_ALIGNED = warning(
 )
 TOLERANCE_UNREADABLE = error(
     902529,
-    en="'{text}' is no tolerance",
+    en="'{text}' is not a tolerance",
     de="'{text}' ist keine Toleranz",
     remedy_en="Write 0.05, 2%, 3ticks or 0.05+3ticks for all signals, or SIGNAL= before it.",
     remedy_de="0.05, 2%, 3ticks oder 0.05+3ticks für alle Signale schreiben, oder SIGNAL= davor.",
@@ -249,7 +249,7 @@ LOG_THINNED = note(
 )
 EVENT_UNREADABLE = error(
     902845,
-    en="{text} is no event: X.ACS.ACT_POS > 10, V.E.GATE rises, M10 @ COLUMN rises",
+    en="{text} is not an event: X.ACS.ACT_POS > 10, V.E.GATE rises, M10 @ COLUMN rises",
     de="{text} ist kein Ereignis: X.ACS.ACT_POS > 10, V.E.GATE rises, M10 @ SPALTE rises",
     remedy_en="Name a signal with rises, falls, > or <; or a function or block, @, and a column.",
     remedy_de="Signal mit rises, falls, > oder < nennen; oder Funktion oder Satz, @ und Spalte.",

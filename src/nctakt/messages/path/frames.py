@@ -29,7 +29,7 @@ ROTATION_ENDED_BY_PLANE = warning(
 )
 SCALE_IS_ON = error(
     901725,
-    en="#SCALE while the contour is scaled already",
+    en="#SCALE while the contour is already scaled",
     de="#SCALE, während die Kontur schon skaliert ist",
     remedy_en="Write #SCALE OFF before other factors.",
     remedy_de="Vor anderen Faktoren #SCALE OFF schreiben.",

@@ -70,7 +70,7 @@ TAP_SPINDLE_TURNING = error(
     901508,
     en="tapping with spindle {spindle}, which is turning",
     de="Gewindebohren mit Spindel {spindle}, die sich dreht",
-    remedy_en="Stop the spindle before, with M05 or M19.",
+    remedy_en="Stop the spindle first, with M05 or M19.",
     remedy_de="Die Spindel vorher anhalten, mit M05 oder M19.",
     cause_en="The path turns the spindle: it must be at a standstill when tapping begins.",
     cause_de="Die Bahn dreht die Spindel: sie muss stehen, wenn das Gewindebohren beginnt.",

@@ -124,7 +124,7 @@ CELL_NOT_COMPLETE = error(
 )
 CELL_STEP_NOT_POSSIBLE = error(
     902616,
-    en="a communication step of {step} is no whole number of ticks of {tick}",
+    en="a communication step of {step} is not a whole number of ticks of {tick}",
     de="eine Kommunikationsschrittweite von {step} ist keine ganze Zahl von Takten von {tick}",
     remedy_en="Set the step of the importing tool to a multiple of the tick.",
     remedy_de="Die Schrittweite des importierenden Werkzeugs auf ein Vielfaches des Takts setzen.",
@@ -192,7 +192,7 @@ CELL_INPUTS_NOT_KEPT = error(
 )
 CELL_STATE_UNREADABLE = error(
     902841,
-    en="these bytes are no state of an FMU of nctakt: {reason}",
+    en="these bytes are not a state of an FMU of nctakt: {reason}",
     de="diese Bytes sind kein Zustand einer FMU von nctakt: {reason}",
     remedy_en="Keep the bytes whole, as the FMU has given them.",
     remedy_de="Die Bytes unverändert aufheben, wie die FMU sie ausgegeben hat.",

@@ -73,7 +73,7 @@ INDP_MISSING = error(
 )
 UNKNOWN_AXIS_COMMAND = error(
     901985,
-    en="{axis}[{word} …] is no known command for an axis",
+    en="{axis}[{word} …] is not a known command for an axis",
     de="{axis}[{word} …] ist kein bekannter Befehl für eine Achse",
     remedy_en="Did you mean {nearest}? Commands for an axis: {names}.",
     remedy_de="War {nearest} gemeint? Befehle für eine Achse: {names}.",

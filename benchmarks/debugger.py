@@ -19,7 +19,7 @@ import time
 from pathlib import Path
 from typing import Any
 
-from nctakt.debugger.transport import MessageReader
+from nctakt.ports.framing import MessageReader
 
 TICKS = 10_000
 REPEATS = 20

@@ -649,6 +649,22 @@ def under_type_checking(path: Path, module: str) -> bool:
     return False
 
 
+def test_benchmarks_import_what_there_is() -> None:
+    """No test runs them: a renamed module or name shows here."""
+    missing = []
+    for path in sorted((ROOT / "benchmarks").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("nctakt"):
+                module = PACKAGE.parent.joinpath(*(node.module or "").split("."))
+                file = module / "__init__.py" if module.is_dir() else module.with_suffix(".py")
+                text = file.read_text("utf-8") if file.exists() else ""
+                for name in (one.name for one in node.names):
+                    is_module = (module / name).is_dir() or (module / f"{name}.py").exists()
+                    if not is_module and not re.search(rf"\b{name}\b", text):
+                        missing.append(f"{path.name}: {node.module}.{name}")
+    assert missing == []
+
+
 def test_every_file_names_its_licence() -> None:
     """The first line of each source and test file is its licence."""
     files = [*SOURCES, *PACKAGE.rglob("*.pxd"), *(ROOT / "tests").rglob("*.py")]

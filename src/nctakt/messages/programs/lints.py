@@ -317,8 +317,8 @@ OVERRIDE_IS_PERCENT = warning(
 )
 NO_PROGRAM_GIVES_AXIS = warning(
     901810,
-    en="no program of those that are checked gives axis number {number}, which channel {channel} "
-    "has",
+    en="none of the checked programs gives away axis number {number}, which belongs to channel "
+    "{channel}",
     de="keines der geprüften Programme gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
     remedy_en="Program #PUT AX, of a spindle PUTAX, in channel {channel}; check the programs of "
     "all channels together.",

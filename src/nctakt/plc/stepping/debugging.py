@@ -8,8 +8,10 @@ code when the first statement is looked for; a PLC that no one debugs has none.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from operator import itemgetter
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span, Text
@@ -41,7 +43,7 @@ from nctakt.st.types import (
 from nctakt.trace.events import number_text
 from nctakt.translation.body import CannotRunError
 from nctakt.translation.layout import kind_of
-from nctakt.translation.observing.probing import Probes, statement_lines
+from nctakt.translation.observing.probing import Probes, statement_lines, statements_of
 from nctakt.translation.observing.single import translate_single
 from nctakt.translation.observing.units import methods_of
 
@@ -53,6 +55,8 @@ _OF_STATE = (
     "frame", "instance", "fault", "fault_source", "fault_a", "fault_b", "fault_frame",
     "fault_instance", "trail_length",
 )  # fmt: skip
+
+_START = itemgetter(0)
 
 _GLOBAL, _PROGRAMS, _THIS = "VAR_GLOBAL", "PROGRAM", "THIS^"
 
@@ -159,21 +163,22 @@ class StDebugging:
     # --- calls
 
     @cached_property
-    def _units(self) -> list[Callable]:
-        """All that can be called, in the order of the text."""
-        called: list[Callable] = []
+    def _units(self) -> list[tuple[int, Callable]]:
+        """All that can be called, by where it begins and where each of its statements does.
+
+        Of a block in plain text, the body comes after the methods.
+        """
+        found: list[tuple[int, Callable]] = []
         for pou in self.program.pous.values():
-            called += (pou, *methods_of(pou))
-        return sorted((one for one in called if one.start), key=lambda one: one.start)
+            for one in (pou, *methods_of(pou)):
+                starts = [one.start, *(statement.start for statement in statements_of(one.body))]
+                found += [(start, one) for start in starts if start]
+        return sorted(found, key=_START)
 
     def unit_of(self, source: int) -> Callable | None:
-        """Return whose text holds a position: the last one that begins before it."""
-        found = None
-        for one in self._units:
-            if one.start > source:
-                break
-            found = one
-        return found
+        """Return whose text holds a position: whatever begins last before it."""
+        index = bisect_right(self._units, source, key=_START)
+        return self._units[index - 1][1] if index else None
 
     def _owner_of(self, called: Callable) -> Pou | None:
         owner = called if isinstance(called, Pou) else getattr(called, "owner", None)

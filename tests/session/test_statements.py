@@ -8,6 +8,7 @@ third cycle on), in the loop 24 twice after 23.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -113,6 +114,35 @@ def test_a_stop_at_a_line_has_a_condition_in_its_own_language(session: Session) 
     assert session.back_to(StopAt("statement", file="cell.st", line=24)) is not None
     assert line(session.statement)[::2] == (2, 24)
     assert session.value("i").text == "2"  # the last pass of the loop
+
+
+def played(session: Session) -> PlcPlace | None:
+    """Let a session go on by itself until it stops; return where it is then."""
+    session.play()
+    while session.is_playing:
+        time.sleep(0.005)
+    return session.statement
+
+
+def test_what_goes_on_by_itself_stops_before_statements_too(session: Session) -> None:
+    session.set_stops("statement cell.st:24")
+    seen = [line(played(session)) for _ in range(3)]
+    assert seen == [(0, 9, 24), (0, 10, 24), (2, 9, 24)]
+    assert session.value("i").text == "1"
+    session.set_stops()
+    assert played(session) is None and session.is_over
+
+
+def test_the_body_after_a_method_is_not_the_method(session: Session) -> None:
+    """ST-520: in plain text, the body of a block comes after its methods."""
+    session.run(until="statement cell.st:13 if bGo")
+    place = session.statement
+    assert place is not None
+    assert [(one.name, one.instance) for one in place.frames] == [
+        ("FB_Gate", "MAIN.fbGate"), ("MAIN", "MAIN"),
+    ]  # fmt: skip
+    assert session.scopes()[:2] == ["VAR_INPUT", "VAR"]
+    assert session.value("nCount").text == "12"  # 2 · (1 + 2 + 3)
 
 
 def test_hits_within_a_tick_come_one_after_the_other(session: Session) -> None:

@@ -142,6 +142,8 @@ class Session:
             rests = isinstance(clock, FastClock) and clock.rests
             done = self._core.run(end, events=self._audience.wants_events, rests=rests)
             clock.note(done.tick - done.first_tick, self._core.took_s)
+            if done.hits:
+                done = replace(done, hits=self._core.enter(self._core.stops, done.hits))
             is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if is_at_end:
                 self._thread.clock = None
@@ -380,12 +382,18 @@ class Session:
     def play(self, speed: float | None = None, *, rests: bool = False) -> None:
         """Go on by itself: at ``speed`` times the wall clock, 0.01 … 1000, else at full speed.
 
+        Within a cycle of the PLC, a later statement of that at which a stop holds comes first.
         ``rests``: at full speed, stop where nothing can happen any more by itself. Raises
         ``ValueError`` for another speed.
         """
         self._ask(self._play, speed, rests)
 
     def _play(self, speed: float | None, rests: bool) -> None:
+        if self._core.cursor.statement is not None:
+            moved = self._core.moved_within(self._core.stops)
+            if moved is not None:
+                self._publish(replace(self._core.step(0), hits=moved.hits), at_once=True)
+                return
         self._core.restart_schedule()
         clock = self._pacing.clock(speed, self._core.tick, time.monotonic())
         if isinstance(clock, FastClock):

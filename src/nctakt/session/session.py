@@ -142,9 +142,9 @@ class Session:
             rests = isinstance(clock, FastClock) and clock.rests
             done = self._core.run(end, events=self._audience.wants_events, rests=rests)
             clock.note(done.tick - done.first_tick, self._core.took_s)
+            is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if done.hits:
                 done = replace(done, hits=self._core.enter(self._core.stops, done.hits))
-            is_at_end = bool(done.hits) or done.run_state is not None or done.is_resting
             if is_at_end:
                 self._thread.clock = None
             self._publish(done, at_once=is_at_end)

@@ -104,8 +104,8 @@ MOTION_ENDED_WITH_CYCLE = note(
     902001,
     en="{axis} {what}: realtime cycle {cycle} {how} (MOVE_ABORT)",
     de="{axis} {what}: Echtzeit-Zyklus {cycle} {how} (MOVE_ABORT)",
-    remedy_en="END_ACTION=MOVE_CONT lets the motion continue; END_ACTION=MOVE_ABORT confirms that "
-    "it shall end.",
+    remedy_en="END_ACTION=MOVE_CONT lets the motion continue; END_ACTION=MOVE_ABORT says that "
+    "the abort is intended.",
     remedy_de="Mit END_ACTION=MOVE_CONT geht die Bewegung weiter; "
     "MOVE_ABORT dort heißt: so gemeint.",
     cause_en="Without END_ACTION the motions of a cycle are aborted when it ends: at the end of "

@@ -43,7 +43,7 @@ from nctakt.st.types import (
 from nctakt.trace.events import number_text
 from nctakt.translation.body import CannotRunError
 from nctakt.translation.layout import kind_of
-from nctakt.translation.observing.probing import Probes, statement_lines, statements_of
+from nctakt.translation.observing.probing import Probes, statement_lines
 from nctakt.translation.observing.single import translate_single
 from nctakt.translation.observing.units import methods_of
 
@@ -164,14 +164,15 @@ class StDebugging:
 
     @cached_property
     def _units(self) -> list[tuple[int, Callable]]:
-        """All that can be called, by where it begins and where each of its statements does.
+        """All that can be called, by where it begins and where each statement of its body does.
 
-        Of a block in plain text, the body comes after the methods.
+        Of a block in plain text, the body comes after the methods. What lies inside a statement
+        lies before the next one.
         """
         found: list[tuple[int, Callable]] = []
         for pou in self.program.pous.values():
             for one in (pou, *methods_of(pou)):
-                starts = [one.start, *(statement.start for statement in statements_of(one.body))]
+                starts = [one.start, *(statement.start for statement in one.body)]
                 found += [(start, one) for start in starts if start]
         return sorted(found, key=_START)
 

@@ -36,7 +36,7 @@ def statement_lines(program: Program) -> dict[str, dict[int, int]]:
     """Return by file and line where the first of its own statements begins that begins there."""
     found: dict[str, dict[int, int]] = {}
     for called, _ in own_units(program):
-        for statement in statements_of(called.body):
+        for statement in _all_of(called.body):
             piece = program.sources.piece_of(statement.start)
             if piece is not None:
                 lines = found.setdefault(piece.file, {})
@@ -45,9 +45,8 @@ def statement_lines(program: Program) -> dict[str, dict[int, int]]:
     return found
 
 
-def statements_of(body: Sequence[Statement]) -> Iterator[Statement]:
-    """Yield the statements of a body in the order of the text, each before those inside it."""
+def _all_of(body: Sequence[Statement]) -> Iterator[Statement]:
     for one in body:
         yield one
         for inner in bodies_of(one):
-            yield from statements_of(inner)
+            yield from _all_of(inner)

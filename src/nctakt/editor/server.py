@@ -9,6 +9,7 @@ need not wait for them at the start.
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import sys
 from collections.abc import Iterator, Sequence
@@ -510,7 +511,7 @@ def _register_edits(server: Server) -> None:
         from nctakt.editor.edits.remedies import actions  # noqa: PLC0415 - when it is asked for
 
         document = server.document(params.text_document.uri)
-        if document is None or document.is_structured:
+        if document is None:
             return []
         found = await server.diagnosis.settled(document)
         chosen = []
@@ -520,6 +521,10 @@ def _register_edits(server: Server) -> None:
                 params.range.start.line <= shown.range.end.line
             ):
                 chosen.append((item, shown))
+        if document.is_structured:
+            return await asyncio.to_thread(
+                server.structured.actions, document, chosen, server.language
+            )
         return actions(document, chosen, server.work.machine_of(document), server.language)
 
 

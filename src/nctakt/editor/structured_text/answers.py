@@ -8,11 +8,11 @@ in the editor: a change that has not been checked yet is checked first.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from lsprotocol import types
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.editor.document import Document
 from nctakt.editor.structured_text import navigation
 from nctakt.editor.structured_text.colours import semantic_tokens
@@ -22,6 +22,7 @@ from nctakt.editor.structured_text.formatting import format_edits
 from nctakt.editor.structured_text.plc_projects import PlcProjects
 from nctakt.editor.structured_text.positions import range_of
 from nctakt.editor.structured_text.project_names import ProjectNames
+from nctakt.editor.structured_text.remedies import structured_actions
 from nctakt.editor.structured_text.renaming import Programs, check_fixed, rename
 from nctakt.editor.structured_text.signatures import signature_help
 
@@ -115,3 +116,13 @@ class StructuredAnswers:
         with self._names(document) as names:
             file = names.project.file_named(document.name)
             return [] if file is None else format_edits(document, file, first, last)
+
+    def actions(
+        self,
+        document: Document,
+        found: Sequence[tuple[Diagnostic, types.Diagnostic]],
+        language: Language,
+    ) -> list[types.CodeAction]:
+        """Return the edits that remedy findings of a document."""
+        with self._names(document) as names:
+            return structured_actions(names, document, found, language)

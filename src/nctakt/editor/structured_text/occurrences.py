@@ -16,13 +16,11 @@ from nctakt.st.check.project import ProjectChecker
 from nctakt.st.tree import Header, PouNode, Target, TypeNode, VariableNode
 from nctakt.st.types import (
     EnumType,
-    Expression,
     InterfaceType,
     Method,
     Node,
     Pou,
     Section,
-    Statement,
     StructType,
     Type,
     Variable,
@@ -254,13 +252,8 @@ class OccurrenceReader:
                     yield from self._argument(argument, members)
             case tree.TypeExpression():
                 yield from self._type(node.node)
-            case Expression() | Statement() | Node():
-                for name in _PARTS.get(type(node), ()):
-                    part = getattr(node, name)
-                    if isinstance(part, list):
-                        yield from self._all(part)
-                    elif part is not None:
-                        yield from self._part(part)
+            case _:
+                yield from self._all(parts_of(node))
 
     def _call(self, node: tree.Call) -> Iterator[Occurrence]:
         yield from self._part(node.callee)
@@ -281,6 +274,24 @@ class OccurrenceReader:
             yield Occurrence(node.name, node.start, found, self._unit, False, True)
         if node.value is not None:
             yield from self._part(node.value)
+
+
+def parts_of(node: Node) -> Iterator[Node]:
+    """Yield the statements and expressions in one, without what they stand for."""
+    match node:
+        case tree.Member():
+            yield node.base
+        case tree.Call():
+            yield node.callee
+            yield from (one.value for one in node.arguments if one.value is not None)
+        case tree.StructInitial():
+            yield from (one.value for one in node.arguments if one.value is not None)
+    for name in _PARTS.get(type(node), ()):
+        part = getattr(node, name)
+        if isinstance(part, list):
+            yield from part
+        elif part is not None:
+            yield part
 
 
 def key_of(target: Target) -> object:

@@ -81,6 +81,7 @@ class PlcProject:
         self.listed = listed
         self._folders = tuple(folders)
         self._texts = texts
+        self._tried: dict[Path, bytes] = {}
         self._begin()
 
     def _begin(self) -> None:
@@ -104,6 +105,22 @@ class PlcProject:
         with self.lock:
             self.update(poll)
             return list(self._findings.get(name, ()))
+
+    def all_findings(self) -> list[Diagnostic]:
+        """Return the findings of all files."""
+        with self.lock:
+            self.update()
+            return [one for found in self._findings.values() for one in found]
+
+    def tried(self, name: str, lines: Sequence[str]) -> list[Diagnostic]:
+        """Return the findings of all files if one had other lines; the project stays as it is."""
+        with self.lock:
+            self._tried = {Path(name): "\n".join(lines).encode("utf-8", "surrogatepass")}
+            try:
+                return self.all_findings()
+            finally:
+                self._tried = {}
+                self.update()
 
     def update(self, poll: Callable[[], None] | None = None) -> ProjectChecker:
         """Check what has changed since the last time; return the checker with its names."""
@@ -155,9 +172,12 @@ class PlcProject:
         return is_changed
 
     def _state(self, path: Path) -> object:
-        return self._texts.state_of(path)
+        tried = self._tried.get(path)
+        return self._texts.state_of(path) if tried is None else ("tried", tried)
 
     def _bytes(self, path: Path) -> bytes:
+        if path in self._tried:
+            return self._tried[path]
         try:
             return self._texts.read_bytes(path)
         except Failure:

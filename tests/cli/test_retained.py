@@ -9,7 +9,11 @@ from pathlib import Path
 import pytest
 from support.plc_rig import EACH_TICK
 
+from nctakt.base.failure import Failure
 from nctakt.cli import main
+from nctakt.cli.common.retaining import RetainedSession
+from nctakt.files.access import FileAccess
+from nctakt.session.session import Session
 
 CELL = """
 TYPE ST_Part : STRUCT nId : UDINT; sName : STRING(10); END_STRUCT END_TYPE
@@ -85,3 +89,29 @@ def test_wrong_files(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["run", "part.nc", "--retain", "other.json"]) == 2
     assert "902501" in capsys.readouterr().err
     assert not Path("other.json").exists()
+
+
+def test_sessions_keep_for_the_next_one(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The values are those at the tick where the session stands; its files may have changed."""
+    kept = Path("kept.json")
+    kept.write_text('{"gTotal": 2, "MAIN.gone": 1}', "utf-8")
+    retained = RetainedSession("kept.json", ["cell.st"], FileAccess(), "en")
+    assert capsys.readouterr().err.count("902503") == 1
+    with Session("part.nc", plc="cell.st", set={**retained.values()}) as session:
+        retained.follow(session)
+        session.step(8)
+        session.back(5)
+        tick = session.tick
+        source = Path("cell.st")
+        text = source.read_text("utf-8")
+        source.write_text(text.replace("nPlain : INT", "nOther : INT; nPlain : INT"))
+        values = retained.values()
+        assert session.tick == tick
+        assert values == json.loads(kept.read_text("utf-8"))
+        assert values["gTotal"] == session.read("gTotal")[0] == 2.0 + 0.5 * tick
+    with pytest.raises(Failure, match="902501"):
+        RetainedSession("kept.json", [], FileAccess(), "en")
+    with pytest.raises(Failure, match="900913"):
+        access = FileAccess()
+        access.note("kept.json")
+        RetainedSession("kept.json", ["cell.st"], access, "en")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The live page in a browser: Chromium, driven by Playwright, from the first tick to the end."""
 
+import json
 import re
 from collections.abc import Iterator
 from importlib.util import find_spec
@@ -410,12 +411,13 @@ def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
 def test_a_plc_that_is_saved(browser: Any, tmp_path: Path) -> None:
     """It is told; the run begins anew with the new text, and what is typed here stays.
 
-    Of a text with a mistake the mistake is told, and the run stays as it was.
+    Of a text with a mistake the mistake is told, and the run stays as it was. What the PLC keeps
+    goes on from run to run (ST-406): its cycle is due in the first tick of each.
     """
-    path, plc = written(tmp_path), tmp_path / "cell.st"
-    text = "PROGRAM MAIN\nVAR\n    n : INT;\nEND_VAR\nn := n + 1;\nEND_PROGRAM\n"
+    path, plc, kept = written(tmp_path), tmp_path / "cell.st", tmp_path / "kept.json"
+    text = "PROGRAM MAIN\nVAR RETAIN\n    n : INT;\nEND_VAR\nn := n + 1;\nEND_PROGRAM\n"
     plc.write_text(text, "utf-8")
-    with served(str(path), "--plc", str(plc)) as address:
+    with served(str(path), "--plc", str(plc), "--retain", str(kept)) as address:
         page = opened(browser, address)
         page.get_by_test_id("tick").click()
         expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
@@ -429,7 +431,11 @@ def test_a_plc_that_is_saved(browser: Any, tmp_path: Path) -> None:
         page.get_by_test_id("load").click()
         expect(page.get_by_test_id("clock")).to_contain_text("before tick 0 ")
         expect(page.get_by_test_id("load")).to_be_hidden()
+        assert json.loads(kept.read_text("utf-8")) == {"MAIN.n": 1}
+        page.get_by_test_id("tick").click()
+        expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
         page.close()
+    assert json.loads(kept.read_text("utf-8")) == {"MAIN.n": 1 + 2}
 
 
 @pytest.mark.nightly

@@ -23,8 +23,15 @@ from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN
 from nctakt.cli.common.help import described, option
 from nctakt.cli.common.log_options import LogWords, log_options, opened_log
-from nctakt.cli.common.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
+from nctakt.cli.common.options import (
+    MODE_OPTION,
+    PACE_OPTION,
+    RETAIN_OPTION,
+    TRUST_OPTION,
+    table_options,
+)
 from nctakt.cli.common.request import STANDARD_INPUT, Options, Request, read_request
+from nctakt.cli.common.retaining import RetainedSession
 from nctakt.cli.common.running import choose_mode, run_programs, shown_from, start_controller
 from nctakt.cli.common.settings import carry_out
 from nctakt.cli.common.terminal import print_diagnostics
@@ -73,6 +80,7 @@ _LONGEST = "24 h"
 @table_options("live")
 @TRUST_OPTION
 @PACE_OPTION
+@RETAIN_OPTION
 @option(
     "--record",
     "tape",
@@ -231,7 +239,10 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
 
     curves = [] if own.log is None else _laid_over(options, access, own.log)
     refused: Counter[Text] = Counter()
-    open_session = _session_opener(options, request, own, documents, folders)
+    kept = None
+    if options.retain is not None:
+        kept = RetainedSession(options.retain, options.plcs, access, options.language)
+    open_session = _session_opener(options, request, own, documents, folders, kept)
     shared = _share(open_session, documents, own, curves, options.plcs)
     with contextlib.ExitStack() as ends:
         ends.callback(shared.close)
@@ -255,6 +266,8 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
             print_diagnostics([_refusals(refused, options.language)], options.language)
         if own.tape is not None:
             shared.session.save(own.tape)
+        if kept is not None:
+            kept.keep()
     return EXIT_RAN
 
 
@@ -305,8 +318,9 @@ def _session_opener(
     own: Words,
     documents: Mapping[int, Sequence[Document]],
     folders: Sequence[str],
+    kept: RetainedSession | None,
 ) -> Callable[[str | None, bool], Session]:
-    """Return what opens a session of the documents as they are.
+    """Return what opens a session of the documents as they are, with what the one before keeps.
 
     It is called with the program of channel 1, ``None`` for all, and whether the PLC acknowledges
     by itself.
@@ -326,7 +340,9 @@ def _session_opener(
             ]
             for number, opened in documents.items()
         }
-        return Session(
+        if kept is not None:
+            given["set"] = {**kept.values(), **(request.options["set"] or {})}
+        session = Session(
             channels=texts,
             machine=options.machine,
             plc=options.plcs,
@@ -335,6 +351,9 @@ def _session_opener(
             pace=own.pace,
             **given,
         )
+        if kept is not None:
+            kept.follow(session)
+        return session
 
     return open_session
 

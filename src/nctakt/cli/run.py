@@ -18,7 +18,7 @@ import click
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.common.help import described, option
-from nctakt.cli.common.options import FORMAT_OPTION, WATCH_OPTION, with_file_options
+from nctakt.cli.common.options import FORMAT_OPTION, RETAIN_OPTION, WATCH_OPTION, with_file_options
 from nctakt.cli.common.plotting import Drawings
 from nctakt.cli.common.request import Options, Request, read_request
 from nctakt.cli.common.retaining import with_retained
@@ -92,15 +92,7 @@ if TYPE_CHECKING:
         "Alle Eingaben für nctakt replay aufzeichnen.",
     ),
 )
-@option(
-    "--retain",
-    metavar="FILE",
-    group="machine",
-    text=Text(
-        "Keep RETAIN and PERSISTENT variables of the PLC from run to run.",
-        "RETAIN- und PERSISTENT-Variablen der SPS von Lauf zu Lauf behalten.",
-    ),
-)
+@RETAIN_OPTION
 @WATCH_OPTION
 def command(**words: Any) -> int:
     """Run programs."""

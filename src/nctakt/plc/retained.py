@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
@@ -24,9 +24,14 @@ from nctakt.run.plcs.realtime_plc import NamedGroup, parts_of
 Values = Mapping[str, float | str]
 
 
+def structured_plcs(plc: AnyPlc | None) -> list[StructuredPlc]:
+    """Return the PLCs in Structured Text among those of a controller."""
+    return [one for one in parts_of(plc)[0] if isinstance(one, StructuredPlc)]
+
+
 def plcs_that_retain(plc: AnyPlc | None) -> list[StructuredPlc]:
     """Return the PLCs in Structured Text; raises ``Failure`` (902501) if there is none."""
-    found = [one for one in parts_of(plc)[0] if isinstance(one, StructuredPlc)]
+    found = structured_plcs(plc)
     if not found:
         raise Failure(diagnostic(NO_PLC_THAT_RETAINS))
     return found
@@ -60,23 +65,23 @@ def read_retained(
     return values, warnings
 
 
-def retained_text(plcs: list[StructuredPlc]) -> str:
+def retained_text(plcs: Sequence[StructuredPlc]) -> str:
     """Return the values of the retained variables of PLCs as the text of a file."""
     return json.dumps(dict(_retained(plcs)), indent=1, ensure_ascii=False) + "\n"
 
 
-def _retained(plcs: list[StructuredPlc]) -> Iterator[tuple[str, float | bool | str]]:
+def _retained(plcs: Sequence[StructuredPlc]) -> Iterator[tuple[str, float | bool | str]]:
     for name, plc, path in _retained_names(plcs):
         value = plc.read(path)
         if isinstance(value, str) or math.isfinite(value):
             yield name, value
 
 
-def _group(plcs: list[StructuredPlc]) -> NamedGroup:
+def _group(plcs: Sequence[StructuredPlc]) -> NamedGroup:
     return NamedGroup(plcs, [plc.name for plc in plcs])
 
 
-def _retained_names(plcs: list[StructuredPlc]) -> Iterator[tuple[str, StructuredPlc, str]]:
+def _retained_names(plcs: Sequence[StructuredPlc]) -> Iterator[tuple[str, StructuredPlc, str]]:
     """Yield the name of each retained variable in the file, its PLC, and its path there."""
     group = _group(plcs)
     for number, plc in enumerate(plcs):

@@ -366,6 +366,10 @@ class SessionCore:
         finally:
             engine.close()
 
+    def retained(self) -> str:
+        """Return the text of what the PLC keeps at this tick."""
+        return cast("str", self.timeline.live.ask("retained"))
+
     def restart_schedule(self) -> None:
         """Let a real schedule begin anew after a pause."""
         self.timeline.restart_schedule()

@@ -29,6 +29,7 @@ from nctakt.kernel.cycles.expressions import OPERATIONS
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.programs.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.plc.loading import load_plcs
+from nctakt.plc.retained import retained_text, structured_plcs
 from nctakt.results.compared import Compared, compared_last, compared_now
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.results.run import ProgramMessage, Run, RunState
@@ -726,6 +727,10 @@ class Engine:
             self._run.interrupt()
         self._run.close()
         return self._run.result()
+
+    def retained(self) -> str:
+        """Return what the PLC keeps, as the text of a file."""
+        return retained_text(structured_plcs(self._loop.plc))
 
 
 def _recorded(machine: AssembledMachine) -> list[str]:

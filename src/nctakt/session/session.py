@@ -572,6 +572,10 @@ class Session:
         """Return the result of the run up to here; the session goes on."""
         return self._ask(self._core.result)
 
+    def retained(self) -> str:
+        """Return what the PLC keeps from this tick for the next run: a file's text (ST-406)."""
+        return self._ask(self._core.retained)
+
     def tape(self) -> list[Input]:
         """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
         return self._ask(self._core.tape)

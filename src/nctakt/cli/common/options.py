@@ -127,6 +127,15 @@ ISOLATE_OPTION = option(
         "Die FMU in einem eigenen Prozess ausführen: stürzt oder hängt sie, endet nur der Lauf.",
     ),
 )
+RETAIN_OPTION = option(
+    "--retain",
+    metavar="FILE",
+    group="machine",
+    text=Text(
+        "Keep RETAIN and PERSISTENT variables of the PLC from run to run.",
+        "RETAIN- und PERSISTENT-Variablen der SPS von Lauf zu Lauf behalten.",
+    ),
+)
 WATCH_OPTION = option(
     "--watch",
     is_flag=True,

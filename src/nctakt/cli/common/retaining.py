@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run --retain FILE``: what a PLC keeps from one run to the next (ST-406).
+"""``--retain FILE``: what a PLC keeps from one run, or session, to the next (ST-406).
 
 The values of the file are set before the first tick as by ``--set``, so that they are on a tape,
 too; a ``--set`` of the same variable counts. After the run the file holds its last values.
@@ -7,18 +7,21 @@ too; a ``--set`` of the same variable counts. After the run the file holds its l
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nctakt.cli.common.request import Options, Request
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
-from nctakt.files.output import OutputFile
+from nctakt.files.output import OutputFile, write_file
 from nctakt.run.access.stimuli import assignment_text
 
 if TYPE_CHECKING:
     from contextlib import ExitStack
+
+    from nctakt.base.diagnostics import Language
+    from nctakt.session.session import Session
 
 
 def with_retained(
@@ -48,6 +51,44 @@ def with_retained(
         replace(request, options={**request.options, "set": given}),
         lambda: file.write(retained_text(plcs)),
     )
+
+
+class RetainedSession:
+    """What sessions, of which each takes the place of the one before, keep for the next one.
+
+    Raises ``Failure`` as ``with_retained``.
+    """
+
+    def __init__(
+        self, path: str, plcs: Sequence[str], access: FileAccess, language: Language
+    ) -> None:
+        with OutputFile(path, "--retain", access):  # no input, and can be written
+            pass
+        self._path = path
+        self._plcs = plcs
+        self._language = language
+        self._session: Session | None = None
+        self.values()
+
+    def values(self) -> Mapping[str, float | str]:
+        """Return what the next session begins with; what the one before has is kept first."""
+        from nctakt.plc.loading import load_plcs  # noqa: PLC0415 - the mode is chosen before
+        from nctakt.plc.retained import plcs_that_retain, read_retained  # noqa: PLC0415 - as above
+
+        self.keep()
+        plcs = plcs_that_retain(load_plcs(self._plcs))  # their files may have been saved
+        values, warnings = read_retained(self._path, plcs, FileAccess())
+        print_diagnostics(warnings, self._language)
+        return values
+
+    def follow(self, session: Session) -> None:
+        """Keep the values of this session from now on."""
+        self._session = session
+
+    def keep(self) -> None:
+        """Write the values of the session where it is."""
+        if self._session is not None:
+            write_file(self._path, self._session.retained(), "--retain")
 
 
 def _nothing() -> None:

@@ -7,6 +7,7 @@ import random
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -21,9 +22,9 @@ from nctakt.session.engine import Engine, StepResult
 from nctakt.session.history import record
 from nctakt.session.history.parking import (
     DENSE_US,
+    EVEN_SHARE,
     MAX_PARKED,
     SPARSE_US,
-    WINDOW_COUNT,
     approach,
     first_gap,
     surplus,
@@ -311,8 +312,11 @@ def test_parked_controllers_stand_dense_near_the_present(seed: int) -> None:
     assert kept[0] == parked[0]
     assert kept[-1] == parked[-1]
     assert len(kept) <= MAX_PARKED
-    near = [work for work in kept[1:-1] if abs(work - present) < DENSE_US * WINDOW_COUNT]
-    assert len(near) <= 2 * WINDOW_COUNT
+    widest = (parked[-1] - parked[0]) / EVEN_SHARE
+    given = [after - before for before, after in pairwise(parked)]
+    for before, after in pairwise(kept):
+        farther = max(abs(before - present), abs(after - present))
+        assert after - before <= max(2 * min(farther, widest), 2 * DENSE_US, *given)
     assert not surplus(kept, present)
 
 

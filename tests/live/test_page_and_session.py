@@ -50,11 +50,19 @@ STEPS = [".", ",", "b", "B", "r", "R", "."]
 
 
 @pytest.fixture(scope="module")
-def walk(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Any, Session, str]]:
+def browser() -> Iterator[Any]:
+    with chromium() as browser:
+        yield browser
+
+
+@pytest.fixture(scope="module")
+def walk(
+    browser: Any, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[tuple[Any, Session, str]]:
     """A page, and a session of its program."""
     path = tmp_path_factory.mktemp("walk") / "walk.nc"
     path.write_text(PROGRAM, "utf-8")
-    with chromium() as browser, served(str(path)) as address, Session(path) as session:
+    with served(str(path)) as address, Session(path) as session:
         page = opened(browser, address)
         yield page, session, str(path)
         page.close()
@@ -156,6 +164,42 @@ def test_lanes_and_answers(walk: tuple[Any, Session, str]) -> None:
     compare(page, session, file)
 
 
+@pytest.mark.nightly
+def test_lanes_of_branches(browser: Any, tmp_path: Path) -> None:
+    """Travel, an input in the past, the first branch again: lanes are there at once, and exact."""
+    path = tmp_path / "lanes.nc"
+    path.write_text(PROGRAM, "utf-8")
+    bars = "nctaktRun.run.conditions.map((line, row) => nctaktRun.laneBars(line, row))"
+    with served(str(path)) as address, Session(path) as session:
+        page = opened(browser, address)
+        page.get_by_test_id("speed").click()
+        page.get_by_role("option", name="max").click()
+        page.get_by_test_id("toggle").click()
+        expect(page.get_by_test_id("state")).to_have_text(re.compile("^ended"))
+        session.run()
+        page.wait_for_function("nctaktRun.run.bars.end === nctaktRun.run.latest + 1")
+        page.keyboard.press("R")
+        expect(page.get_by_test_id("state")).to_have_text(re.compile("^paused"))
+        tick = shown_tick(page)
+        page.get_by_test_id("variable-V.E.VALUE").fill("0.75")
+        page.get_by_test_id("variable-V.E.VALUE").press("Enter")
+        page.keyboard.press("Escape")
+        expect(page.get_by_test_id("clock")).to_contain_text("Branch 2")
+        # what both branches share is exact at once; of the first one's future nothing is left
+        shared = page.evaluate("nctaktRun.run.bars.end")
+        assert shared == tick + 1
+        drawn = page.evaluate(bars)
+        assert max(end for line in drawn for _, end, _ in line) <= shared
+        assert all(is_exact for line in drawn for *_, is_exact in line)
+
+        page.keyboard.press("6")
+        page.get_by_test_id("take_up-1").click()
+        expect(page.get_by_test_id("clock")).to_contain_text("Branch 1")
+        page.wait_for_function("nctaktRun.run.bars.end === nctaktRun.run.latest + 1")
+        assert page.evaluate("nctaktRun.run.bars.lines") == bars_of(session.why(), str(path))
+        page.close()
+
+
 #: Where the current block stands in the editor: whether it is in view.
 _IN_VIEW = """() => {
   const room = document.querySelector(".cm-scroller").getBoundingClientRect();
@@ -165,13 +209,13 @@ _IN_VIEW = """() => {
 
 
 @pytest.mark.nightly
-def test_the_block_is_in_view_and_the_focus_stays(tmp_path: Path) -> None:
+def test_the_block_is_in_view_and_the_focus_stays(browser: Any, tmp_path: Path) -> None:
     """While it plays and after travel, in 2,000 lines; stops in the gutter."""
     path = tmp_path / "long.nc"
     lines = [PROGRAM[: PROGRAM.index("G01")].rstrip()]
     lines += [f"G01 X{number % 7} Y{number % 5} F60000" for number in range(2000)]
     path.write_text("\n".join([*lines, "M30", ""]), "utf-8")
-    with chromium() as browser, served(str(path)) as address, Session(path) as session:
+    with served(str(path)) as address, Session(path) as session:
         page = opened(browser, address)
         page.get_by_test_id("speed").click()
         page.get_by_role("option", name="×10", exact=True).click()

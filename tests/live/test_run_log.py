@@ -43,7 +43,7 @@ def look(log: RunLog, session: Session, listener: Listener) -> None:
     """Take what there is to take, as the page does; then compare with a run of this past alone."""
     frame = listener.take()
     if frame is not None:
-        log.note(frame)
+        log.note(frame, session.fork)
         assert log.end == session.tick
     if log.lacks_some:
         log.complete(session.happened)
@@ -103,9 +103,6 @@ def test_another_branch_leaves_nothing_behind(session: Session) -> None:
         assert [one.text for one in log.messages if isinstance(one, ProgramMessage)] == ["start"]
         session.write({"V.E.VALUE": 0}, "page")
         session.step(50)
-        frame = listener.take()
-        assert frame is not None
-        assert log.note(frame) == 100  # from there on curves and marks are of another branch
         look(log, session, listener)
         assert max(event.tick for event in log.events) < 150
 
@@ -120,5 +117,5 @@ def test_what_the_session_says_stays(session: Session) -> None:
         session.go_to(0)
         frame = listener.take()
         assert frame is not None
-        log.note(frame)
+        log.note(frame, session.fork)
     assert log.messages == (row,)

@@ -35,7 +35,7 @@ class RunLog:
 
     def __init__(self, cycle_time_us: int) -> None:
         self._cycle_time_us = cycle_time_us
-        self._known = (1, 0)
+        self._branch = 1
         self._found: tuple[tuple[int, int, Diagnostic], ...] = ()
         self.events: tuple[Event, ...] = ()
         self.messages: tuple[ProgramMessage | LogRow, ...] = ()
@@ -51,19 +51,15 @@ class RunLog:
         """List a row among the messages; it belongs to no tick."""
         self.messages = (*self.messages, row)[-MAX_LOG:]
 
-    def note(self, frame: Frame) -> int | None:
-        """Take a frame; return from which tick on its branch is another than before, if it is."""
-        branch, travels = self._known
-        self._known = (frame.branch, frame.travels)
-        is_other = frame.branch != branch
-        # two branches may share a part of their past, which is not known here
-        kept = 0 if is_other and frame.travels != travels else frame.first_tick
-        self._forget_from(kept)
+    def note(self, frame: Frame, fork: Callable[[int, int], int]) -> None:
+        """Take a frame; ``fork``: the tick before which two branches are the same."""
+        left, self._branch = self._branch, frame.branch
+        first = frame.first_tick
+        self._forget_from(first if left == frame.branch else min(first, fork(left, frame.branch)))
         if frame.first_tick > self.end:  # what is between has not been reported
             self.events, self.left_out = (), 0
             self.begin, self.lacks_some = frame.first_tick, True
         self._add(frame)
-        return kept if is_other else None
 
     def complete(self, happened: Callable[[int, int], StepResult]) -> None:
         """Let what ``happened`` in the latest ticks take the place of what is known of them.

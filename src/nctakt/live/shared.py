@@ -118,7 +118,7 @@ class SharedSession:
         self.channel_count = description.channel_count
         self.lines: Sequence[str] = list(self.texts.get(self.file, ()))
         self._set_axes()
-        self.track.clear()
+        self.track.clear(session.branch)
         self.log = RunLog(self.cycle_time_us)
         self._refused = description.diagnostics
         self.stopped_at: tuple[int, str] = (0, "")
@@ -167,10 +167,11 @@ class SharedSession:
 
     def go_to_next(self, stop: StopAt) -> None:
         """Run to the next such moment, or to a stop; the page shows the way, and may pause it."""
-        self.session.pause()
-        self.session.set_stops(*self.stops, stop)
-        self.session.play(rests=True)
-        self._passing = stop  # once it plays: a session at rest has come there
+        with self.lock:  # the thread must not take this stop for the one before, which has held
+            self.session.pause()
+            self.session.set_stops(*self.stops, stop)
+            self.session.play(rests=True)
+            self._passing = stop
         self._wake.set()
 
     def set_stops(self, stops: Sequence[str]) -> None:
@@ -224,7 +225,9 @@ class SharedSession:
 
     def why(self, line: int, language: Language) -> str:
         """Return why the condition in a line of the program is as it is; raises ``Failure``."""
-        return why_text(self.explainer.report(self.moment, self.session), line, language)
+        with self.lock:
+            moment, session = self.moment, self.session
+        return why_text(self.explainer.report(moment, session), line, language)
 
     def stretch(self, first: int, end: int) -> dict[str, Any]:
         """Return the curves of a stretch of the past in detail; raises ``Failure``."""
@@ -308,10 +311,8 @@ class SharedSession:
 
     def _note(self, frame: Frame) -> None:
         """Note the events and messages of a frame."""
-        tick = self.log.note(frame)
-        if tick is not None:
-            self.track.cut(tick)
-            self.explainer.cut(self._serial, frame.branch, tick)
+        self.log.note(frame, self.session.fork)
+        self.track.turn_to(frame.branch, self.session.fork)
         self.track.note(frame.events, self.channel, self.file)
 
     def snapshot_of(self, frame: Frame | None) -> Snapshot:
@@ -319,12 +320,17 @@ class SharedSession:
         session = self.session
         is_playing = session.is_playing
         names = self._names()
+        branch = session.branch
         state_view = session.state_view(*names)
         latest = session.latest
         values = dict(zip(names, state_view.values, strict=True))
-        self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
+        self.track.turn_to(branch, session.fork)
+        is_known = branch == session.branch
+        if is_known:  # what was read is of this branch
+            self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
         if is_playing:
-            self._append(state_view.tick - 1, values)
+            if is_known:
+                self._append(state_view.tick - 1, values)
         else:
             if self.log.lacks_some:
                 with contextlib.suppress(Failure):  # the next look tries it again

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import threading
 from collections import deque
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 from typing import Any
 
@@ -99,10 +99,11 @@ class Shown:
 
 
 class Track:
-    """The curves, marks, blocks and sampled lanes of a session; ``parts``: by their names."""
+    """The curves, marks, blocks and sampled lanes of a branch; ``parts``: by their names."""
 
     def __init__(self) -> None:
         self.shown = Shown()
+        self._branch = 1
         self.rows = Growing(MAX_ROWS)
         self.marks = Growing(MAX_MARKS)
         self.blocks = Growing(MAX_BLOCKS)
@@ -119,15 +120,22 @@ class Track:
             self.shown = shown
             self.rows.replace(())
 
-    def clear(self) -> None:
-        """Forget all."""
+    def clear(self, branch: int | None = None) -> None:
+        """Forget all; ``branch``: that of another session."""
+        self._branch = self._branch if branch is None else branch
         for part in self.parts.values():
             part.replace(())
 
-    def cut(self, tick: int) -> None:
-        """Forget what belongs to a tick and to later ones."""
-        for part in self.parts.values():
-            part.cut(tick)
+    def turn_to(self, branch: int, fork: Callable[[int, int], int]) -> None:
+        """Be of a branch from now on, and forget what the one before does not share with it.
+
+        ``fork``: the tick before which two branches are the same.
+        """
+        if branch != self._branch:
+            tick = fork(self._branch, branch)
+            self._branch = branch
+            for part in self.parts.values():
+                part.cut(tick)
 
     def note(self, events: Sequence[Event], channel: int, file: str) -> None:
         """Add the marks and blocks of events that are newer than those there."""

@@ -320,6 +320,10 @@ class SessionCore:
         """Return a copy that can run ahead, or ``None`` if the future cannot be predicted."""
         return self.timeline.ahead()
 
+    def fork(self, one: int, other: int) -> int:
+        """Return the tick before which two branches are the same."""
+        return self.timeline.fork(one, other)
+
     def compare(self, one: int, other: int, poll: Poll) -> BranchDifference:
         """Return where all signals of two branches differ first."""
         signals = self.description.signals
@@ -338,11 +342,13 @@ class SessionCore:
         """Return values, cycles and what waits, all of this tick."""
         return cast("StateView", self.timeline.live.ask("state_view", list(names)))
 
-    def past(self) -> Past:
-        """Return what it takes to run the session up to here again."""
+    def past(self, tick: int | None = None, branch: int | None = None) -> Past:
+        """Return what it takes to run a branch up to a tick again, by default up to here."""
         timeline = self.timeline
-        marks = tuple(timeline.branch.marks_between(-1, self.tick))
-        return Past(timeline.setup, tuple(timeline.tape()), self.tick, marks)
+        end = self.tick if tick is None else tick
+        target = timeline.reached(end, branch)
+        marks = tuple(target.marks_between(-1, end))
+        return Past(timeline.setup, tuple(timeline.tape(target)), end, marks)
 
     # --- the end --------------------------------------------------------------------------------
 

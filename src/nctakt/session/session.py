@@ -532,17 +532,22 @@ class Session:
         engine = self._ask(self._core.ahead)
         return iter((UNKNOWN,)) if engine is None else run_ahead(engine, signals)
 
+    def fork(self, one: int, other: int) -> int:
+        """Return the tick before which two branches are the same; raises ``Failure`` (901157)."""
+        return self._core.fork(one, other)
+
     def compare_branches(self, one: int, other: int) -> BranchDifference:
         """Return where the signals of two branches differ first; raises ``Failure`` (901157)."""
         return self._ask(self._core.compare, one, other, self._poll)
 
-    def why(self) -> WhyReport:
-        """Return why reactions have fired up to here, or have not; the session goes on meanwhile.
+    def why(self, tick: int | None = None, branch: int | None = None) -> WhyReport:
+        """Return why reactions have fired up to a tick, by default up to here, or have not.
 
-        The past is run again for it. Raises ``Failure`` where the session has no ticks yet.
+        The past is run again for it; the session goes on meanwhile. Raises ``Failure`` where there
+        are no ticks yet, or a branch has not reached the tick (901154, 901157).
         """
         poll = self._thread.poller()
-        report = self._ask(self._core.past).explained(poll).why
+        report = self._ask(self._core.past, tick, branch).explained(poll).why
         assert report is not None
         return report
 

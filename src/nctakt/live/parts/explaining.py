@@ -35,7 +35,7 @@ class Explainer:
     def __init__(self, notify: Callable[[], None]) -> None:
         self._notify = notify
         self._report: tuple[Moment, WhyReport] | None = None
-        self._farthest: tuple[Moment, WhyReport] | None = None
+        self._widest: tuple[Moment, Session, WhyReport] | None = None
         self._lanes: tuple[WhyReport | None, str, list[dict[str, Any]]] = (None, "", [])
         self._wish: tuple[Moment, Session] | None = None
         self._changed = threading.Condition()
@@ -63,45 +63,36 @@ class Explainer:
         known = self._report
         if known is not None and known[0] == moment:
             return known[1]
-        report = session.why()
-        if report.first_tick + report.ticks == moment[2]:  # it has not gone on meanwhile
-            self._keep(moment, report)
-            self._notify()
+        report = self._explained(moment, session)
+        self._report = (moment, report)
+        self._notify()
         return report
 
     def knows(self, moment: Moment) -> bool:
         """Return whether the report of this place is there."""
         return self._report is not None and self._report[0] == moment
 
-    def _keep(self, moment: Moment, report: WhyReport) -> None:
-        """Keep a report; that of the farthest tick of a branch also for its lanes."""
-        self._report = (moment, report)
-        farthest = self._farthest
-        if farthest is None or farthest[0][:2] != moment[:2] or farthest[0][2] < moment[2]:
-            self._farthest = (moment, report)
-
-    def cut(self, serial: int, branch: int, tick: int) -> None:
-        """Another branch is shown, whose ticks before ``tick`` are those of the one before."""
-        farthest = self._farthest
-        if farthest is not None:
-            (known, _, end), report = farthest
-            self._farthest = None
-            if known == serial and tick > 0:
-                self._farthest = ((serial, branch, min(end, tick)), report)
+    def _explained(self, moment: Moment, session: Session) -> WhyReport:
+        """Explain a place; what the lanes have of its branch gets longer by it, never shorter."""
+        report = session.why(moment[2], moment[1])
+        if _exact_end(self._widest, moment) <= moment[2]:
+            self._widest = moment, session, report
+        return report
 
     def bars(self, moment: Moment, file: str) -> dict[str, Any]:
         """Return when conditions of the branch were true, exactly, and up to which tick.
 
         ``lines``: for each its line, from when on it is known, first ticks and ends.
         """
-        farthest = self._farthest
-        if farthest is None or farthest[0][:2] != moment[:2]:
+        widest = self._widest
+        end = _exact_end(widest, moment)
+        if widest is None or not end:
             return {"end": 0, "lines": []}
-        known, _, lines = self._lanes
-        if known is not farthest[1] or self._lanes[1] != file:
-            lines = bars_of(farthest[1], file)
-            self._lanes = farthest[1], file, lines
-        return {"end": farthest[0][2], "lines": lines}
+        known, of_file, lines = self._lanes
+        if known is not widest[2] or of_file != file:
+            lines = bars_of(widest[2], file)
+            self._lanes = widest[2], file, lines
+        return {"end": end, "lines": lines}
 
     def _work(self) -> None:
         while not self._is_closed:
@@ -114,8 +105,17 @@ class Explainer:
                 self._wish = None
             try:
                 self.report(*wish)
+                self._look_on(*wish)
             except (Failure, RuntimeError):
                 time.sleep(_REST_S)  # whoever clicks gets the reason
+
+    def _look_on(self, moment: Moment, session: Session) -> None:
+        """Let the lanes be exact up to the end of the branch, as far as its curves go."""
+        serial, branch, _ = moment
+        end = session.branches[branch]
+        if _exact_end(self._widest, moment) < end <= _MAX_TICKS and self._wish is None:
+            self._explained((serial, branch, end), session)
+            self._notify()
 
     def _is_replaced(self, wish: tuple[Moment, Session] | None) -> bool:
         return self._wish is not wish or self._is_closed
@@ -125,6 +125,14 @@ class Explainer:
         with self._changed:
             self._is_closed = True
             self._changed.notify_all()
+
+
+def _exact_end(widest: tuple[Moment, Session, WhyReport] | None, moment: Moment) -> int:
+    """Return up to which tick of a place's branch a report knows it: at most to where they part."""
+    if widest is None or widest[0][0] != moment[0]:
+        return 0
+    (_, branch, end), session, _ = widest
+    return min(end, session.fork(branch, moment[1]))
 
 
 def bars_of(report: WhyReport, file: str) -> list[dict[str, Any]]:

@@ -313,9 +313,7 @@ class Timeline:
         Returns what its last ticks have done. Raises ``Failure`` (901154, 901157, 901901), and it
         stays where it was.
         """
-        target = self.branch if branch is None else self._branch(branch)
-        if not 0 <= tick <= target.latest:
-            raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
+        target = self.reached(tick, branch)
         if target is self.branch and tick == self.tick and self._fault is None:
             return self._live.run(tick)
         is_front = self._can_copy and self.tick == self.branch.latest and self._fault is None
@@ -350,6 +348,16 @@ class Timeline:
             self._park(self._live)
         else:
             self._live.close()
+
+    def reached(self, tick: int, branch: int | None = None) -> Branch:
+        """Return a branch, by default this one; raises ``Failure`` (901154, 901157).
+
+        It must have reached this tick.
+        """
+        target = self.branch if branch is None else self._branch(branch)
+        if not 0 <= tick <= target.latest:
+            raise Failure(diagnostic(TICK_NOT_REACHED, tick=tick, latest=target.latest))
+        return target
 
     def _branch(self, number: int) -> Branch:
         if not 0 < number <= len(self.branches):
@@ -522,6 +530,10 @@ class Timeline:
         engine.is_apart = True
         return engine
 
+    def fork(self, one: int, other: int) -> int:
+        """Return the tick before which two branches are the same; raises ``Failure`` (901157)."""
+        return fork_of(self._branch(one), self._branch(other))
+
     def compare(self, one: int, other: int, signals: Sequence[str], poll: Poll) -> BranchDifference:
         """Return where two branches differ first; raises ``Failure`` (901157)."""
         branches = self._branch(one), self._branch(other)
@@ -646,9 +658,12 @@ class Timeline:
         """What the session was opened with."""
         return self._setup
 
-    def tape(self) -> list[Input]:
-        """Return the inputs of this branch, the PLC's too, in the order of their ticks."""
-        return sorted(self._planned(self.branch, -1), key=lambda one: one.tick)
+    def tape(self, branch: Branch | None = None) -> list[Input]:
+        """Return the inputs of a branch, by default of this one, in the order of their ticks.
+
+        Those of the PLC are among them.
+        """
+        return sorted(self._planned(branch or self.branch, -1), key=lambda one: one.tick)
 
     def news(self, first: int) -> tuple[int, int, list[Input]]:
         """Return branch, latest tick, and the inputs before it from tick ``first`` on."""

@@ -7,8 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from support.page_driving import BROWSER, PATIENCE_MS, chromium, opened, served
-from support.published_model import installed
+from support.page_driving import BROWSER, PATIENCE_MS, axe_source, chromium, opened, serious, served
 from support.stepped_machine import DEMO5
 
 from nctakt.live.texts import WORDS
@@ -35,8 +34,7 @@ M30
 @pytest.fixture(scope="module")
 def axe(tmp_path_factory: pytest.TempPathFactory) -> str:
     """The source of axe-core."""
-    modules = installed("axe-core", tmp_path_factory.mktemp("npm"))
-    return (modules / "axe-core" / "axe.min.js").read_text("utf-8")
+    return axe_source(tmp_path_factory.mktemp("npm"))
 
 
 @pytest.fixture(scope="module")
@@ -64,20 +62,6 @@ def visit(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[An
             return page
 
         yield opened
-
-
-def serious(page: Any, axe: str) -> list[str]:
-    """What axe-core finds serious or critical."""
-    page.evaluate(axe)
-    # without its own requests for style sheets, during which the library shows a bar
-    options = "{ resultTypes: ['violations'], preload: false }"
-    found = page.evaluate(f"axe.run(document, {options})")
-    return [
-        f"{one['id']}: {node['html'][:120]} {node['failureSummary'][:200]}"
-        for one in found["violations"]
-        if one["impact"] in ("serious", "critical")
-        for node in one["nodes"]
-    ]
 
 
 def test_axe_finds_nothing_serious(visit: Any, axe: str) -> None:

@@ -280,3 +280,31 @@ def test_debugging_changes_no_result(cell: Path) -> None:
         watched.set_stops()
         watched.run("40 ms")
         assert watched.read(*names) == expected
+
+
+def test_values_beside_lines_are_those_of_their_unit(session: Session, cell: Path) -> None:
+    """After tick 0 (n = 1, nCount = 2): a local variable lives only while its method is open."""
+    file = cell.as_posix()
+    assert session.plc_instances(file) == ["MAIN.fbGate"]
+    session.step()
+    wanted = [
+        (20, ["n"]),
+        (9, ["nLocal", "nBy"]),
+        (10, ["nCount"]),
+        (14, ["eGate"]),
+        (24, ["fbGate"]),
+    ]
+    gate = "MAIN.fbGate"
+    assert session.texts_beside(file, wanted, 0, gate) == [
+        ["1"],
+        ["", ""],
+        ["2"],
+        ["E_Gate.Closed"],
+        [""],
+    ]
+    assert session.texts_beside(file, wanted[2:3]) == [[""]]
+    assert session.texts_beside(file, wanted[2:3], 0, "MAIN") == [[""]]
+    session.back()
+    session.run(until="statement cell.st:10")
+    assert session.texts_beside(file, wanted[:3]) == [["1"], ["2", "1"], ["0"]]
+    assert session.texts_beside(file, [(10, ["nCount"])], 1) == [[""]]

@@ -13,6 +13,8 @@ from typing import Any
 
 import pytest
 
+from support.published_model import installed
+
 CHROMIUM = shutil.which("chromium")
 
 #: How long a page may take for anything, in ms: the machine may be busy with other things.
@@ -77,3 +79,23 @@ def opened(browser: Any, address: str, width: int = 1280, height: int = 800) -> 
     page.goto(address)
     page.wait_for_function("document.querySelector('[data-testid=clock]')?.textContent")
     return page
+
+
+def axe_source(folder: Path) -> str:
+    """Return the source of axe-core; skip the test where npm cannot fetch it."""
+    modules = installed("axe-core", folder)
+    return (modules / "axe-core" / "axe.min.js").read_text("utf-8")
+
+
+def serious(page: Any, axe: str) -> list[str]:
+    """What axe-core finds serious or critical."""
+    page.evaluate(axe)
+    # without its own requests for style sheets, during which the library shows a bar
+    options = "{ resultTypes: ['violations'], preload: false }"
+    found = page.evaluate(f"axe.run(document, {options})")
+    return [
+        f"{one['id']}: {node['html'][:120]} {node['failureSummary'][:200]}"
+        for one in found["violations"]
+        if one["impact"] in ("serious", "critical")
+        for node in one["nodes"]
+    ]

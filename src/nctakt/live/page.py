@@ -20,10 +20,11 @@ from nctakt.live.drawings import Drawings
 from nctakt.live.parts.commander import Commander
 from nctakt.live.parts.functions import Functions
 from nctakt.live.parts.help import build_help
-from nctakt.live.parts.keys import KEYS
+from nctakt.live.parts.keys import KEYS, label_of
 from nctakt.live.parts.lists import NAMES, Lists
 from nctakt.live.parts.naming import explained, named
 from nctakt.live.parts.panel import Panel
+from nctakt.live.parts.plc_pane import is_step
 from nctakt.live.parts.program_card import ProgramCard
 from nctakt.live.parts.tour import Hands, Tour
 from nctakt.live.parts.variables import Variables
@@ -167,10 +168,8 @@ class Page:
         async def act() -> None:
             await self._transport(name)
 
-        key = next(key for key in KEYS.values() if key.command == name)
-        label = key.label[1 if self._texts.language == "de" else 0]
         button = ui.button(icon=icon, on_click=act).props(f"dense flat data-testid={name}")
-        explained(button, f"{self._texts[name]} ({label})")
+        explained(button, f"{self._texts[name]} ({label_of(name, self._texts.language)})")
         if name == "back_reaction":
             button.classes("nc-mirrored")
 
@@ -252,6 +251,10 @@ class Page:
     async def _ask_why(self, line: int) -> None:
         await self._lists.ask_why(line)
 
+    async def _begin_condition(self) -> None:
+        stop = await self._program.stop_of_cursor()
+        self._lists.begin_stop(f"{stop} if " if stop else "")
+
     def _reveal(self, line: int) -> None:
         self._program.reveal(line)
 
@@ -323,11 +326,12 @@ class Page:
             await self._panel.flip(name)
         elif name.startswith("tab_"):
             self._lists.choose(NAMES[int(key.key) - 1])
-        elif name in ("toggle_stop", "why"):
-            line = await self._program.line_of_cursor()
-            await (
-                self._program.toggle_stop(line) if name == "toggle_stop" else self._ask_why(line)
-            )
+        elif name == "toggle_stop":
+            await self._program.toggle_stop_at_cursor()
+        elif name == "why":
+            await self._lists.ask_why(*await self._program.place_of_cursor())
+        elif is_step(name):
+            await self._program.plc.step(name)
         elif (action := self._actions().get(name)) is not None:
             done = action()
             if isinstance(done, Awaitable):
@@ -344,6 +348,8 @@ class Page:
             "override_down": lambda: self._panel.change_override(-1),
             "acknowledge": self._functions.acknowledge_first,
             "save": self._program.save,
+            "condition": self._begin_condition,
+            "plc_next_file": self._program.show_next_file,
             "search_variable": self._variables.focus_search,
             "scope_left": lambda: drawings.pan(-0.2),
             "scope_right": lambda: drawings.pan(0.2),

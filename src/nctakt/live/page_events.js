@@ -23,6 +23,7 @@
   const isInField = (target) => target.closest && target.closest(".cm-editor, input, textarea, select, .q-menu");
 
   document.addEventListener("keydown", (event) => {
+    if (event.target.closest(".nc-plc-lines") && /^(Arrow|Page|Home|End)/.test(event.key)) return; // moves its cursor
     const inside = isInField(event.target), isCommand = event.ctrlKey || event.metaKey;
     if (isCommand && event.key.toLowerCase() === "s") {
       event.preventDefault();
@@ -37,8 +38,10 @@
     }
     event.preventDefault();
     event.stopPropagation();
-    if (event.key === "e") { if (editor()) editor().focus(); return; }
-    if (!inside && document.activeElement) document.activeElement.blur();
+    const lines = document.querySelector(".nc-plc-lines");
+    const shown = lines && lines.offsetParent ? lines : null; // a file of the PLC takes the editor's place
+    if (event.key === "e") { if (shown || editor()) (shown || editor()).focus(); return; }
+    if (!inside && document.activeElement !== shown && document.activeElement) document.activeElement.blur();
     emitEvent("nctakt_key", { key: event.key });
   }, true);
 

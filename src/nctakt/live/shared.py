@@ -21,7 +21,7 @@ from nctakt.comparison.overlay import LoggedCurve
 from nctakt.live import view
 from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.conditions import conditions_of
-from nctakt.live.parts.explaining import Explainer, Moment, why_text
+from nctakt.live.parts.explaining import Explainer, Moment, why_plc_text, why_text
 from nctakt.live.plc_files import PlcFiles
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
@@ -223,11 +223,17 @@ class SharedSession:
             self._looked_at = ()
         self._wake.set()
 
-    def why(self, line: int, language: Language) -> str:
-        """Return why the condition in a line of the program is as it is; raises ``Failure``."""
+    def why(self, line: int, language: Language, file: str = "") -> str:
+        """Return why the condition in a line of the program is as it is; raises ``Failure``.
+
+        ``file``: one of the PLC; then what the statement in its line has written.
+        """
         with self.lock:
             moment, session = self.moment, self.session
-        return why_text(self.explainer.report(moment, session), line, language)
+        report = self.explainer.report(moment, session)
+        if file:
+            return why_plc_text(report, file, line, language)
+        return why_text(report, line, language)
 
     def stretch(self, first: int, end: int) -> dict[str, Any]:
         """Return the curves of a stretch of the past in detail; raises ``Failure``."""
@@ -352,6 +358,7 @@ class SharedSession:
             state_view.waiting,
             session.lateness[0],
             state_view.channels[self.channel - 1].awaited,
+            None if is_playing else session.statement,
         )
         if self.path_signals:
             self.ahead.wish(self.future_subject, session)

@@ -50,6 +50,34 @@ WORDS: dict[str, tuple[str, str]] = {
     "edit": ("To the editor", "Zum Editor"),
     "leave": ("Leave the field or the editor", "Feld oder Editor verlassen"),
     "toggle_stop": ("Stop in this line, or not", "Haltepunkt in dieser Zeile setzen, löschen"),
+    # The PLC.
+    "plc_file": ("PLC:", "SPS:"),
+    "plc_into": ("Step into the call", "In den Aufruf hinein"),
+    "plc_over": ("To the next statement", "Zur nächsten Anweisung"),
+    "plc_out": ("Out of the call", "Aus dem Aufruf heraus"),
+    "plc_back_into": ("Back into the call", "Zurück, in den Aufruf hinein"),
+    "plc_back_over": ("Back to the last statement", "Zurück zur letzten Anweisung"),
+    "plc_back_out": ("Back out of the call", "Zurück, aus dem Aufruf heraus"),
+    "plc_next_file": ("Program, or the next file of the PLC", "Programm oder nächste SPS-Datei"),
+    "condition": ("Stop with a condition", "Haltepunkt mit Bedingung"),
+    "plc_calls": ("Open calls", "Offene Aufrufe"),
+    "plc_instance": ("Instance whose values are shown", "Instanz, deren Werte gezeigt werden"),
+    "plc_standing": (
+        "in tick {tick}, before the marked line",
+        "in Takt {tick}, vor der markierten Zeile",
+    ),
+    "plc_no_statement": (
+        "No statement of the PLC begins here or below.",
+        "Hier und darunter beginnt keine Anweisung der SPS.",
+    ),
+    "plc_wrote_nothing": (
+        "The statement in this line has written nothing yet that the record explains: neither the "
+        "interface nor a V.E variable.",
+        "Die Anweisung dieser Zeile hat noch nichts geschrieben, was die Aufzeichnung erklärt: "
+        "weder die Schnittstelle noch eine V.E-Variable.",
+    ),
+    "plc_none_after": ("No statement of the PLC follows.", "Es folgt keine Anweisung der SPS."),
+    "plc_none_before": ("No statement of the PLC is before.", "Davor ist keine Anweisung der SPS."),
     # Lists.
     "lists": (
         "Findings, messages, events, why, stops, branches",
@@ -278,6 +306,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "keys_run": ("Run", "Lauf"),
     "keys_panel": ("Operator's panel", "Bedientafel"),
     "keys_program": ("Program", "Programm"),
+    "keys_plc": ("PLC", "SPS"),
     "keys_view": ("View", "Ansicht"),
     "tab_findings": ("Findings", "Befunde"),
     "tab_messages": ("Messages", "Meldungen"),

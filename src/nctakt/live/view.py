@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
@@ -21,7 +21,7 @@ from nctakt.live.texts import Texts
 from nctakt.results.compared import Compared
 from nctakt.results.run import ProgramMessage, RunState
 from nctakt.session.engine import BranchState, CycleState
-from nctakt.session.statements import names_file
+from nctakt.session.statements import PlcPlace, names_file
 from nctakt.trace.events import Event
 
 _AXIS = re.compile(r"((?:CH\d+\.)?)(\w+)\.ACS\.ACT_POS")
@@ -63,7 +63,8 @@ class Snapshot:
     that the branch has reached. ``blocks`` and ``decoding``: number of the channel -> place of the
     current block, and of the decoder. ``cycles``: those that have ended come first.
     ``late``: slices that came late since the clock began.
-    ``awaited``: what the program of the shown channel waits for.
+    ``awaited``: what the program of the shown channel waits for. ``statement``: where within the
+    tick it stands before a statement of its PLC.
     """
 
     number: int
@@ -80,6 +81,7 @@ class Snapshot:
     waiting: Sequence[tuple[int, Entry]]
     late: int = 0
     awaited: Text | None = None
+    statement: PlcPlace | None = None
 
     @property
     def shown_tick(self) -> int:
@@ -92,12 +94,16 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class LogRow:
-    """A row of the lists of findings, messages and events; ``line`` 0: none."""
+    """A row of the lists of findings, messages and events; ``line`` 0: none.
+
+    ``file``: the one of the PLC that has the line, empty: the program that is shown.
+    """
 
     kind: str
     line: int
     text: str
     remedy: str = ""
+    file: str = ""
 
 
 # --- signals ------------------------------------------------------------------------------------
@@ -312,16 +318,14 @@ def _compared_text(compared: Compared) -> str:
 # --- lists --------------------------------------------------------------------------------------
 
 
-def finding_rows(found: Sequence[Diagnostic], file: str, language: Language) -> list[LogRow]:
-    """Return diagnostics of a program as rows: the worst first, then by line."""
-    rows = [
-        (
-            -one.severity,
-            one.span.line if one.span is not None and one.span.file == file else 0,
-            one,
-        )
-        for one in found
-    ]
+def finding_rows(
+    found: Sequence[Diagnostic], file: str, language: Language, plc: Collection[str] = ()
+) -> list[LogRow]:
+    """Return diagnostics of a program as rows: the worst first, then by line.
+
+    ``plc``: the files of the PLC, whose lines a row names, too.
+    """
+    rows = [(-one.severity, *_location(one.span, file, plc), one) for one in found]
     rows.sort(key=lambda row: row[:2])
     return [
         LogRow(
@@ -329,9 +333,19 @@ def finding_rows(found: Sequence[Diagnostic], file: str, language: Language) -> 
             line,
             f"{one.id}: {one.text(language)}",
             one.remedy(language),
+            of_plc,
         )
-        for _, line, one in rows
+        for _, line, of_plc, one in rows
     ]
+
+
+def _location(span: Span | None, file: str, plc: Collection[str]) -> tuple[int, str]:
+    """Return the line of a span and its file of the PLC; 0 where neither file is shown."""
+    if span is None:
+        return 0, ""
+    if span.file in plc:
+        return span.line, span.file
+    return (span.line if span.file == file else 0), ""
 
 
 def message_row(message: ProgramMessage | LogRow) -> LogRow:
@@ -341,10 +355,13 @@ def message_row(message: ProgramMessage | LogRow) -> LogRow:
     return LogRow("message", 0, f"{message.time_us / 1000:g} ms  {message.text}")
 
 
-def event_row(event: Event, language: Language) -> LogRow:
-    """Return an event as a row."""
-    line = event.span.line if event.span is not None else 0
-    return LogRow(event.kind, line, f"{event.tick}  {event_words(event, language)}")
+def event_row(
+    event: Event, language: Language, file: str = "", plc: Collection[str] = ()
+) -> LogRow:
+    """Return an event as a row, with its line if that is of the program or of the PLC."""
+    line, of_plc = _location(event.span, file, plc)
+    text = f"{event.tick}  {event_words(event, language)}"
+    return LogRow(event.kind, line, text, file=of_plc)
 
 
 def function_text(entry: Entry) -> str:

@@ -489,6 +489,8 @@ class Engine:
             "of_scope": self.statements.of_scope,
             "below": self.statements.below,
             "value": self.statements.value,
+            "texts_beside": self.statements.texts_beside,
+            "instances": self.statements.instances,
         }
         return questions[request](*words)
 

@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.notebook import html_columns, html_table
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import Time, TimeLike
+from nctakt.plc.stepping.beside import Line
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.results.explained.why import WhyReport
 from nctakt.results.instruction_tree import ListedCycle
@@ -320,6 +321,20 @@ class Session:
         Raises ``Failure`` for what it does not know, and for what refers to nothing.
         """
         return self._ask(self._core.cursor.look, "below", level, path, first, count)
+
+    def texts_beside(
+        self, file: str, lines: Sequence[Line], level: int | None = 0, instance: str = ""
+    ) -> list[list[str]]:
+        """Return the values of what lines of a PLC's file name, such as ``[(12, ["n", "a.b"])]``.
+
+        Names mean what they mean in their line: in a call, counted from the innermost, if that line
+        is of it, else in an ``instance`` of the block. "" for what has parts, or no value there.
+        """
+        return self._ask(self._core.cursor.look, "texts_beside", level, instance, file, lines)
+
+    def plc_instances(self, file: str) -> list[str]:
+        """Return the paths of the instances of the blocks that a PLC's file declares."""
+        return self._ask(self._core.cursor.look, "instances", file)
 
     def value(self, text: str, level: int | None = 0) -> PlcValue:
         """Return a variable by path, or an expression in Structured Text, in a call of the PLC.

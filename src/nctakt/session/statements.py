@@ -18,6 +18,7 @@ from nctakt.kernel.st.observing.probes import Sought
 from nctakt.kernel.tick.stops import Faults, PassesStatement, Stop
 from nctakt.messages import diagnostic
 from nctakt.messages.plc_debugging import NO_STATEMENT_THERE, NO_STRUCTURED_TEXT
+from nctakt.plc.stepping.beside import Line
 from nctakt.plc.stepping.debugging import PlcFrame, StDebugging
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.plc.structured_text import StructuredPlc
@@ -201,6 +202,16 @@ class Statements:
     def below(self, level: int | None, path: str, first: int, count: int) -> list[PlcValue]:
         """Return what is below a variable."""
         return self.plc.below(level, path, first, count)
+
+    def texts_beside(
+        self, level: int | None, instance: str, file: str, lines: Sequence[Line]
+    ) -> list[list[str]]:
+        """Return the values of what lines of a file name."""
+        return self.plc.texts_beside(level, instance, file, lines)
+
+    def instances(self, file: str) -> list[str]:
+        """Return the paths of the instances of the blocks that a file declares."""
+        return self.plc.beside.instances(file)
 
     def value(self, level: int | None, text: str) -> PlcValue:
         """Return the value of a path or an expression."""

@@ -11,7 +11,7 @@ from nctakt.editor.document import Document
 from nctakt.editor.structured_text.occurrences import Occurrence, is_parameter
 from nctakt.editor.structured_text.plc_project import PlcFile
 from nctakt.editor.structured_text.project_names import ProjectNames
-from nctakt.st.parse.lexer import KEYWORDS
+from nctakt.st.parse.colouring import TOKEN, kind_of_word
 from nctakt.st.sources import Piece
 from nctakt.st.tree import GlobalList, Library
 from nctakt.st.types import (
@@ -24,21 +24,6 @@ from nctakt.st.types import (
     Section,
     Type,
     Variable,
-)
-from nctakt.st.vocabulary.elementary import ELEMENTARY
-from nctakt.st.vocabulary.functions import BUILT_INS, conversion
-
-_TOKEN = re.compile(
-    r"(?P<comment>//[^\n]*|\(\*.*?\*\)|/\*.*?\*/)|(?P<macro>\{[^}]*\})"
-    r"|(?P<string>'(?:[^'$\n]|\$.)*'|\"(?:[^\"$\n]|\$.)*\")"
-    r"|(?P<number>\b(?:[^\W\d]\w*)?\d*\#[\w.:#-]+|\b\d[\d_]*(?:\.\d[\d_]*)?(?:[eE][-+]?\d+)?\b)"
-    r"|(?P<word>[^\W\d]\w*)",
-    re.DOTALL,
-)
-#: Words that are keywords where they stand, and names elsewhere.
-_SOFT = frozenset(
-    """METHOD PROPERTY ACTION GET SET EXTENDS IMPLEMENTS ABSTRACT FINAL PUBLIC PRIVATE PROTECTED
-    INTERNAL CONSTANT RETAIN PERSISTENT AT ARRAY POINTER REFERENCE STRING WSTRING""".split()
 )
 
 
@@ -64,7 +49,7 @@ def semantic_tokens(
 def _tokens(names: ProjectNames, file: PlcFile) -> Iterator[tuple[int, int, int, str, int]]:
     known = {one.start: one for one in names.of(file)}
     for piece in file.pieces:
-        for match in _TOKEN.finditer(piece.text):
+        for match in TOKEN.finditer(piece.text):
             kind, modifiers = _kind_of(match, known.get(piece.base + match.start()))
             if kind:
                 yield from _placed(piece, match, kind, modifiers)
@@ -88,14 +73,8 @@ def _kind_of(match: re.Match[str], found: Occurrence | None) -> tuple[str, int]:
         return match.lastgroup or "", 0
     if found is not None:
         return _kind_of_target(found.target)
-    upper = match[0].upper()
-    if upper in KEYWORDS or upper in _SOFT:
-        return "keyword", 0
-    if upper in ELEMENTARY:
-        return "type", _bits("defaultLibrary")
-    if upper in BUILT_INS or conversion(upper) is not None:
-        return "function", _bits("defaultLibrary")
-    return "", 0
+    kind = kind_of_word(match[0])
+    return kind, _bits("defaultLibrary") if kind in ("type", "function") else 0
 
 
 def _kind_of_target(target: object) -> tuple[str, int]:

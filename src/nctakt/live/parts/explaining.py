@@ -166,6 +166,16 @@ def bars_of(report: WhyReport, file: str) -> list[dict[str, Any]]:
     ]
 
 
+def why_plc_text(report: WhyReport, file: str, line: int, language: Language) -> str:
+    """Return what a statement of the PLC in a line has written, and why; else that it has not."""
+    chosen = report.select_plc_line(file, line)
+    if not chosen.plc:
+        return Texts(language)["plc_wrote_nothing"]
+    tick = report.last_tick
+    parts = [chosen.render_at(tick, language), f"{'─' * 40}\n", chosen.render(language)]
+    return "\n".join(part.strip("\n") for part in parts if part)
+
+
 def why_text(report: WhyReport, line: int, language: Language) -> str:
     """Return why the condition in a line had its state in the last tick, and its history.
 

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Language
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +68,19 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
         ),
     ),
     (
+        "keys_plc",
+        (
+            _same("i", "plc_into", "I"),
+            _same("o", "plc_over", "O"),
+            _same("u", "plc_out", "U"),
+            Key("I", "plc_back_into", ("Shift+I", "⇧I")),
+            Key("O", "plc_back_over", ("Shift+O", "⇧O")),
+            Key("U", "plc_back_out", ("Shift+U", "⇧U")),
+            _same("t", "plc_next_file", "T"),
+            _same("c", "condition", "C"),
+        ),
+    ),
+    (
         "keys_view",
         (
             _same("ArrowLeft", "scope_left", "←"),
@@ -94,3 +108,9 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
 )
 
 KEYS = {key.key: key for _, keys in GROUPS for key in keys}
+
+
+def label_of(command: str, language: Language) -> str:
+    """Return how a person names the key of a command."""
+    key = next(key for key in KEYS.values() if key.command == command)
+    return key.label[1 if language == "de" else 0]

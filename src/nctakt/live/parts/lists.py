@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Callable, Sequence
+from pathlib import PurePath
 from typing import Any
 
 from nicegui import background_tasks, ui
@@ -21,12 +22,16 @@ from nctakt.live.parts.commander import Commander, Newest
 from nctakt.live.parts.explaining import Moment
 from nctakt.live.parts.naming import card, explained, named
 from nctakt.live.parts.program_card import ProgramCard
+from nctakt.live.plc_view import places_in
 from nctakt.live.view import LogRow
 
 NAMES = ("findings", "messages", "events", "why", "stops", "branches")
 
 #: Rows of a list that are shown: the newest.
 _MAX_SHOWN = 80
+
+#: What why is asked for: a line, and its file of the PLC, empty: the program that is shown.
+Subject = tuple[int, str]
 
 #: The lists of rows, and how long they stay as they are while the session plays, in seconds.
 _ROWS, _DISTANCE_S = ("findings", "messages", "events"), 0.4
@@ -39,7 +44,7 @@ class RowsView(Element, component="rows.js"):
 class Lists:
     """The lists of one browser."""
 
-    def __init__(self, commander: Commander, reveal: Callable[[int], None]) -> None:
+    def __init__(self, commander: Commander, reveal: Callable[[int, str], None]) -> None:
         self._commander = commander
         self._shared = commander.shared
         self._texts = commander.texts
@@ -49,7 +54,7 @@ class Lists:
         self._due_s = 0.0
         self._program: ProgramCard | None = None
         self._list_of: dict[str, Any] = {}
-        self._why_of: tuple[int, Moment] | None = None
+        self._why_of: tuple[Subject, Moment] | None = None
         with card(self._texts["lists"], "nc-lists"):
             with ui.tabs().props("dense align=left no-caps outside-arrows mobile-arrows") as tabs:
                 for name in NAMES:
@@ -92,6 +97,7 @@ class Lists:
             with self._list_of[name]:
                 self._earlier = ui.label(self._texts["earlier_answer"]).classes("nc-soft")
                 self._earlier.set_visibility(False)
+                self._why_places = ui.element("div").classes("nc-row nc-why-places")
                 self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
                 self._why.props("role=status")
 
@@ -117,7 +123,8 @@ class Lists:
         messages = [view.message_row(one) for one in log.messages[-_MAX_SHOWN:]]
         self._show_rows("messages", messages[::-1])
         searched = (self._search.value or "").casefold()
-        rows = (view.event_row(one, language) for one in log.events)
+        file, plc = program.document.file, shared.session.description.plc_texts
+        rows = (view.event_row(one, language, file, plc) for one in log.events)
         events = [row for row in rows if searched in row.text.casefold()][-_MAX_SHOWN:]
         if log.begin:
             events.insert(0, LogRow("note", 0, self._texts["begins"].format(tick=log.begin)))
@@ -135,7 +142,8 @@ class Lists:
         known = set(map(str, program.findings))
         of_run = [one for one in self._shared.diagnostics if str(one) not in known]
         found = program.findings if program.is_edited else [*program.findings, *of_run]
-        rows = view.finding_rows(found, program.document.file, self._texts.language)
+        plc = self._shared.session.description.plc_texts
+        rows = view.finding_rows(found, program.document.file, self._texts.language, plc)
         self._show_rows("findings", rows)
 
     def _show_rows(self, name: str, rows: Sequence[LogRow]) -> None:
@@ -143,44 +151,48 @@ class Lists:
         if self._shown.get(name) == shown or self._tabs.value != name:
             return
         self._shown[name] = shown
-        cells = [[row.kind, row.line, row.text, row.remedy] for row in shown]
+        cells = [[row.kind, row.line, row.text, row.remedy, row.file] for row in shown]
         self._list_of[name].props["rows"] = cells
         self._list_of[name].update()
 
     def _clicked(self, event: Any) -> None:
-        if isinstance(event.args, int) and event.args:
-            self._reveal(event.args)
+        match event.args:
+            case [int(line), str(file)] if line:
+                self._reveal(line, file)
 
     # --- why ------------------------------------------------------------------------------------
 
-    async def ask_why(self, line: int) -> None:
-        """Show why the condition in a line is as it is; anybody may ask."""
+    async def ask_why(self, line: int, file: str = "") -> None:
+        """Show why the condition in a line is as it is; anybody may ask.
+
+        ``file``: one of the PLC; then what the statement in the line has written, and why.
+        """
         self.choose("why")
-        await self._asked.wish(line)
+        await self._asked.wish((line, file))
 
     def _renew_why(self) -> None:
         """Let the answer be that of the tick that is shown, or mark it as an earlier one."""
         shared = self._shared
         if self._why_of is None or self._tabs.value != "why":
             return
-        line, moment = self._why_of
+        subject, moment = self._why_of
         is_earlier = moment != shared.moment
         if is_earlier and shared.explainer.knows(shared.moment):
-            background_tasks.create(self._asked.wish(line))
+            background_tasks.create(self._asked.wish(subject))
         elif self._earlier.visible != is_earlier:
             self._earlier.set_visibility(is_earlier)
 
-    async def _answer(self, line: int) -> None:
+    async def _answer(self, subject: Subject) -> None:
         """Show the answer for a line."""
         texts, shared = self._texts, self._shared
         moment = shared.moment
         if not shared.snapshot.tick:
-            self._set_why(texts["not_run"], (line, moment))
+            self._set_why(texts["not_run"], (subject, moment))
             return
         if not shared.explainer.knows(moment):
             self._set_why(texts["explaining"], None)
         try:
-            text = await asyncio.to_thread(shared.why, line, texts.language)
+            text = await asyncio.to_thread(shared.why, subject[0], texts.language, subject[1])
         except (Failure, RuntimeError) as error:
             text = "\n".join(
                 f"{one.id}: {one.text(texts.language)}\n{one.remedy(texts.language)}"
@@ -188,12 +200,24 @@ class Lists:
             )
             text = text or error_text(error)
         self._why.classes(remove="nc-soft")
-        self._set_why(text, (line, moment))
+        self._set_why(text, (subject, moment))
 
-    def _set_why(self, text: str, subject: tuple[int, Moment] | None) -> None:
+    def _set_why(self, text: str, subject: tuple[Subject, Moment] | None) -> None:
         self._why_of = subject
         self._why.set_text(text)
         self._earlier.set_visibility(False)
+        self._show_places(text)
+
+    def _show_places(self, text: str) -> None:
+        """Let a click lead to each line of the PLC that an answer names."""
+        found = places_in(text, self._shared.session.description.plc_texts)
+        self._why_places.clear()
+        with self._why_places:
+            for file, line in found:
+                ui.button(
+                    f"{PurePath(file).name}:{line}",
+                    on_click=lambda file=file, line=line: self._reveal(line, file),
+                ).props("dense flat no-caps size=sm data-testid=why-place")
 
     # --- stops ----------------------------------------------------------------------------------
 
@@ -214,6 +238,12 @@ class Lists:
                     explained(close.props("dense flat size=xs"), f"{self._texts['remove']}: {stop}")
             if not stops:
                 ui.label(self._texts["no_stops"]).classes("nc-soft")
+
+    def begin_stop(self, text: str) -> None:
+        """Let a person go on writing a stop."""
+        self.choose("stops")
+        self._new.set_value(text)
+        ui.timer(0.2, lambda: self._new.run_method("focus"), once=True)  # once it is shown
 
     async def _add_stop(self) -> None:
         text = (self._new.value or "").strip()

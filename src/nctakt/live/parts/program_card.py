@@ -19,6 +19,7 @@ from nctakt.live import view
 from nctakt.live.document import Document
 from nctakt.live.parts.commander import Commander, Newest
 from nctakt.live.parts.naming import card, named
+from nctakt.live.parts.plc_pane import PlcPane
 from nctakt.live.syntax import Syntax
 from nctakt.live.view import Snapshot
 
@@ -92,7 +93,7 @@ class ProgramCard:
         with card(texts["program"], "nc-program"):
             with ui.element("div").classes("nc-row"):
                 self._choice = (
-                    ui.select(self._choices(), value=self._key(), on_change=self._choose)
+                    ui.select({}, on_change=self._choose)
                     .props("dense options-dense borderless data-testid=file")
                     .classes("nc-file")
                 )
@@ -110,20 +111,28 @@ class ProgramCard:
                 line_wrapping=True,
                 on_change=self._changed,
             ).props("data-testid=editor")
+            self.plc = PlcPane(self._commander, self._show_choices)
             ui.on("nctakt_line", self._click)
             ui.on("nctakt_lines", self._wish_colours)
 
     def _choices(self) -> dict[str, str]:
         many = len(self._documents) > 1
         word = self._texts["channel"]
-        return {
+        programs = {
             f"{channel} {document.file}": (f"{word} {channel}: " if many else "") + document.file
             for channel, own in self._documents.items()
             for document in own
         }
+        return programs | self.plc.choices()
 
     def _key(self) -> str:
+        if self.plc.is_shown:
+            return f"plc {self.plc.file}"
         return f"{self._shared.channel} {self.document.file}"
+
+    def _show_choices(self) -> None:
+        """Let a person choose among the programs and the files of the PLC that there are now."""
+        self._choice.set_options(self._choices(), value=self._key())
 
     @property
     def editor_id(self) -> int:
@@ -138,7 +147,11 @@ class ProgramCard:
         return (self._editor.value or "") != self.document.text
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show the blocks, conditions and stops of a tick."""
+        """Show the blocks, conditions and stops of a tick, and where the PLC stands."""
+        arrived = self.plc.arrived(snapshot)
+        if arrived is not None:
+            self.reveal(arrived[1], arrived[0])
+        self.plc.show(snapshot)
         self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
         shared, file = self._shared, self.document.file
         marks = view.finding_marks(self._checked_lines, file, self.findings)
@@ -213,9 +226,15 @@ class ProgramCard:
         # not as a property of the element: with it the browser gets the text that the server knows
         self._editor.run_method("setTheme", "vscodeDark" if is_dark else "basicLight")
 
-    def reveal(self, line: int) -> None:
-        """Scroll to a line."""
-        if 1 <= line <= len((self._editor.value or "").split("\n")):
+    def reveal(self, line: int, file: str = "") -> None:
+        """Scroll to a line, of a file of the PLC or of the program."""
+        key = f"plc {file}" if file else f"{self._shared.channel} {self.document.file}"
+        if key != self._choice.value and key in self._choice.options:
+            self._show_plc(key)
+            self._choice.set_value(key)
+        if file:
+            self.plc.reveal(line)
+        elif 1 <= line <= len((self._editor.value or "").split("\n")):
             self._editor.reveal_line(line)
 
     # --- lines ----------------------------------------------------------------------------------
@@ -247,6 +266,39 @@ class ProgramCard:
         lines = await run.io_bound(self._syntax.shown, self._editor.value or "", *bounds)
         found = json.dumps([max(bounds[0], 1), lines])
         self._editor.client.run_javascript(f"nctaktEditor.colour(...{found})")
+
+    def _show_plc(self, key: str) -> bool:
+        """Show a file of the PLC in the editor's place, or not; return whether the key is one's."""
+        is_plc = self.plc.choose(key)
+        self._editor.set_visibility(not is_plc)
+        return is_plc
+
+    def show_next_file(self) -> None:
+        """Show the next one of the choices."""
+        keys = list(self._choice.options)
+        index = keys.index(self._choice.value) if self._choice.value in keys else -1
+        self._choice.set_value(keys[(index + 1) % len(keys)])
+
+    async def toggle_stop_at_cursor(self) -> None:
+        """Set a stop where the cursor is, or take those there away."""
+        if self.plc.is_shown:
+            await self.plc.toggle_stop()
+        else:
+            await self.toggle_stop(await self.line_of_cursor())
+
+    async def place_of_cursor(self) -> tuple[int, str]:
+        """Return the line of the cursor, and its file where that is one of the PLC."""
+        if self.plc.is_shown:
+            return self.plc.line_of_cursor, self.plc.file
+        return await self.line_of_cursor(), ""
+
+    async def stop_of_cursor(self) -> str:
+        """Return the stop that a person means by the line of the cursor; empty: none."""
+        if self.plc.is_shown:
+            return self.plc.stop_of_cursor
+        line = await self.line_of_cursor()
+        lines, file = self._shared.lines, self.document.file
+        return view.stop_for(file, line, lines[line - 1]) if 1 <= line <= len(lines) else ""
 
     async def toggle_stop(self, line: int) -> None:
         """Set a stop in a line, or take those in it away."""
@@ -308,8 +360,9 @@ class ProgramCard:
 
     async def _choose(self, event: Any) -> None:
         """Show another program, of this channel or another one."""
+        is_plc = self._show_plc(str(event.value))
         channel, _, file = str(event.value).partition(" ")
-        if event.value == f"{self._shared.channel} {self._shared.file}":
+        if is_plc or event.value == f"{self._shared.channel} {self._shared.file}":
             return
         if not self._commander.may():
             self._choice.set_value(self._key())

@@ -27,6 +27,7 @@ from nctakt.messages.plc_debugging import (
     NOT_EVALUATED,
     UNKNOWN_PLC_VARIABLE,
 )
+from nctakt.plc.stepping.beside import Beside, Line
 from nctakt.plc.stepping.places import Call, Place, Places
 from nctakt.plc.stepping.shown import PlcValue, Shown, whole_text
 from nctakt.plc.structured_text import StructuredPlc
@@ -246,6 +247,17 @@ class StDebugging:
     @cached_property
     def _shown(self) -> Shown:
         return Shown(self._places)
+
+    @cached_property
+    def beside(self) -> Beside:
+        """What stands beside the lines of its text."""
+        return Beside(self.program, self._places, self._shown, self.unit_of)
+
+    def texts_beside(
+        self, level: int | None, instance: str, file: str, lines: Sequence[Line]
+    ) -> list[list[str]]:
+        """Return the values of what lines of a file name, in an open call or an instance."""
+        return self.beside.texts(self._call(level), instance, file, lines)
 
     def scopes(self, level: int | None) -> list[str]:
         """Return the names of the scopes of a call, without one the global ones."""

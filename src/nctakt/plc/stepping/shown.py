@@ -109,6 +109,13 @@ class Shown:
 
     def _inside(self, location: Place) -> Iterator[tuple[str, Place]]:
         if isinstance(location.type, ArrayType):
+            yield from self.elements(location)
+        else:
+            yield from self._places.members(location)
+
+    def elements(self, location: Place) -> Iterator[tuple[str, Place]]:
+        """Yield the elements of an array by their indices."""
+        if isinstance(location.type, ArrayType):
             for number in range(location.type.element_count if location.type.bounds else 0):
                 indices = _indices(number, location.type.bounds)
                 if indices is None:
@@ -116,8 +123,6 @@ class Shown:
                 element = self._places.element(location, indices)
                 if element is not None:
                     yield f"[{','.join(map(str, indices))}]", element
-        else:
-            yield from self._places.members(location)
 
     def _count(self, location: Place) -> int:
         sought = location.type

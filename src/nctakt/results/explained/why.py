@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic, Language, Text
+from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.base.notebook import html_columns, strip
@@ -66,6 +66,19 @@ class WhyReport:
                 Text(f"Did you mean {near}? ", f"War {near} gemeint? ") if near else Text("", "")
             )
             raise Failure(diagnostic(PLC_VARIABLE_UNCHANGED, path=path, meant=meant))
+        return replace(self, cycles=(), left_out=0, plc=found)
+
+    def select_plc_line(self, file: str, line: int) -> WhyReport:
+        """Return only what a statement of the PLC in a line has written; nothing is no mistake."""
+
+        def is_it(span: Span | None) -> bool:
+            return span is not None and (span.file, span.line) == (file, line)
+
+        found = tuple(
+            one
+            for one in self.plc
+            if is_it(one.writer) or any(is_it(change.span) for change in one.changes)
+        )
         return replace(self, cycles=(), left_out=0, plc=found)
 
     def select(self, cycle: str | None = None, line: int | None = None) -> WhyReport:

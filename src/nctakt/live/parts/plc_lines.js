@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// The lines of a file of the PLC: numbers, colours, where the session stands, values beside them.
+// Only those in view are elements; all have the same height.
+const HEIGHT = 19, AROUND = 12;
+const MOVES = { ArrowDown: () => 1, ArrowUp: () => -1, PageDown: (page) => page, PageUp: (page) => -page,
+  Home: () => -Infinity, End: () => Infinity };
+
+export default {
+  template: `
+    <div class="nc-plc-lines" role="listbox" tabindex="0" :aria-label="name" ref="scroller" data-testid="plc-lines"
+      :aria-activedescendant="isShown(cursor) ? idOf(cursor) : null" @scroll="look" @keydown="move">
+      <div role="presentation" :style="{ height: rows.length * height + 'px', position: 'relative' }">
+        <div v-for="index in shown" :key="index" role="option" :id="idOf(index)" :aria-selected="index === cursor"
+          :aria-setsize="rows.length" :aria-posinset="index + 1" :style="{ top: index * height + 'px' }"
+          :class="['nc-plc-line', rows[index][0] ? '' : 'nc-plc-heading', index === cursor ? 'nc-plc-cursor' : '',
+            ...(marks[index] || [])]" @click="put(index)"
+          ><span class="nc-plc-number" @click.stop="stop(index)">{{ rows[index][0] || "" }}</span
+          ><span class="nc-plc-text"><span v-for="(part, at) in rows[index][1]" :key="at" :class="part[1]">{{ part[0]
+          }}</span></span><span v-if="beside[index]" class="nc-plc-value">{{ beside[index] }}</span></div>
+      </div>
+    </div>`,
+  props: { rows: Array, name: String, marks: Object, beside: Object },
+  data: () => ({ first: 0, last: 0, cursor: 0, height: HEIGHT, told: "" }),
+  computed: {
+    shown() {
+      const first = Math.max(0, this.first - AROUND), end = Math.min(this.rows.length, this.last + AROUND);
+      return Array.from({ length: Math.max(0, end - first) }, (_, index) => first + index);
+    },
+  },
+  mounted() {
+    this.observer = new ResizeObserver(() => this.look());
+    this.observer.observe(this.$refs.scroller);
+    this.look();
+  },
+  unmounted() { this.observer.disconnect(); },
+  watch: { rows() { this.$nextTick(() => this.look()); } },
+  methods: {
+    idOf(index) { return `nc-plc-${this.$.uid}-${index}`; },
+    isShown(index) { return this.shown.includes(index); },
+    look() {
+      const { scrollTop, clientHeight } = this.$refs.scroller;
+      this.first = Math.floor(scrollTop / HEIGHT);
+      this.last = Math.ceil((scrollTop + clientHeight) / HEIGHT);
+      const view = `${this.first} ${this.last} ${this.rows.length}`;
+      if (view === this.told || !clientHeight) return;
+      this.told = view;
+      this.$emit("view", [this.first, this.last]);
+    },
+    put(index) {
+      this.cursor = index;
+      this.$emit("cursor", index);
+    },
+    stop(index) {
+      this.put(index);
+      this.$emit("stop", index);
+    },
+    move(event) {
+      if (event.ctrlKey || event.metaKey || event.altKey || !(event.key in MOVES)) return;
+      event.preventDefault();
+      const page = Math.max(1, Math.floor(this.$refs.scroller.clientHeight / HEIGHT) - 1);
+      this.show(Math.max(0, Math.min(this.rows.length - 1, this.cursor + MOVES[event.key](page))));
+    },
+    // The row is the cursor's, and in view.
+    async show(index) {
+      await this.$nextTick(); // other rows may have come with it
+      this.put(index);
+      const scroller = this.$refs.scroller, top = index * HEIGHT;
+      const isAbove = top < scroller.scrollTop, isBelow = top + HEIGHT > scroller.scrollTop + scroller.clientHeight;
+      if (isAbove || isBelow) scroller.scrollTop = Math.max(0, top - scroller.clientHeight / 2);
+    },
+    focus() { this.$refs.scroller.focus(); },
+  },
+};

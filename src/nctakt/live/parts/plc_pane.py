@@ -1,0 +1,344 @@
+# SPDX-License-Identifier: MIT
+"""The files of the PLC on the page: lines, stops, values of the tick, steps by statements.
+
+In: snapshots, the session's description. Out: a pane in the place of the program's editor; commands
+that step into, over and out of calls, forward and back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Awaitable, Callable, Mapping, Sequence
+from typing import Any
+
+from nicegui import run, ui
+from nicegui.element import Element
+
+from nctakt.base.dataclass import dataclass
+from nctakt.base.failure import Failure
+from nctakt.live.parts.commander import Commander, Newest
+from nctakt.live.parts.keys import label_of
+from nctakt.live.parts.naming import explained, named
+from nctakt.live.plc_view import PlcText, file_names, statement_stop, statement_stops
+from nctakt.live.view import Snapshot
+from nctakt.session.cursor import Step
+from nctakt.session.session import Session
+from nctakt.session.statements import PlcPlace
+
+#: What each command does, and its picture.
+_STEPS: dict[str, tuple[Step, bool, str]] = {
+    "plc_into": ("into", False, "subdirectory_arrow_right"),
+    "plc_over": ("over", False, "redo"),
+    "plc_out": ("out", False, "north_west"),
+    "plc_back_into": ("into", True, "subdirectory_arrow_left"),
+    "plc_back_over": ("over", True, "undo"),
+    "plc_back_out": ("out", True, "south_west"),
+}
+
+#: Rows before the first look of the browser.
+_FIRST_ROWS = 60
+
+
+class PlcLines(Element, component="plc_lines.js"):
+    """The lines of a file of the PLC."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Wish:
+    """What values are wanted for: a state of the session, rows of a file, a call or instance."""
+
+    number: int
+    file: str
+    first: int
+    last: int
+    level: int
+    instance: str
+
+
+class PlcPane:
+    """The files of the PLC for one browser; ``is_shown``: one of them is.
+
+    ``on_files`` is called when there are others than before.
+    """
+
+    def __init__(self, commander: Commander, on_files: Callable[[], None]) -> None:
+        self._commander = commander
+        self._shared = commander.shared
+        self._texts = commander.texts
+        self._on_files = on_files
+        self._serial = -1
+        self._names: dict[str, str] = {}
+        self._text: PlcText | None = None
+        self._rows = (0, _FIRST_ROWS)
+        self._cursor = 0
+        self._level = 0
+        self._instances: list[str] = []
+        self._stood: tuple[int, int] | None = None
+        self._values = Newest(self._send_values)
+        self._wished: _Wish | None = None
+        self._build()
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether a file of the PLC is shown."""
+        return self._text is not None
+
+    @property
+    def file(self) -> str:
+        """The file that is shown."""
+        return "" if self._text is None else self._text.file
+
+    @property
+    def has_files(self) -> bool:
+        """Whether there is a PLC in Structured Text."""
+        return bool(self._names)
+
+    # --- layout ---------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        texts = self._texts
+        with ui.element("div").classes("nc-plc") as self._pane:
+            with ui.element("div").classes("nc-row nc-plc-bar"):
+                for name, (_, _, icon) in _STEPS.items():
+                    button = ui.button(icon=icon, on_click=self._stepper(name))
+                    button.props(f"dense flat size=sm data-testid={name}")
+                    explained(button, f"{texts[name]} ({label_of(name, texts.language)})")
+                self._calls = self._select("plc_calls", self._choose_call)
+                self._instance = self._select("plc_instance", self._choose_instance)
+            self._standing = ui.label().classes("nc-soft nc-plc-standing")
+            self._standing.props("role=status data-testid=plc-standing")
+            self._lines = PlcLines().classes("nc-plc-box")
+            self._lines.props["rows"] = []
+            self._lines.props["marks"], self._lines.props["beside"] = {}, {}
+            self._lines.on("view", self._look)
+            self._lines.on("cursor", self._put_cursor)
+            self._lines.on("stop", self._click_number)
+        self._pane.set_visibility(False)
+
+    def _select(self, name: str, choose: Callable[[Any], object]) -> Any:
+        select = ui.select([], on_change=choose).classes("nc-plc-choice")
+        select.props(f"dense options-dense borderless data-testid={name}")
+        named(select, self._texts[name])
+        select.set_visibility(False)
+        return select
+
+    def _stepper(self, name: str) -> Callable[[], Awaitable[None]]:
+        async def step() -> None:
+            await self.step(name)
+
+        return step
+
+    # --- files ----------------------------------------------------------------------------------
+
+    def choices(self) -> dict[str, str]:
+        """Return the files by their keys among the choices of the program."""
+        return {f"plc {file}": name for file, name in self._names.items()}
+
+    def choose(self, key: str) -> bool:
+        """Show the file of a key, or none; return whether the key is that of a file."""
+        file = key.removeprefix("plc ")
+        is_file = key.startswith("plc ") and file in self._names
+        if not is_file:
+            self._text = None
+        elif file != self.file:
+            self._open(file)
+        self._pane.set_visibility(is_file)
+        return is_file
+
+    def _open(self, file: str) -> None:
+        own = self._shared.session.description
+        lines: Mapping[str, Sequence[int]] = own.plc_lines
+        language = self._texts.language
+        self._text = PlcText(file, own.plc_texts[file], lines.get(file, ()), language)
+        self._cursor, self._instances, self._wished = 0, [], None
+        self._lines.props["rows"] = self._text.rows()
+        self._lines.props["name"] = f"{self._texts['plc_file']} {self._names[file]}"
+        self._lines.props["beside"] = {}
+        self._instance.set_visibility(False)
+        self._lines.update()
+        ui.timer(0, self._find_instances, once=True)
+        self.show(self._shared.snapshot)
+
+    async def _find_instances(self) -> None:
+        """Let a person choose an instance of a block, at first the first one."""
+        file = self.file
+        try:
+            found = await run.io_bound(self._shared.session.plc_instances, file)
+        except (Failure, RuntimeError):
+            return  # the session has ended meanwhile
+        if file != self.file or not found:
+            return
+        self._instances = found
+        self._instance.set_options(found, value=found[0])
+        self.show(self._shared.snapshot)
+
+    def reveal(self, line: int) -> None:
+        """Show a line of the file."""
+        index = -1 if self._text is None else self._text.index_of(line)
+        if index >= 0:
+            self._cursor = index
+            self._lines.run_method("show", index)
+
+    # --- what is shown --------------------------------------------------------------------------
+
+    def arrived(self, snapshot: Snapshot) -> tuple[str, int] | None:
+        """Return file and line of a statement before which the session has come to stand.
+
+        ``None`` unless it has since the last look.
+        """
+        halt = snapshot.statement
+        stands = None if halt is None else (halt.tick, halt.number)
+        is_new = stands is not None and stands != self._stood
+        self._stood = stands
+        if halt is None or not is_new:
+            return None
+        self._level = 0
+        self._calls.set_options(_named(halt), value=0)
+        span = halt.frames[0].span if halt.frames else None
+        return None if span is None else (span.file, span.line)
+
+    def show(self, snapshot: Snapshot) -> None:
+        """Show stops, and where the session stands; wish for the values of the tick."""
+        if snapshot.serial != self._serial:
+            self._renew(snapshot.serial)
+        if self._text is None:
+            return
+        halt = snapshot.statement
+        self._calls.set_visibility(halt is not None and len(halt.frames) > 1)
+        self._instance.set_visibility(halt is None and bool(self._instances))
+        self._standing.set_text(self._standing_text(halt))
+        self._standing.set_visibility(halt is not None)
+        marks = {str(row): own for row, own in self._text.marks(halt, self._shared.stops).items()}
+        if marks != self._lines.props["marks"]:
+            self._lines.props["marks"] = marks
+            self._lines.update()
+        self._wish(snapshot)
+
+    def _renew(self, serial: int) -> None:
+        """Take the files of another session."""
+        self._serial = serial
+        own = self._shared.session.description.plc_texts
+        shown, self._text = self.file, None
+        self._names = {
+            file: name
+            for file, name in file_names(list(own)).items()
+            if file.lower().rpartition(".")[2] != "tctto"
+        }
+        self._on_files()
+        if shown in self._names:
+            self._open(shown)
+
+    def _standing_text(self, halt: PlcPlace | None) -> str:
+        if halt is None:
+            return ""
+        if halt.fault is not None:
+            return f"{halt.fault.id}: {halt.fault.text(self._texts.language)}"
+        within = halt.frames[0].within if halt.frames else None
+        text = self._texts["plc_standing"].format(tick=halt.tick)
+        return text if within is None else f"{text}: {within.get(self._texts.language)}"
+
+    def _wish(self, snapshot: Snapshot) -> None:
+        first, last = self._rows
+        instance = self._instance.value or ""
+        wish = _Wish(snapshot.number, self.file, first, last, self._level, str(instance))
+        if wish != self._wished:
+            self._wished = wish
+            ui.timer(0, lambda: self._values.wish(wish), once=True)
+
+    async def _send_values(self, wish: _Wish) -> None:
+        text = self._text
+        if text is None or text.file != wish.file:
+            return
+        named_lines = text.named(wish.first, wish.last)
+        try:
+            values = await run.io_bound(
+                self._shared.session.texts_beside,
+                wish.file,
+                named_lines,
+                wish.level,
+                wish.instance,
+            )
+        except (Failure, RuntimeError):
+            return  # the session has ended meanwhile, or begun anew
+        beside = {str(row): one for row, one in text.beside(named_lines, values or []).items()}
+        if text is self._text and beside != self._lines.props["beside"]:
+            self._lines.props["beside"] = beside
+            self._lines.update()
+
+    # --- what a person does ---------------------------------------------------------------------
+
+    def _look(self, event: Any) -> None:
+        """Take the rows that a browser has in view."""
+        rows = event.args
+        if isinstance(rows, list) and len(rows) == 2 and all(isinstance(one, int) for one in rows):
+            self._rows = rows[0], min(rows[1], rows[0] + 4 * _FIRST_ROWS)
+            if self._text is not None:
+                self._wish(self._shared.snapshot)
+
+    def _put_cursor(self, event: Any) -> None:
+        if isinstance(event.args, int):
+            self._cursor = event.args
+
+    async def _click_number(self, event: Any) -> None:
+        if isinstance(event.args, int):
+            self._cursor = event.args
+            await self.toggle_stop()
+
+    def _choose_call(self, event: Any) -> None:
+        if isinstance(event.value, int) and event.value != self._level:
+            self._level = event.value
+            self.show(self._shared.snapshot)
+
+    def _choose_instance(self, _: Any) -> None:
+        self.show(self._shared.snapshot)
+
+    @property
+    def line_of_cursor(self) -> int:
+        """The line of the file of the statement in the cursor's row, or the next one; 0 without."""
+        return 0 if self._text is None else self._text.statement_at(self._cursor)
+
+    @property
+    def stop_of_cursor(self) -> str:
+        """The stop at the statement of the cursor; empty without."""
+        line = self.line_of_cursor
+        return statement_stop(self._names[self.file], line) if line else ""
+
+    async def toggle_stop(self) -> None:
+        """Set a stop at the statement of the cursor's row, or take those there away."""
+        shared, file = self._shared, self.file
+        line = self.line_of_cursor
+        if not line:
+            ui.notify(self._texts["plc_no_statement"])
+            return
+        if not self._commander.may():
+            return
+        kept = [stop for stop in shared.stops if line not in statement_stops([stop], file)]
+        if len(kept) == len(shared.stops):
+            kept.append(self.stop_of_cursor)
+        await self._commander.attempt(lambda: shared.set_stops(kept))
+
+    async def step(self, name: str) -> None:
+        """Go to the statement that a command means."""
+        kind, is_back, _ = _STEPS[name]
+        if not self._commander.may():
+            return
+        answers: list[object] = []
+
+        def go(session: Session) -> PlcPlace | None:
+            return session.step_statement_back(kind) if is_back else session.step_statement(kind)
+
+        if await self._commander.attempt(lambda: answers.append(self._shared.do(go))):
+            if answers == [None]:
+                ui.notify(self._texts["plc_none_before" if is_back else "plc_none_after"])
+
+
+def _named(halt: PlcPlace) -> dict[int, str]:
+    """Return the open calls of a place by their levels, with their instances."""
+    return {
+        level: one.name if one.instance in ("", one.name) else f"{one.name} ({one.instance})"
+        for level, one in enumerate(halt.frames)
+    }
+
+
+def is_step(name: str) -> bool:
+    """Return whether a command steps by statements."""
+    return name in _STEPS

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 
 import pytest
 from support.plc_text import check_files, pou_file
@@ -69,29 +70,32 @@ def mutated(rng: random.Random, text: str) -> str:
     return text
 
 
-@seeds_in_parts(100, 40, 20)
-def test_mutated_texts_end_in_messages(seeds: range) -> None:
-    """Plain text: each diagnostic can be shown in both languages."""
-    for seed in seeds:
-        _, found = check_files({"m.st": mutated(random.Random(seed), SOURCE)})
-        for one in found:
-            assert one.render("en")
-            assert one.render("de")
+def plain_texts(seed: int) -> dict[str, str | bytes]:
+    """Return a damaged plain text."""
+    return {"m.st": mutated(random.Random(seed), SOURCE)}
 
 
-@seeds_in_parts(60, 20, 20)
-def test_mutated_files_end_in_messages(seeds: range) -> None:
-    """XML: of the text in it and of the file around it."""
+def damaged_files(seed: int) -> dict[str, str | bytes]:
+    """Return a damaged object in XML, of each second seed the file around it, too."""
     start = SOURCE.index("FUNCTION_BLOCK FB_A")
     block, _, body = SOURCE[start:].partition("METHOD")
+    rng = random.Random(-1 - seed)
+    text = pou_file("FB_A", mutated(rng, block), mutated(rng, body[:900]))
+    if seed % 2:
+        text = mutated(rng, text)
+    return {"types.st": SOURCE[:start], "FB_A.TcPOU": text.encode("utf-8", "replace")}
+
+
+@pytest.mark.parametrize("damaged", [plain_texts, damaged_files])
+@seeds_in_parts(100, 40, 20)
+def test_damaged_sources_end_in_messages(
+    seeds: range, damaged: Callable[[int], dict[str, str | bytes]]
+) -> None:
+    """Each diagnostic can be shown in both languages; of each part plain texts come before XML."""
     for seed in seeds:
-        rng = random.Random(-1 - seed)
-        text = pou_file("FB_A", mutated(rng, block), mutated(rng, body[:900]))
-        if seed % 2:
-            text = mutated(rng, text)
-        files = {"types.st": SOURCE[:start], "FB_A.TcPOU": text.encode("utf-8", "replace")}
-        _, found = check_files(files)
+        _, found = check_files(damaged(seed))
         for one in found:
+            assert one.render("en")
             assert one.render("de")
 
 

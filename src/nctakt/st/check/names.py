@@ -21,7 +21,7 @@ from nctakt.st.tree import (
     VariableNode,
 )
 from nctakt.st.types import EnumValue, Expression, Pou, Type, Variable
-from nctakt.st.vocabulary.libraries import declared_names, words_of
+from nctakt.st.vocabulary.libraries import declared_names, seen_words
 
 
 @dataclass(slots=True, eq=False)
@@ -101,7 +101,7 @@ class Names:
     def spaces(self, library: str = "", name: str = "") -> Iterator[Namespace]:
         """Yield the namespaces in the order in which names are looked up.
 
-        ``name``: only libraries in whose texts this name occurs, which are read now.
+        ``name``: only libraries that may have this name, which are read now.
         """
         if library:
             yield self.libraries[library.lower()]
@@ -114,9 +114,9 @@ class Names:
             yield space
 
     def _words(self, key: str, space: Namespace) -> frozenset[str]:
-        """Return all words of a library's texts."""
+        """Return words of a library's texts: all names that others see are among them."""
         own = self.own.get(key)
-        return words_of(space.library) if own is None else own.words
+        return seen_words(space.library) if own is None else own.words
 
     def _declared_names(self, space: Namespace) -> tuple[str, ...]:
         own = self.own.get(space.library.lower())

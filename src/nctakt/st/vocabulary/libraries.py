@@ -36,7 +36,13 @@ ALIASES = {
 }
 #: Members whose names are keywords here (ST-763).
 _MEMBERS = {"type": "fkt_ctrl_r"}
-_DECLARED = re.compile(r"(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
+_DECLARED = re.compile(r"\b(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
+#: What of a text may hold names that others see: enumerations with their items, lists with their
+#: variables, and names of other objects. Bodies and members of structures do not.
+_SEEN = re.compile(
+    r"VAR_GLOBAL.*?END_VAR|\bTYPE\s+\w+\s*:\s*\(.*?END_TYPE|'list'\s*:=\s*'\w+'|" + _DECLARED.pattern,
+    re.DOTALL,
+)
 #: What the runtime computes itself.
 _NATIVE = "{attribute 'native'} "
 #: The file of the bodies of blocks with pins of the interface's table.
@@ -78,9 +84,10 @@ def _each(match: re.Match[str]) -> str:
 
 
 @cache
-def words_of(name: str) -> frozenset[str]:
-    """Return all words of a library's text in lower case."""
-    return frozenset(re.findall(r"\w+", text_of(name).lower()))
+def seen_words(name: str) -> frozenset[str]:
+    """Return words of a library's text in lower case: all names that others see, and some more."""
+    parts = " ".join(match[0] for match in _SEEN.finditer(text_of(name)))
+    return frozenset(re.findall(r"\w+", parts.lower()))
 
 
 @cache

@@ -146,6 +146,20 @@ TYPE ST_P : STRUCT b : BOOL; l : LREAL; END_STRUCT END_TYPE
     assert layout("st_p") == (9, [(0, -1), (1, -1)])
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "VAR_GLOBAL b : BIT; END_VAR",
+        "FUNCTION F : INT VAR b : BIT; END_VAR END_FUNCTION",
+        "FUNCTION_BLOCK FB VAR_IN_OUT b : BIT; END_VAR END_FUNCTION_BLOCK",
+        "FUNCTION_BLOCK FB METHOD M VAR b : BIT; END_VAR END_METHOD END_FUNCTION_BLOCK",
+    ],
+)
+def test_bits_stand_in_structures_and_blocks(text: str) -> None:
+    """ST-312: a bit of its own has no place in memory."""
+    assert [one.id for one in check(text)[1]] == [902910]
+
+
 def test_layout_of_instances_and_frames() -> None:
     """ST-330, ST-401: eight bytes first, the base's members, own ones, VAR_INST; frames apart."""
     text = """FUNCTION_BLOCK FB_A

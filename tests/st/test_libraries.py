@@ -12,7 +12,18 @@ from support.plc_rig import run
 from support.plc_text import pou_file
 
 from nctakt.cli.check import command
+from nctakt.messages import Collector
 from nctakt.plc.structured_text import load_structured
+from nctakt.st.check.project import checker_of
+from nctakt.st.reporting import Reporter
+from nctakt.st.sources import Sources
+from nctakt.st.vocabulary.libraries import (
+    BASE_TYPES,
+    NC_AXES,
+    declared_names,
+    default_libraries,
+    seen_words,
+)
 
 PROJECT = """<Project xmlns="http://schemas.microsoft.com/developer/msbuild/2003"><ItemGroup>
 <Compile Include="MAIN.TcPOU"/><PlaceholderReference Include="Tc2_Standard"/>
@@ -117,3 +128,87 @@ def test_lists_and_structures_of_a_library_begin_with_their_values(folder: Path)
     plc = load_structured(folder / "Cell.plcproj")
     assert not run(plc, 2).errors
     assert (plc.read("MAIN.n"), plc.read("MAIN.m")) == (7, 5)
+
+
+def test_interfaces_and_properties_of_a_library_run(folder: Path) -> None:
+    """ST-603, 604: a call through its interface, Get and Set with variables of their own."""
+    text = """INTERFACE I_Level METHOD Add : INT VAR_INPUT n : INT; END_VAR END_METHOD
+        PROPERTY Level : INT GET END_GET SET END_SET END_PROPERTY END_INTERFACE
+        FUNCTION_BLOCK FB_Level IMPLEMENTS I_Level VAR _n : INT; END_VAR
+        METHOD Add : INT VAR_INPUT n : INT; END_VAR _n := _n + n; Add := _n; END_METHOD
+        PROPERTY Level : INT GET Level := _n; END_GET
+        SET VAR k : INT; END_VAR k := 2 * Level; _n := k; END_SET END_PROPERTY
+        END_FUNCTION_BLOCK
+        """
+    path = folder / "libraries" / "Vendor_Valves" / "valves.st"
+    path.write_text(VALVES + text, "utf-8")
+    declared = "PROGRAM MAIN\nVAR fb : FB_Level; i : I_Level; n, m : INT; END_VAR"
+    body = "i := fb; i.Level := 4; n := i.Add(3); m := i.Level;"
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, body), "utf-8")
+    plc = load_structured(folder / "Cell.plcproj")
+    assert not run(plc, 1).errors
+    assert (plc.read("MAIN.n"), plc.read("MAIN.m")) == (11, 11)
+
+
+def test_libraries_use_others_that_the_project_does_not_name(folder: Path) -> None:
+    """TcUnit's names use those of Tc2_Utilities, which the project itself does not see."""
+    project = PROJECT.replace("Vendor_Valves", "TcUnit")
+    (folder / "Cell.plcproj").write_text(project, "utf-8")
+    declared = "PROGRAM MAIN\nVAR s : STRING; END_VAR"
+    for body, expected in (("TcUnit.RUN();", []), ("s := F_ToUCase('a');", [902190])):
+        (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, body), "utf-8")
+        found = [number for number, file in checked(folder / "Cell.plcproj")]
+        assert found == expected
+
+
+def test_files_of_a_known_name_add_to_it_and_a_project_replaces_it(folder: Path) -> None:
+    """ST-107: an object of the user's comes before one that nctakt has."""
+    valves = folder / "libraries" / "Vendor_Valves"
+    (valves / "Tc2_Standard").mkdir()
+    standard = folder / "libraries" / "Tc2_Standard"
+    standard.mkdir()
+    own = "FUNCTION_BLOCK TON VAR_INPUT IN : BOOL; PT : TIME; END_VAR VAR_OUTPUT Q : BOOL; END_VAR"
+    (standard / "ton.st").write_text(f"{own} Q := TRUE; END_FUNCTION_BLOCK", "utf-8")
+    declared = "PROGRAM MAIN\nVAR t : TON; c : CTU; n : INT; END_VAR"
+    body = "t(PT := T#1H); c(CU := TRUE, PV := 1); IF t.Q THEN n := c.CV; END_IF"
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, body), "utf-8")
+    plc = load_structured(folder / "Cell.plcproj")
+    assert not run(plc, 1).errors
+    assert plc.read("MAIN.n") == 1
+    whole = '<Project><ItemGroup><Compile Include="ton.TcPOU"/></ItemGroup></Project>'
+    (standard / "Tc2_Standard.plcproj").write_text(whole, "utf-8")
+    (standard / "ton.TcPOU").write_text(pou_file("TON", own, "Q := TRUE;"), "utf-8")
+    assert checked(folder / "Cell.plcproj") == [(902191, "MAIN.TcPOU")]
+
+
+def test_names_of_libraries_have_the_libraries_they_refer_to(folder: Path) -> None:
+    """ST-203: a library below the name of another; the classes of types of its base library."""
+    text = "TYPE E_Bus : (Down, Up := 4); END_TYPE\nVAR_GLOBAL CONSTANT LIMIT : INT := 9; END_VAR\n"
+    bus = folder / "libraries" / "Vendor_Bus"
+    bus.mkdir()
+    (bus / "bus.st").write_text(text, "utf-8")
+    project = PROJECT.replace("Tc2_Standard", "Base Interfaces")
+    (folder / "Cell.plcproj").write_text(project, "utf-8")
+    declared = "PROGRAM MAIN\nVAR n, m, k : INT; e : Vendor_Valves.Vendor_Bus.E_Bus; END_VAR"
+    body = (
+        "n := Vendor_Valves.Vendor_Bus.E_Bus.Up; m := Vendor_Valves.Vendor_Bus.LIMIT;"
+        " IF IBaseLibrary.TypeClass.TYPE_BOOL = 0 THEN k := 1; END_IF"
+    )
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, body), "utf-8")
+    valves = folder / "libraries" / "Vendor_Valves" / "valves.st"
+    valves.write_text("TYPE T_Any : INT; END_TYPE", "utf-8")
+    assert checked(folder / "Cell.plcproj") == []
+    plc = load_structured(folder / "Cell.plcproj")
+    assert not run(plc, 1).errors
+    assert [plc.read(f"MAIN.{name}") for name in "nmk"] == [4, 9, 1]
+
+
+def test_all_names_of_known_libraries_are_found_by_their_words() -> None:
+    """What a library declares is among the words by which it is read; its objects are listed."""
+    for name in (*default_libraries(), NC_AXES, BASE_TYPES):
+        checker = checker_of([name], Reporter(Sources(), Collector()))
+        space = checker.names.libraries[name.lower()]
+        checker.names.read(space)
+        seen = {*space.declared, *space.lists, *space.variables, *space.values} - {""}
+        assert seen <= seen_words(name)
+        assert {one.lower() for one in declared_names(name)} == set(space.declared)

@@ -260,6 +260,77 @@ CASES = {
             "f": "-12.346",
         },
     ),
+    # 30 bytes of memory hold two records of 8 bytes and their lengths, 4 bytes each.
+    "ST-723: records in memory, the oldest one first": (
+        "",
+        "fb : FB_MemRingBuffer; mem : ARRAY[1..30] OF BYTE; v, w, x : LINT; n, need : UDINT;"
+        " full, small, empty : BOOL;",
+        "fb.pBuffer := ADR(mem); fb.cbBuffer := SIZEOF(mem); fb.cbWrite := 8; fb.cbRead := 8;"
+        " FOR v := 1 TO 3 DO fb.A_AddTail(pWrite := ADR(v)); END_FOR full := NOT fb.bOk;"
+        " fb.A_GetHead(pRead := ADR(w), cbRead := 7); small := NOT fb.bOk; need := fb.cbReturn;"
+        " fb.A_RemoveHead(pRead := ADR(w), cbRead := 8); v := 16#0102030405060708;"
+        " fb.A_AddTail(pWrite := ADR(v)); fb.A_RemoveHead(pRead := ADR(w));"
+        " fb.A_RemoveHead(pRead := ADR(x)); n := fb.nCount; fb.A_GetHead(); empty := NOT fb.bOk;",
+        {
+            "full": True, "small": True, "need": 8, "w": 2, "x": 0x0102030405060708, "n": 0,
+            "empty": True,
+        },
+    ),
+    "ST-307: lengths of time in ns, moments with their seconds": (
+        "",
+        "a, b, c : STRING;",
+        "a := LTIME_TO_STRING(LTIME#1H2US); b := DT_TO_STRING(DT#1998-02-13-14:20:00);"
+        " c := LWORD_TO_HEXSTR(16#123456789ABCDEF0, 18, FALSE);",
+        {"a": "LTIME#1h2us", "b": "DT#1998-02-13-14:20:00", "c": "00123456789ABCDEF0"},
+    ),
+    "ST-314: a subrange begins with its lowest value": (
+        "FUNCTION F : INT VAR n : INT(4..9); END_VAR F := n; END_FUNCTION\n"
+        "TYPE T_Low : UINT(2..7); END_TYPE\n",
+        "a : T_Low; b : ARRAY[0..1] OF INT(-3..3); c : INT(5..6) := 6; d : INT;",
+        "d := F();",
+        {"a": 2, "b[1]": -3, "c": 6, "d": 4},
+    ),
+    "ST-520: an action writes its arguments to the instance": (
+        "FUNCTION_BLOCK FB VAR_INPUT n : INT; END_VAR VAR_OUTPUT m : INT; END_VAR\n"
+        "ACTION Twice: m := 2 * n; END_ACTION END_FUNCTION_BLOCK\n",
+        "fb : FB; a, b : INT;",
+        "fb.Twice(n := 4, m => a); fb.Twice(); b := fb.m + fb.n;",
+        {"a": 8, "b": 12},
+    ),
+    "ST-316: what is bound to an unbound reference or a null pointer is unbound": (
+        "FUNCTION F : REFERENCE TO INT VAR_INPUT b : BOOL; END_VAR VAR_IN_OUT n : INT; END_VAR\n"
+        "IF b THEN F REF= n; END_IF END_FUNCTION\n",
+        "r, s, t : REFERENCE TO INT; p : POINTER TO INT; n : INT := 3; a, b, c, d : BOOL; m : INT;",
+        "r REF= F(FALSE, n); a := __ISVALIDREF(r); r REF= F(TRUE, n); b := __ISVALIDREF(r);"
+        " m := r; s REF= p^; c := __ISVALIDREF(s); t REF= s; d := __ISVALIDREF(t);",
+        {"a": False, "b": True, "m": 3, "c": False, "d": False},
+    ),
+    # Behind the 8 bytes of its type a block has eight bits in a byte, then n at 10.
+    "ST-312, 330: bits of a block lie eight in a byte, those of a union in its first one": (
+        "FUNCTION_BLOCK FB VAR a, b, c, d, e, f, g, h, i : BIT; n : INT := -1; END_VAR\n"
+        "VAR_OUTPUT at : UDINT; bits : WORD; END_VAR VAR p : POINTER TO WORD; END_VAR\n"
+        "b := TRUE; i := n < 0; p := ADR(a); bits := p^;"
+        " at := TO_UDINT(ADR(n) - ADR(a)); END_FUNCTION_BLOCK\n"
+        "TYPE S : STRUCT a, b, c : BIT; END_STRUCT END_TYPE\n"
+        "TYPE U : UNION one : BIT; whole : BYTE; END_UNION END_TYPE\n",
+        "fb : FB; u : U; at, bits, size : UDINT; one, two : BOOL; s : S;",
+        "s.b := TRUE; s.c := s.a; two := s.b AND NOT s.a AND NOT s.c; fb();"
+        " at := fb.at; bits := fb.bits; u.whole := 3; one := u.one;"
+        " size := 10 * SIZEOF(U) + SIZEOF(u.one);",
+        {"at": 2, "bits": 0x102, "one": True, "two": True, "size": 11},
+    ),
+    "ST-721: what the system says of the project": (
+        "",
+        "name : STRING; n : UDINT;",
+        "name := _AppInfo.ProjectName; n := _AppInfo.TaskCnt;",
+        {"name": "cell", "n": 1},
+    ),
+    "ST-313: values of an enumeration of a global variable are global names": (
+        "VAR_GLOBAL eStep : (Idle, Busy := 5) := Busy; END_VAR\n",
+        "n : INT; is : BOOL;",
+        "is := eStep = Busy; eStep := Idle; n := Busy + eStep;",
+        {"is": True, "n": 5},
+    ),
 }  # fmt: skip
 
 
@@ -271,6 +342,15 @@ def test_values_are_those_of_the_rules(tmp_path: Path, rule: str) -> None:
     plc = loaded(tmp_path, f"{before}\n{main}")
     assert not run(plc, 1).errors
     assert {name: plc.read(f"MAIN.{name}") for name in expected} == expected
+
+
+def test_the_counter_of_the_processor_is_the_time_of_the_cycle(tmp_path: Path) -> None:
+    """ST-804: the third cycle of 1 ms runs at 2 ms, which are 20,000 times 100 ns."""
+    declared = "VAR fb : GETCPUCOUNTER; lo, hi : UDINT; END_VAR"
+    body = "fb(cpuCntLoDW => lo, cpuCntHiDW => hi);"
+    plc = loaded(tmp_path, f"PROGRAM MAIN {declared} {body} END_PROGRAM\n")
+    assert not run(plc, 3).errors
+    assert (plc.read("MAIN.lo"), plc.read("MAIN.hi")) == (20_000, 0)
 
 
 def test_any_takes_only_its_kinds(tmp_path: Path) -> None:

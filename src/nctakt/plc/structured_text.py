@@ -85,6 +85,8 @@ if TYPE_CHECKING:
 
 #: The block that follows a command of an axis for those of the libraries.
 _AXIS_MOTION = "__axis_motion"
+#: The list of the system's variables.
+_SYSTEM = "TwinCAT_SystemInfoVarList"
 #: What a task counts in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
 #: Elementary instructions per µs of a task's cycle (ST-830).
@@ -257,6 +259,8 @@ class StructuredPlc(RealtimePlc):
         if self._numbers is not None:
             context.keep_counts(self._numbers.size)
         self._bind_axes(machine)
+        number = len(self.program.tasks)
+        self._fill_in(f"{_SYSTEM}._AppInfo", ProjectName=self.program.name, TaskCnt=number)
         tasks = PlcTask()
         self._cyclic = []
         for task in sorted(self.program.tasks, key=_priority, reverse=True):
@@ -344,18 +348,19 @@ class StructuredPlc(RealtimePlc):
     def _task_info(self, task: Task) -> tuple[int, tuple[int, ...]]:
         """Fill in what code reads of a task (ST-721); return its number and what it counts in."""
         number = self.program.tasks.index(task) + 1
-        path = f"TwinCAT_SystemInfoVarList._TaskInfo[{number}]"
-        for name, value in (
-            ("CycleTime", 10 * task.cycle_us),
-            ("Priority", task.priority),
-            ("TaskName", task.name),
-        ):
-            variable = find_variable(self.program, f"{path}.{name}")
-            if variable is None:
-                return number, ()
-            self.context.poke(variable.address, self.check(f"{path}.{name}", value))
+        path = f"{_SYSTEM}._TaskInfo[{number}]"
+        self._fill_in(
+            path, CycleTime=10 * task.cycle_us, Priority=task.priority, TaskName=task.name
+        )
         counted = (find_variable(self.program, f"{path}.{name}") for name in _COUNTED)
         return number, tuple(0 if one is None else one.address for one in counted)
+
+    def _fill_in(self, path: str, **values: int | str) -> None:
+        """Set members of a structure of the system's, if the project uses it."""
+        for name, value in values.items():
+            variable = find_variable(self.program, f"{path}.{name}")
+            if variable is not None:
+                self.context.poke(variable.address, self.check(f"{path}.{name}", value))
 
     def _outside(self, machine: AssembledMachine, interface: StInterface) -> Connection:
         """Return what calls reach of the machine."""

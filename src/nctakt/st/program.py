@@ -43,7 +43,7 @@ class Program:
     name: str
     sources: Sources
     pous: Mapping[str, Pou]  # by the name in lower case; those of libraries that are used, too
-    interfaces: Mapping[str, InterfaceType]
+    interfaces: list[InterfaceType]  # those of libraries, too
     types: Mapping[str, Type]
     lists: list[GlobalList]
     tasks: list[Task]

@@ -55,7 +55,9 @@ class Calls(BuiltIns):
             raise CannotRunError(call, called.path)
         if isinstance(called, Pou) and called.is_refused:
             raise CannotRunError(call, called.path)
-        fills_instance = call.kind is tree.CallKind.BLOCK
+        # An action has no parameters: those of its block are written to the instance.
+        is_action = isinstance(called, Method) and called.is_action
+        fills_instance = is_action or call.kind is tree.CallKind.BLOCK
         callee: Callee = self.project.routine(called)
         instance: Whole = Whole()
         if call.instance is not None:
@@ -236,13 +238,17 @@ class Calls(BuiltIns):
         """Return where the result of a call lies; texts and structures are kept in the frame."""
         found = result.type
         if isinstance(found, ReferenceType):
-            pointer = Location(Origin.COMPUTED, result.offset, PVOID, node)
-            return self.pointed(pointer.load(self.layout.data_end), found.target)
+            return self.pointed(self.reference_of(node, result), found.target)
         if kind_of(found) is not None:
             return Location(Origin.COMPUTED, result.offset, found, node)
         kept = self.frame.take(found.size)
         location = ResultPlace(node, result.offset, found.size, kept)
         return Location(Origin.COMPUTED, 0, found, location)
+
+    def reference_of(self, node: CallNode, result: Variable) -> Whole:
+        """Return the address in a reference that a call returns; 0 if it is not bound."""
+        pointer = Location(Origin.COMPUTED, result.offset, PVOID, node)
+        return pointer.load(self.layout.data_end)
 
     def property_location(self, expression: tree.Name | tree.Member) -> Location:
         found = expression.target

@@ -107,7 +107,7 @@ class Designators(CheckFunctions):
             return self._global_location(variable)
         if variable.storage is Storage.FRAME:
             return Location(Origin.FRAME, variable.offset, found)
-        return self.own_instance(expression).member(variable.offset, found)
+        return self.own_instance(expression).member(variable.offset, found, variable.bit)
 
     def _global_location(self, variable: Variable) -> Location:
         """Return the slot of a global variable; note the pointers to the CNC's interface."""

@@ -11,6 +11,7 @@ from nctakt.st.tree import ArrayInitial, Repetition, StructInitial
 from nctakt.st.types import (
     ArrayType,
     BlockType,
+    Elementary,
     EnumType,
     Expression,
     Pou,
@@ -49,6 +50,8 @@ class Images:
     def _fill(self, image: bytearray, sought: Type) -> None:
         if isinstance(sought, EnumType):
             put_scalar(image, 0, sought, sought.initial)
+        elif isinstance(sought, Elementary) and sought.is_subrange:
+            put_scalar(image, 0, sought, sought.low)
         elif isinstance(sought, ArrayType) and not sought.is_open:
             element = self.of_type(sought.element)
             if any(element):

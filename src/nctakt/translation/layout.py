@@ -39,6 +39,8 @@ def aligned(number: int, align: int) -> int:
 def kind_of(kind_type: Type) -> int | None:
     """Return how a value of a type lies in memory; nothing for texts, structures and arrays."""
     match kind_type:
+        case Elementary(is_bit=True):
+            return kinds.U8  # its bit is one of a byte (ST-312)
         case Elementary(family=Family.BOOL):
             return kinds.BOOL
         case Elementary(family=Family.REAL, size=size):

@@ -340,7 +340,7 @@ def numbered(blocks: list[Pou]) -> dict[int, int]:
 def _names(program: Program, blocks: list[Pou]) -> dict[int, tuple[str, str]]:
     """Return for each method its lower-case name and, of a property, which accessor it is."""
     found: dict[int, tuple[str, str]] = {}
-    owners: list[Pou | InterfaceType] = [*blocks, *program.interfaces.values()]
+    owners: list[Pou | InterfaceType] = [*blocks, *program.interfaces]
     for owner in owners:
         found |= {id(method): (name, "") for name, method in owner.methods.items()}
         for name, one in owner.properties.items():

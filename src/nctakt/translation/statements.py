@@ -35,7 +35,9 @@ from nctakt.st import tree
 from nctakt.st.types import (
     Expression,
     InterfaceType,
+    PointerType,
     Property,
+    ReferenceType,
     Statement,
     StringType,
     Variable,
@@ -203,6 +205,12 @@ class Statements(Calls):
             return WholeConstant(int(value.value))
         if isinstance(value.type, InterfaceType):
             return self.whole(value)
+        if isinstance(value, tree.Dereference) and isinstance(value.base.type, PointerType):
+            return self.whole(value.base)  # nothing is read there yet
+        if isinstance(value, tree.Call) and value.target is not None and not is_standard(value):
+            result = value.target.result
+            if result is not None and isinstance(result.type, ReferenceType):
+                return self.reference_of(self.call(value), result)
         return self.pointer_of(value)
 
     def _call_statement(self, call: tree.Call, source: int) -> Step:

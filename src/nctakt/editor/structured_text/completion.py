@@ -40,7 +40,6 @@ from nctakt.st.types import (
 )
 from nctakt.st.vocabulary.elementary import ELEMENTARY
 from nctakt.st.vocabulary.functions import BUILT_INS
-from nctakt.st.vocabulary.libraries import declared_names
 
 #: Items at most; more help no one.
 MAX_ITEMS = 1500
@@ -188,9 +187,7 @@ def _functions(names: ProjectNames) -> _Items:
 
 
 def _of_library(names: ProjectNames, space: Namespace) -> _Items:
-    own = names.checker.names.own.get(space.library.lower())
-    known = declared_names(space.library) if own is None else own.declared_names
-    for name in known:
+    for name in names.checker.names.declared_names(space):
         if not name.startswith("__"):
             yield name, CompletionItemKind.Function, space.library
 

@@ -545,3 +545,10 @@ ELEMENT_ARGUMENTS = error(
     remedy_de="Für jedes Element ein Klammerpaar schreiben, oder eines ohne [ ] für alle.",
     count=("the number of elements with arguments", "die Zahl der Elemente mit Argumenten"),
 )
+BIT_MISPLACED = error(
+    902910,
+    en="BIT stands only in structures and blocks",
+    de="BIT steht nur in Strukturen und Bausteinen",
+    remedy_en="Use BOOL.",
+    remedy_de="BOOL verwenden.",
+)

@@ -71,6 +71,7 @@ from nctakt.st.types import (
     Callable as CallableUnit,
 )
 from nctakt.st.vocabulary.elementary import (
+    BIT,
     BOOL,
     DINT,
     ELEMENTARY,
@@ -688,8 +689,9 @@ class CallChecker(ExpressionChecker):
         if kind is None:
             return UDINT if found.name == "SIZEOF" else ULINT
         self.resolver.layout(kind, None)
-        if not (isinstance(kind, ArrayType) and kind.is_open) and kind.size:
-            node.value = kind.size
+        size = 1 if kind is BIT else kind.size
+        if not (isinstance(kind, ArrayType) and kind.is_open) and size:
+            node.value = size
         return UDINT if found.name == "SIZEOF" else ULINT
 
     def _type_named(self, node: Name) -> Type | None:

@@ -420,9 +420,7 @@ class ExpressionChecker:
         return None
 
     def _in_library(self, library: Library, name: str) -> Target | None:
-        space = self.names.libraries.get(library.name.lower())
-        if space is None:
-            return None
+        space = self.names.of_library(library.name)
         self.names.read(space)
         key = name.lower()
         if key in space.lists:
@@ -431,7 +429,11 @@ class ExpressionChecker:
             return self.resolver.target_of(space.declared[key])
         if key in space.variables:
             return space.variables[key][0][1]
-        return space.values.get(key)
+        if key in space.values:
+            return space.values[key]
+        # A library that this one refers to.
+        inner = self.names.libraries.get(key)
+        return None if inner is None else Library(inner.library)
 
     # --- members ----------------------------------------------------------------------------------
 
@@ -448,7 +450,7 @@ class ExpressionChecker:
             )
         if isinstance(qualifier, Library):
             found = self._in_library(qualifier, node.name)
-            space = self.names.libraries[qualifier.name.lower()]
+            space = self.names.of_library(qualifier.name)
             return self._qualified(node, qualifier, qualifier.name, found, space.declared)
         if isinstance(qualifier, Pou) and qualifier.kind is Kind.FUNCTION_BLOCK:
             constant = qualifier.variables.get(key)

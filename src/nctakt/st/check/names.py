@@ -7,7 +7,7 @@ names come before those of libraries, libraries in the order of their reference.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.st.files.libraries import OwnLibrary
@@ -21,7 +21,7 @@ from nctakt.st.tree import (
     VariableNode,
 )
 from nctakt.st.types import EnumValue, Expression, Pou, Type, Variable
-from nctakt.st.vocabulary.libraries import declared_names, seen_words
+from nctakt.st.vocabulary.libraries import declared_names, known, seen_words
 
 
 @dataclass(slots=True, eq=False)
@@ -88,12 +88,18 @@ class PendingVariable:
 class Names:
     """All namespaces of a project."""
 
-    def __init__(self, libraries: list[str], own: Mapping[str, OwnLibrary]) -> None:
+    def __init__(
+        self, libraries: list[str], own: Mapping[str, OwnLibrary], beneath: Iterable[str] = ()
+    ) -> None:
         self.project = Namespace("")
         self.own = own
         self.libraries = {name.lower(): Namespace(name) for name in libraries}
         for key, library in own.items():
-            self.libraries.setdefault(key, Namespace(library.name))
+            self.libraries.setdefault(key, Namespace(known(library.name) or library.name))
+        #: Libraries that only libraries use.
+        self.beneath = {
+            name.lower(): Namespace(name) for name in beneath if name.lower() not in self.libraries
+        }
         self._known: dict[str, Declared | Target | Ambiguous | None] = {}
         #: Enters what a library declares.
         self.load: Callable[[Namespace], None] = lambda space: None
@@ -104,23 +110,43 @@ class Names:
         ``name``: only libraries that may have this name, which are read now.
         """
         if library:
-            yield self.libraries[library.lower()]
+            yield self.of_library(library)
         else:
             yield self.project
-        for key, space in self.libraries.items():
+        beneath = self.beneath if library else {}
+        for key, space in (*self.libraries.items(), *beneath.items()):
             if key == library.lower() or (name and name not in self._words(key, space)):
                 continue
             self.read(space)
             yield space
 
+    def of_library(self, name: str) -> Namespace:
+        """Return the namespace of a library, "" for the project; ``KeyError`` if there is none."""
+        if not name:
+            return self.project
+        return self.libraries.get(name.lower()) or self.beneath[name.lower()]
+
     def _words(self, key: str, space: Namespace) -> frozenset[str]:
         """Return words of a library's texts: all names that others see are among them."""
         own = self.own.get(key)
-        return seen_words(space.library) if own is None else own.words
+        text = self.text_of(space)
+        words = seen_words(text) if text else frozenset()
+        return words if own is None else own.words | words
 
-    def _declared_names(self, space: Namespace) -> tuple[str, ...]:
+    def text_of(self, space: Namespace) -> str:
+        """Return the name of the known text that a library has; "" if it has none."""
         own = self.own.get(space.library.lower())
-        return declared_names(space.library) if own is None else own.declared_names
+        return "" if own is not None and own.is_whole else known(space.library)
+
+    def declared_names(self, space: Namespace) -> tuple[str, ...]:
+        """Return the names of a library's objects, without reading it."""
+        own, text = self.own.get(space.library.lower()), self.text_of(space)
+        names = declared_names(text) if text else ()
+        return names if own is None else (*own.declared_names, *names)
+
+    def all_spaces(self) -> Iterator[Namespace]:
+        """Yield the namespaces of the project and of all libraries."""
+        yield from (self.project, *self.libraries.values(), *self.beneath.values())
 
     def read(self, space: Namespace) -> None:
         """Read a library, once."""
@@ -147,10 +173,9 @@ class Names:
                 return declared
             if (found := space.lists.get(name)) is not None:
                 return found
-        library = name.removeprefix("__")
-        if library in self.libraries:
-            return Library(self.libraries[library].library)
-        return None
+        prefix = name.removeprefix("__")
+        seen = prefix in self.libraries or (library and prefix in self.beneath)
+        return Library(self.of_library(prefix).library) if seen else None
 
     def find_type(self, name: str, library: str = "") -> Declared | None:
         """Return the declared type, POU or interface of a name in lower case."""
@@ -163,7 +188,7 @@ class Names:
         """Yield all names that may come without a prefix; of libraries those of their objects."""
         for space in (self.project, *self.libraries.values()):
             if not space.is_read and space.library:
-                yield from self._declared_names(space)
+                yield from self.declared_names(space)
             yield from (declared.name for declared in space.declared.values())
             yield from (found[0][1].name for found in space.variables.values())
             yield from (value.name for value in space.values.values())

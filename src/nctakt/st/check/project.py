@@ -57,7 +57,7 @@ from nctakt.st.types import (
     same_type,
 )
 from nctakt.st.vocabulary.elementary import UNTYPED, UNTYPED_REAL
-from nctakt.st.vocabulary.libraries import SYSTEM, known, text_of
+from nctakt.st.vocabulary.libraries import BENEATH, SYSTEM, known, text_of
 
 #: The task of a project that declares none (ST-803).
 DEFAULT_TASK, DEFAULT_PROGRAM, DEFAULT_CYCLE_US = "PlcTask", "MAIN", 10_000
@@ -192,19 +192,20 @@ class ProjectChecker(StatementChecker):
 
     def _pou(self, node: PouNode, pou: Pou) -> None:
         errors = self.reporter.error_count
-        self._check_unit(node, pou)
-        for method in pou.methods.values():
-            header, _ = self.resolver.nodes[method]
-            self._check_unit(header, method)
-        for found in pou.properties.values():
-            for accessor in (found.get, found.set):
-                if accessor is not None:
-                    header, _ = self.resolver.nodes[accessor]
-                    self._check_unit(header, accessor)
+        self._check_units(node, pou)
         self._overrides(pou)
         self._required(node, pou)
         if self.reporter.error_count > errors:
             pou.is_refused = True
+
+    def _check_units(self, node: PouNode, pou: Pou) -> None:
+        """Check the body of a POU, its methods and the accessors of its properties."""
+        self._check_unit(node, pou)
+        properties = pou.properties.values()
+        accessors = [one for found in properties for one in (found.get, found.set)]
+        for unit in (*pou.methods.values(), *accessors):
+            if unit is not None:
+                self._check_unit(self.resolver.nodes[unit][0], unit)
 
     def _check_unit(self, node: Header, unit: Callable) -> None:
         """Check the variables and the body of a POU, method, action or accessor."""
@@ -294,7 +295,7 @@ class ProjectChecker(StatementChecker):
             else:
                 self._library_pou(self.resolver.library_pous[checked])
                 checked += 1
-        for space in (self.names.project, *self.names.libraries.values()):
+        for space in self.names.all_spaces():
             for declared in space.declared.values():
                 if isinstance(declared.target, Type):
                     self._guarded(
@@ -325,10 +326,8 @@ class ProjectChecker(StatementChecker):
     def _library_pou(self, pou: Pou) -> None:
         """Check a POU of a library, whose bodies run as they are written."""
         node, _ = self.resolver.nodes[pou]
-        self._check_unit(node, pou)
-        for method in pou.methods.values():
-            header, _ = self.resolver.nodes[method]
-            self._check_unit(header, method)
+        assert isinstance(node, PouNode)
+        self._check_units(node, pou)
 
     def _report_recursion(self) -> None:
         """Report units that call themselves, by others too (ST-407)."""
@@ -414,9 +413,11 @@ def checker_of(
     memory: UnitMemory | None = None,
 ) -> ProjectChecker:
     """Return a checker with all names of libraries, which are read when they are used."""
-    own = {key: one for key, one in (own or {}).items() if not known(one.name)}
+    own = {(known(one.name) or one.name).lower(): one for one in (own or {}).values()}
     found = [known(library) for library in libraries]
-    names = Names(list(dict.fromkeys([one for one in found if one] + [SYSTEM])), own)
+    references = [known(name) for one in own.values() for name in one.references]
+    beneath = [*BENEATH, *(name for name in references if name)]
+    names = Names(list(dict.fromkeys([one for one in found if one] + [SYSTEM])), own, beneath)
     resolver = Resolver(names, reporter)
     checker = ProjectChecker(names, resolver, reporter)
     checker.memory, checker.reports_in_each_unit = memory, memory is not None
@@ -431,13 +432,12 @@ def checker_of(
 
     def load(space: Namespace) -> None:
         """Enter what a library declares, when one of its names is used."""
-        library = own.get(space.library.lower())
-        if library is not None:
-            nodes = library.declarations
-        elif memory is None:
-            nodes = parsed(space.library)
-        else:
-            nodes = memory.library(space.library, lambda: parsed(space.library))
+        library, text = own.get(space.library.lower()), names.text_of(space)
+        nodes = [] if library is None else [*library.declarations]
+        if text:
+            texts = parsed(text) if memory is None else memory.library(text, lambda: parsed(text))
+            given = set() if library is None else {name.lower() for name in library.declared_names}
+            nodes += [node for node in texts if getattr(node, "name", "").lower() not in given]
         resolver.declare(space, nodes)
         resolver.declare_values(space)
         checker.libraries_read.append((space, nodes))
@@ -466,21 +466,18 @@ def _program(name: str, resolver: Resolver, names: Names, tasks: list[Task]) -> 
         name,
         reporter.sources,
         resolver.pous,
-        {
-            key: one.target
-            for key, one in names.project.declared.items()
+        [
+            one.target
+            for space in names.all_spaces()
+            for one in space.declared.values()
             if isinstance(one.target, InterfaceType)
-        },
+        ],
         {
             key: one.target
             for key, one in names.project.declared.items()
             if isinstance(one.target, Type) and not isinstance(one.target, InterfaceType)
         },
-        [
-            one
-            for space in (names.project, *names.libraries.values())
-            for one in space.lists.values()
-        ],
+        [one for space in names.all_spaces() for one in space.lists.values()],
         tasks,
         resolver.data_size,
         resolver.globals,

@@ -14,6 +14,7 @@ from nctakt.base.diagnostics import Message
 from nctakt.messages.plcs.st_check import (
     ARRAY_BOUNDS_REVERSED,
     BASE_OF_WRONG_KIND,
+    BIT_MISPLACED,
     BLOCK_BY_VALUE,
     DATA_CONTAIN_THEMSELVES,
     DATA_TOO_LARGE,
@@ -261,9 +262,7 @@ class Resolver:
             bounds.append((low, high))
         if element is None:
             return None
-        if isinstance(element, ReferenceType) or (
-            isinstance(element, Elementary) and element.is_bit
-        ):
+        if isinstance(element, ReferenceType) or (_is_bit(element)):
             self._report(REFERENCE_MISPLACED, node, kind=element.name)
             return None
         self.layout(element, node)
@@ -283,7 +282,7 @@ class Resolver:
         target = self.type_of(node.target, scope)
         if target is None:
             return None
-        is_bit = isinstance(target, Elementary) and target.is_bit
+        is_bit = _is_bit(target)
         if node.is_reference:
             if isinstance(target, ReferenceType) or is_bit:
                 self._report(REFERENCE_MISPLACED, node, kind=target.name)
@@ -395,14 +394,9 @@ class Resolver:
         size = offset
         for member in own:
             self.complete(member)
-            if isinstance(member.type, Elementary) and member.type.is_bit:
-                if bit % 8 == 0:
-                    member.offset = size
-                    size += 1
-                else:
-                    member.offset = size - 1
-                member.bit = bit % 8
-                bit += 1
+            if _is_bit(member.type):
+                end = _put_bit(member, 0, 0) if kind.is_union else _put_bit(member, size, bit)
+                size, bit = max(size, end), bit + 1
                 continue
             bit = 0
             self.layout(member.type, None, member.start)
@@ -453,6 +447,11 @@ class Resolver:
                 if isinstance(kind, EnumType) and not kind.is_qualified_only:
                     for key, value in kind.values.items():
                         space.values.setdefault(key, value)
+        for found in space.lists.values():
+            for variable in found.variables.values():
+                pending = self._pending.get(variable)
+                if pending is not None and isinstance(pending.node.type, EnumNode):
+                    self.complete(variable)
 
     def _declare_list(self, space: Namespace, node: GlobalListNode) -> None:
         title = node.attributes.get("list", node.name)
@@ -824,7 +823,7 @@ class Resolver:
     def _lay_out_block(self, pou: Pou) -> None:
         """Give the variables of an instance their offsets."""
         assert pou.type is not None
-        offset = POINTER_SIZE
+        offset, bit = POINTER_SIZE, 0
         inherited: set[Variable] = set()
         if pou.base is not None and pou.base.type is not None:
             self.layout(pou.base.type, None)
@@ -834,6 +833,10 @@ class Resolver:
             if variable in inherited:
                 continue
             self.complete(variable)
+            if _is_bit(variable.type):
+                offset, bit = _put_bit(variable, offset, bit), bit + 1
+                continue
+            bit = 0
             size, align = self._slot(variable)
             variable.offset = _aligned(offset, align)
             offset = variable.offset + size
@@ -888,7 +891,10 @@ class Resolver:
         node, scope = pending.node, pending.scope
         kind = self.type_of(node.type, scope)
         if isinstance(node.type, EnumNode) and isinstance(kind, EnumType):
-            names = scope.local_names if scope.pou is None else scope.members
+            if variable.section is Section.GLOBAL:
+                names: object = self.names.of_library(scope.library).values
+            else:
+                names = scope.local_names if scope.pou is None else scope.members
             if isinstance(names, dict):
                 for key, value in kind.values.items():
                     names.setdefault(key, value)
@@ -897,6 +903,11 @@ class Resolver:
             return
         if isinstance(kind, ArrayType) and kind.is_open and variable.section is not Section.IN_OUT:
             self._report(OPEN_ARRAY_MISPLACED, node)
+            variable.type = _UNKNOWN
+            return
+        is_packed = variable.storage in (Storage.MEMBER, Storage.INSTANCE)
+        if _is_bit(kind) and (not is_packed or variable.section is Section.IN_OUT):
+            self._report(BIT_MISPLACED, node)
             variable.type = _UNKNOWN
             return
         variable.type = kind
@@ -949,6 +960,18 @@ def is_unknown(kind: Type | None) -> bool:
 
 def _aligned(offset: int, align: int) -> int:
     return (offset + align - 1) // align * align if align > 1 else offset
+
+
+def _is_bit(kind: Type) -> bool:
+    return isinstance(kind, Elementary) and kind.is_bit
+
+
+def _put_bit(variable: Variable, end: int, bit: int) -> int:
+    """Give a bit its place behind others, eight in a byte (ST-312); return the end."""
+    if bit % 8 == 0:
+        end += 1
+    variable.offset, variable.bit = end - 1, bit % 8
+    return end
 
 
 def _extends(kind: StructType, base: StructType) -> bool:

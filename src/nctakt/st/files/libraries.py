@@ -25,11 +25,17 @@ MAX_FILES = 20_000
 
 @dataclass(slots=True, eq=False)
 class OwnLibrary:
-    """A library whose sources the user has: what it declares, and the words of its texts."""
+    """A library whose sources the user has: what it declares, and the words of its texts.
+
+    ``is_whole``: it is a project, which stands for a library of this name that nctakt knows;
+    files of no project are added to it. ``references``: the libraries that a project names.
+    """
 
     name: str
     declarations: list[Declaration]
     words: frozenset[str]
+    is_whole: bool = False
+    references: tuple[str, ...] = ()
 
     @property
     def declared_names(self) -> tuple[str, ...]:
@@ -80,4 +86,5 @@ def _read(sources: PlcSources, read: ReadFile, reporter: Reporter) -> OwnLibrary
         if data is not None:
             words.update(re.findall(r"\w+", data.decode("utf-8", "replace").lower()))
             declarations += read_objects(path.as_posix(), data, definitions, reporter)
-    return OwnLibrary(sources.name, declarations, frozenset(words))
+    is_whole, references = sources.libraries is not None, tuple(sources.libraries or ())
+    return OwnLibrary(sources.name, declarations, frozenset(words), is_whole, references)

@@ -21,9 +21,13 @@ SYSTEM = "System"
 #: The CNC's interface, and its blocks for single axes.
 CNC_INTERFACE, CNC_AXES, NC_AXES = "Tc2_CncHli", "McpPLCopenP1", "Tc2_MC2"
 TEST_LIBRARY = "TcUnit"
+#: The library of the types that others share; its only one here is that of the system.
+BASE_TYPES = "IBaseLibrary"
 
 #: The libraries with a text of their own, in the order in which names are looked up.
 _TEXTS = ("Tc2_Standard", "Tc2_System", "Tc2_Utilities", "Tc2_Math", NC_AXES, TEST_LIBRARY, SYSTEM)
+#: What the texts of libraries use, whether a project refers to it or not.
+BENEATH = _TEXTS[:4]
 #: Further names under which projects refer to them; those without a text here have no names.
 ALIASES = {
     "tc2_cnc": CNC_INTERFACE,
@@ -31,6 +35,7 @@ ALIASES = {
     "mcpplcopenp1": CNC_AXES,
     "tc2_mcpplcopenp1": CNC_AXES,
     "standard": "Tc2_Standard",
+    "base interfaces": BASE_TYPES,
     "tc3_module": SYSTEM,
     "tc3_interfaces": SYSTEM,
 }
@@ -40,7 +45,8 @@ _DECLARED = re.compile(r"\b(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
 #: What of a text may hold names that others see: enumerations with their items, lists with their
 #: variables, and names of other objects. Bodies and members of structures do not.
 _SEEN = re.compile(
-    r"VAR_GLOBAL.*?END_VAR|\bTYPE\s+\w+\s*:\s*\(.*?END_TYPE|'list'\s*:=\s*'\w+'|" + _DECLARED.pattern,
+    r"VAR_GLOBAL.*?END_VAR|\bTYPE\s+\w+\s*:\s*\(.*?END_TYPE|'list'\s*:=\s*'\w+'|"
+    + _DECLARED.pattern,
     re.DOTALL,
 )
 #: What the runtime computes itself.
@@ -58,7 +64,7 @@ _OPAQUE = re.compile(r"\b(?:MC|MCV|HLI|AXES|TRIGGER)_[A-Z_]+\b")
 def known(name: str) -> str:
     """Return the library that a reference names, as it is called here; "" if it is unknown."""
     lower = name.partition(",")[0].strip().lower()
-    by_name = {text.lower(): text for text in (*_TEXTS, CNC_INTERFACE, CNC_AXES)}
+    by_name = {text.lower(): text for text in (*_TEXTS, BASE_TYPES, CNC_INTERFACE, CNC_AXES)}
     return ALIASES.get(lower) or by_name.get(lower, "")
 
 
@@ -75,7 +81,16 @@ def text_of(name: str) -> str:
         return _interface()
     if name == CNC_AXES:
         return _blocks("MC_")
+    if name == BASE_TYPES:
+        return _type_classes()
     return _REPEATED.sub(_each, (_FOLDER / f"{name}.st").read_text("utf-8"))
+
+
+def _type_classes() -> str:
+    """Return the enumeration of types under the name that the library of base types gives it."""
+    match = re.search(r"TYPE TYPE_CLASS (:.*?END_TYPE)", text_of(SYSTEM), re.DOTALL)
+    assert match is not None
+    return f"{{attribute 'to_string'}} TYPE TypeClass {match[1]}"
 
 
 def _each(match: re.Match[str]) -> str:

@@ -25,6 +25,7 @@ cdef enum:
     LARGE_D = 68
     LARGE_I = 73
     LARGE_L = 76
+    LARGE_M = 77
     LARGE_N = 78
     LARGE_O = 79
     LARGE_R = 82

@@ -9,7 +9,7 @@ FIRST_EXPONENT = 16
 
 #: Letters: T, F and what follows them in TRUE, FALSE and units of time.
 SMALL_D, SMALL_E, SMALL_H, SMALL_M, SMALL_N, SMALL_S, SMALL_U = 100, 101, 104, 109, 110, 115, 117
-LARGE_D, LARGE_I, LARGE_L, LARGE_N, LARGE_O = 68, 73, 76, 78, 79
+LARGE_D, LARGE_I, LARGE_L, LARGE_M, LARGE_N, LARGE_O = 68, 73, 76, 77, 78, 79
 LARGE_R, LARGE_S, LARGE_T, LARGE_U = 82, 83, 84, 85
 #: What makes a small letter of a large one, and the value of E among the digits of base 15.
 SMALL = 32

@@ -17,10 +17,7 @@ cdef long long put_unit(
     long long second
 ) noexcept nogil
 
-@cython.locals(rest=cython.longlong)
-cdef long long put_clock(
-    PlcContext context, long long at, long long seconds, bint needs_seconds
-) noexcept nogil
+cdef long long put_clock(PlcContext context, long long at, long long seconds) noexcept nogil
 
 @cython.locals(
     shifted=cython.longlong, cycle=cython.longlong, inside=cython.longlong,

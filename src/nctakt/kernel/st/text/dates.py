@@ -12,7 +12,11 @@ def put_length(context: PlcContext, at: int, value: int, is_fine: bool) -> int:
     """Write a length of time of ms, or of ns: its units from the first that is not zero on."""
     if is_fine:
         at = digits.put(context, at, characters.LARGE_L)
-    at = digits.put(context, digits.put(context, at, characters.LARGE_T), characters.HASH)
+    at = digits.put(context, at, characters.LARGE_T)
+    if is_fine:
+        at = digits.put(context, digits.put(context, at, characters.LARGE_I), characters.LARGE_M)
+        at = digits.put(context, at, characters.LARGE_E)
+    at = digits.put(context, at, characters.HASH)
     begin = at
     scale = 1000000 if is_fine else 1
     at = put_unit(context, at, value, 86400000 * scale, 0, characters.SMALL_D, 0)
@@ -42,15 +46,13 @@ def put_unit(
     return digits.put(context, at, second) if second else at
 
 
-def put_clock(context: PlcContext, at: int, seconds: int, needs_seconds: bool) -> int:
-    """Write hours, minutes, and seconds if they are needed or not zero."""
+def put_clock(context: PlcContext, at: int, seconds: int) -> int:
+    """Write hours, minutes and seconds."""
     at = digits.put_unsigned(context, at, words.divide(seconds, 3600), 10, 2)
     at = digits.put(context, at, characters.COLON)
     at = digits.put_unsigned(context, at, words.modulo(words.divide(seconds, 60), 60), 10, 2)
-    rest = words.modulo(seconds, 60)
-    if rest or needs_seconds:
-        at = digits.put_unsigned(context, digits.put(context, at, characters.COLON), rest, 10, 2)
-    return at
+    at = digits.put(context, at, characters.COLON)
+    return digits.put_unsigned(context, at, words.modulo(seconds, 60), 10, 2)
 
 
 def put_day(context: PlcContext, at: int, day: int) -> int:
@@ -82,7 +84,7 @@ def put_moment(context: PlcContext, at: int, value: int, shown: int) -> int:
         at = digits.put(context, at, characters.LARGE_T)
     at = digits.put(context, at, characters.HASH)
     if shown == kinds.TIME_OF_DAY:
-        at = put_clock(context, at, words.divide(value, 1000), True)
+        at = put_clock(context, at, words.divide(value, 1000))
         rest = words.modulo(value, 1000)
         if rest == 0:
             return at
@@ -91,7 +93,7 @@ def put_moment(context: PlcContext, at: int, value: int, shown: int) -> int:
     if shown == kinds.DATE:
         return at
     at = digits.put(context, at, characters.MINUS)
-    return put_clock(context, at, words.modulo(value, 86400), False)
+    return put_clock(context, at, words.modulo(value, 86400))
 
 
 def read_length(context: PlcContext, at: int, end: int) -> float:

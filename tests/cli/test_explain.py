@@ -196,6 +196,16 @@ def test_an_unknown_path_suggests_the_nearest_and_a_part_finds_all(capsys: Captu
     assert "gpAx[]^.ipo_mc_control.dyn_pos_limit_low " in capsys.readouterr().out
 
 
+@pytest.mark.parametrize("word", ["V.E", "vs.e"])
+def test_a_family_lists_the_variables_of_the_machine(word: str, capsys: Captured) -> None:
+    """Each on a line, after the article of the family."""
+    assert main(["explain", word]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "V.E: variables"
+    assert any(line.split() == "V.E.CONDITION a variable of channel 1".split() for line in lines)
+    assert not any("V.CH." in line for line in lines)
+
+
 def test_a_variable_of_another_machine(capsys: Captured, tmp_path: Path) -> None:
     """``--machine`` says whose; an unknown one is told with the nearest (900541, 901006)."""
     assert main(["new", str(tmp_path / "m"), "--quiet"]) == 0

@@ -96,6 +96,16 @@ def test_rights_per_context() -> None:
     assert facts("V.RTG.OVERRIDE.VEL.TOTAL")["In realtime cycles"].startswith("read;")
 
 
+def test_a_family_names_its_variables() -> None:
+    """Whoever looks for a variable begins with its family; what it lacks is refused."""
+    assert facts("V.RTG")["Known here"].startswith("V.RTG.OVERRIDE.VEL.CYCLE, V.RTG.OVERRIDE.")
+    assert "V.RTA.ACS.ACT_POS.<X>" in facts("V.RTA")["Known here"]
+    assert "V.A.ABS.X, V.A.PROG.X" in facts("V.A")["Known here"]
+    assert facts("V.A")["Others"].startswith("refused")
+    assert facts("V.RTG")["In nctakt"] == "simulated"
+    assert "Known here" not in facts("V.P")
+
+
 @pytest.mark.parametrize(
     ("word", "name"),
     [

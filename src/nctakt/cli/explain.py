@@ -40,7 +40,7 @@ from nctakt.reference.topics import (
 )
 
 #: The form of a variable of a machine's lists.
-_MACHINE_VARIABLE = re.compile(r"Vs?\.(E|CH)\.", re.IGNORECASE)
+_MACHINE_VARIABLE = re.compile(r"Vs?\.(E|CH)\b", re.IGNORECASE)
 
 #: Minimum length of a word that is searched in texts, in characters.
 _SHORTEST_SEARCHED = 3
@@ -148,6 +148,8 @@ def _answer(word: str, machine: str | None, language: Language) -> _Answer:
 
         variables = MachineVariables(machine)
         own = variables.find(word)
+        if articles and articles[0].name == word.upper().replace("VS.", "V."):
+            return _Answer(word, articles, tuple(own))
         return _Answer(word, (*own, *articles), unknown=() if own else variables.unknown(word))
     if articles or listed:
         return _Answer(word, articles, listed)

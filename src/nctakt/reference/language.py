@@ -18,7 +18,7 @@ from nctakt.nc.vocabulary.operators import CONSTANTS, FUNCTIONS, INFIX, PREFIX, 
 from nctakt.nc.vocabulary.single_axes import independent_axes, oscillation
 from nctakt.nc.vocabulary.variables.system_names import BY_NAME
 from nctakt.reference.article import Article, Fact, Topic, fact
-from nctakt.reference.variables import UNITS
+from nctakt.reference.variables import UNITS, rows
 
 KINDS = {
     Kind.G_FUNCTION: Text("G function", "G-Funktion"),
@@ -171,14 +171,36 @@ def _of_system(name: str) -> Iterator[Fact]:
     yield fact("In realtime cycles", "In Echtzeit-Zyklen", _FROZEN)
 
 
+def _members(entry: Entry) -> Iterator[str]:
+    """Yield the variables of a family that have articles of their own."""
+    if entry.kind is Kind.VARIABLE:
+        beginning = f"{entry.name}."
+        known = (*(name for name, _ in rows()), *_simulated_variables())
+        yield from (name for name in known if name.startswith(beginning))
+
+
+def _simulated_variables() -> Iterator[str]:
+    for entry in support_level.entries():
+        if entry.kind is Kind.VARIABLE and entry.support is Support.SIMULATED:
+            yield entry.name
+
+
 def entry_article(entry: Entry) -> Article:
     """Return the article of a row of the support table."""
     facts = [*_FURTHER.get(entry.name, ()), *_of_system(entry.name)]
+    members = ", ".join(_members(entry))
+    if members:
+        facts.append(fact("Known here", "Hier bekannt", members))
     if entry.name in _BRACKET_KEYWORDS:
         facts.append(fact("Keywords", "Schlüsselwörter", ", ".join(_BRACKET_KEYWORDS[entry.name])))
     if entry.forms:
         facts.append(fact("Written", "Schreibweise", forms_of(entry.name)))
-    facts.append(fact("In nctakt", "In nctakt", SUPPORT[entry.support]))
+    label = (
+        Text("Others", "Andere")
+        if members and entry.support is Support.REFUSED
+        else Text("In nctakt", "In nctakt")
+    )
+    facts.append(Fact(label, SUPPORT[entry.support]))
     if entry.support is Support.REFUSED:
         facts.append(fact("Instead", "Stattdessen", entry.advice))
     if isinstance(entry, GFunction) and entry.group is not None:

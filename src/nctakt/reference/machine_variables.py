@@ -51,12 +51,15 @@ class MachineVariables:
         self._machine = folder if isinstance(folder, Machine) else load_machine(folder)
 
     def find(self, word: str) -> list[Article]:
-        """Return the articles of all variables of this name, those of each channel apart."""
+        """Return the articles of all variables of this name, those of each channel apart.
+
+        Of a family, ``V.E`` or ``V.CH``, those of all its variables.
+        """
         folded = _plain(word).casefold()
         return [
             _article(self._machine, name, variable, node, channel)
             for name, variable, node, channel in _declared(self._machine)
-            if name.casefold() == folded
+            if folded in (name.casefold(), variable.space.value.casefold())
         ]
 
     def unknown(self, word: str) -> tuple[Diagnostic, ...]:

@@ -44,6 +44,12 @@ _DECLARED_IN = {
         f"V.{family}-Variablen vereinbart die Variablenliste der Maschine: {entry}[0].name usw.",
     )
     for family, entry in (("E", "var"), ("CH", "vch"))
+} | {
+    family: Text(
+        f"nctakt explain V.{family} lists those that exist.",
+        f"nctakt explain V.{family} zählt auf, welche es gibt.",
+    )
+    for family in ("RTG", "RTA", "G", "A")
 }
 #: What others call the values of a tool.
 _TOOL_WORDS = {"RADIUS": "R", "RAD": "R", "LENGTH": "L", "LEN": "L", "LAENGE": "L"}

@@ -129,20 +129,20 @@ def test_a_label_changes_at_all_its_places(folder: Folder) -> None:
 def test_two_names_do_not_become_one(folder: Folder) -> None:
     """Labels, parameters, variables, IDs of cycles and subprograms; a label of another section is
     another one."""
-    assert "ENDE is in use already, line 3" in folder.refused(LABELS, "N10 [L", "Ende")
+    assert "ENDE is already in use, line 3" in folder.refused(LABELS, "N10 [L", "Ende")
     assert folder.renamed(LABELS, "%L SUB\n[L", "ENDE").count("ENDE") == 3
     text = "V.P.A = 1\nV.P.B = 2\nP1 = V.P.A\nP2 = 3\nM30\n"
     assert folder.refused(text, "= V.P.", "B") == (
-        "B is in use already, line 2: the two would become one"
+        "B is already in use, line 2: the two would become one"
     )
-    assert "P2 is in use already" in folder.refused(text, "V.P.B = 2\nP", "P2")
+    assert "P2 is already in use" in folder.refused(text, "V.P.B = 2\nP", "P2")
     cycles = (
         "#RT CYCLE DEF [ID=1 SCOPE=PROG]\n#RT CYCLE END\n#RT CYCLE DEF [ID=2 SCOPE=PROG]\n"
         "#RT CYCLE END\n#RT CYCLE START [ID=1]\nM30\n"
     )
-    assert "2 is in use already" in folder.refused(cycles, "START [ID=", "2")
+    assert "2 is already in use" in folder.refused(cycles, "START [ID=", "2")
     calls = "%L A\nM17\n%L B\nM17\n%M\nLL A\nLL B\nM30\n"
-    assert "B is in use already" in folder.refused(calls, "%M\nLL ", "B")
+    assert "B is already in use" in folder.refused(calls, "%M\nLL ", "B")
 
 
 def test_an_invalid_name_is_refused_with_its_reason(folder: Folder) -> None:

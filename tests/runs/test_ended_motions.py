@@ -64,12 +64,12 @@ def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
         ("Z[INDP G00 G90 POS=1]", "", "", []),  # long there
         (FAR, "", "#RT CYCLE DELETE [ID=1]", ["was deleted"]),
         (FAR, "", "#RT CYCLE ABORT ACTION [ID=1]\n#TIME 0.1", []),  # somebody has asked for it
-        ("Z[INDP G01 FEED=600]", "", "", ["stopped, which was to move without a target"]),
+        ("Z[INDP G01 FEED=600]", "", "", ["stopped during an endless motion"]),
         (
             f"{FAR}\nZ[INDP BUFFERED G01 G90 POS=10 FEED=60]",
             "",
             "",
-            ["Z did not begin a motion that waited", "before its target"],
+            ["Z did not begin its waiting motion", "before its target"],
         ),
         ("A[INDP G01 G90 POS=90 FEED=600]", "", "", ["° before its target"]),
         (f"{FAR}\nV.E.VALUE = 1 / V.E.VALUE", "", "", []),  # the error is told

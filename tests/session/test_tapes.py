@@ -133,7 +133,7 @@ def test_what_a_plc_in_another_process_wrote_is_lived_through_without_it() -> No
 
 
 def test_a_tape_does_not_widen_the_allowed_folders() -> None:
-    """902024: it reaches the files of its own folder, whatever folders it names itself."""
+    """902024: it may read the files of its own folder, whatever folders it names itself."""
     assert main(["run", "part.nc", "--record", "run.tape", "--quiet", "--confine", "/"]) == 0
     Path("tapes").mkdir()
     tape = Path("run.tape").rename("tapes/run.tape")

@@ -212,7 +212,7 @@ def test_an_unchanged_run_that_is_broken_already(program: str, capsys: Captured)
     shown = capsys.readouterr()
     first = shown.err.splitlines()[0]
     assert first == (
-        "warning 901942: the run without any injection fails already: duration < 0.1 (0.201)"
+        "warning 901942: the run without any injection already fails: duration < 0.1 (0.201)"
     )
     assert main([*words, "--expect", "V.E.TRIGGER > 0 within 5 ms", "--quiet"]) == 0
     assert "901942" not in capsys.readouterr().err

@@ -51,7 +51,7 @@ TEXT_CHANGED = error(
     901900,
     en="{file} has been changed while it was in use",
     de="{file} wurde geändert, während es in Gebrauch war",
-    remedy_en="Start again; let a program in use be as it is, or write it under another name.",
+    remedy_en="Start again; do not change a program in use, or save it under another name.",
     remedy_de="Neu beginnen; ein Programm in Gebrauch nicht ändern oder unter anderem Namen "
     "speichern.",
     cause_en="A program of more than 1 MB is not kept in memory: its lines are read when they are "
@@ -139,7 +139,8 @@ FOLDER_INSTEAD_OF_PROGRAM = error(
     en="{folder} is a folder; a program is a file",
     de="{folder} ist ein Ordner; ein Programm ist eine Datei",
     remedy_en="To run a program on the machine of a folder: nctakt run part.nc --machine {folder}",
-    remedy_de="Ein Programm auf der Maschine eines Ordners: nctakt run part.nc --machine {folder}",
+    remedy_de="Ein Programm auf der Maschine eines Ordners ausführen: nctakt run part.nc "
+    "--machine {folder}",
     cause_en="A machine folder holds the lists of a machine (nctakt new writes one); programs run "
     "on that machine.",
     cause_de="Ein Maschinenordner enthält die Listen einer Maschine (nctakt new schreibt einen); "

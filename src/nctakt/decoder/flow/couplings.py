@@ -47,6 +47,8 @@ from nctakt.nc.meaning.axes import MAX_GROUP, CouplingAction, WrittenPair, coupl
 #: An axis by its number in the machine, or a spindle by its index in the channel.
 Member = tuple[bool, int]
 
+_BLOCK_SEARCH = Text("block search", "Satzvorlauf")
+
 
 class Couplings:
     """Decodes these commands for one program."""
@@ -135,7 +137,7 @@ class Couplings:
         if has_axes and self._environment.offsets.transformation.is_active:
             self._values.fail(NOT_WHILE_COUPLED, span, command=name, other="#TRAFO")
         if self._values.state.is_searching:
-            self._values.fail(NOT_WHILE_COUPLED, span, command=name, other="block search")
+            self._values.fail(NOT_WHILE_COUPLED, span, command=name, other=_BLOCK_SEARCH)
         self._values.check_flush_allowed(name, span)
 
     # --- the definition -------------------------------------------------------------------------

@@ -60,15 +60,15 @@ from nctakt.messages.path.shapes import (
 from nctakt.messages.path.splines import (
     ARC_IN_BSPLINE,
     CORNER_IN_SPLINE,
+    NO_MOTION_AFTER_SPLINE,
     NO_MOTION_BEFORE_SPLINE,
-    NO_MOTION_BEHIND_SPLINE,
 )
 
 #: Maximum number of other commands after a held motion; then nothing is inserted at its end.
 MAX_BETWEEN = 1000
 
-_BEFORE = Text("in front of", "vor")
-_BEHIND = Text("behind", "hinter")
+_BEFORE = Text("before", "vor")
+_AFTER = Text("after", "nach")
 
 
 class Shaping:
@@ -305,7 +305,7 @@ class Shaping:
         slope: Slope = ()
         if end is not None:
             if behind is None and self._waits_for_end(spline, end):
-                self._values.fail(NO_MOTION_BEHIND_SPLINE, end.span)
+                self._values.fail(NO_MOTION_AFTER_SPLINE, end.span)
             slope = spline.slope(end.end, end.vector, behind, at_end=True)
         for held, pieces in spline.finish(slope):
             yield from self._release_pieces(held, pieces)
@@ -363,7 +363,7 @@ class Shaping:
             self._values.fail(CORNER_NOT_IN_PLANE, corner.span, side=_BEFORE, plane=number)
         before = corners.Side(held.segment, plane, is_before=True)
         behind = corners.Side(motion.segment, plane, is_before=False)
-        for side, cut, where in ((before, held, _BEFORE), (behind, motion, _BEHIND)):
+        for side, cut, where in ((before, held, _BEFORE), (behind, motion, _AFTER)):
             if side.length < corners.NOTHING_LEFT:
                 if cut.segment.start == cut.segment.target:
                     self._values.fail(CORNER_TOO_LARGE, corner.span, size=corner.size, side=where)
@@ -387,7 +387,7 @@ class Shaping:
                 chord /= 2.0 * max(math.sin(0.5 * corners.inner_angle(before, behind)), 1e-12)
             parts = (before.part_of_chord(chord), behind.part_of_chord(chord))
         points = []
-        for side, part, where in zip((before, behind), parts, (_BEFORE, _BEHIND), strict=True):
+        for side, part, where in zip((before, behind), parts, (_BEFORE, _AFTER), strict=True):
             if part > 1.0 + corners.NOTHING_LEFT:
                 self._values.fail(CORNER_TOO_LARGE, corner.span, size=corner.size, side=where)
             is_all = part > 1.0 - corners.NOTHING_LEFT

@@ -37,9 +37,9 @@ AXIS_TWICE = error(
     901803,
     en="{what} would belong to two axes of the channel: number {first} and number {second}",
     de="{what} würde zu zwei Achsen des Kanals gehören: Nummer {first} und Nummer {second}",
-    remedy_en="Give each axis a name, a number and an index of its own, or give one away before.",
+    remedy_en="Give each axis its own name, number and index, or give one of the axes away first.",
     remedy_de="Jeder Achse einen eigenen Namen, eine eigene Nummer und einen eigenen Index geben "
-    "oder eine vorher abgeben.",
+    "oder vorher eine abgeben.",
     what=("the name, number or index", "Name, Nummer oder Index"),
     first=("the number of the first axis", "die Nummer der ersten Achse"),
     second=("the number of the second axis", "die Nummer der zweiten Achse"),
@@ -58,14 +58,16 @@ AXIS_OPTION_REFUSED = error(
     en="{option} is not simulated: offsets of a fetched axis always begin at 0",
     de="{option} wird nicht simuliert: Verschiebungen einer geholten Achse beginnen immer bei 0",
     remedy_en="Leave it out; program offsets after the command, for example with G54.",
-    remedy_de="Weglassen; Verschiebungen hinter dem Befehl programmieren, zum Beispiel mit G54.",
+    remedy_de="Weglassen; Verschiebungen nach dem Befehl programmieren, zum Beispiel mit G54.",
     classes=(2, 3),
 )
 EXCHANGE_UNDER_TRANSFORMATION = error(
     901806,
-    en="{command} while a coordinate system, a transformation or a mapped contour is active",
-    de="{command}, während Koordinatensystem, Transformation oder abgebildete Kontur aktiv sind",
-    remedy_en="Switch it off before: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
+    en="{command} while a coordinate system, a transformation or a rotation or scale of the "
+    "contour is active",
+    de="{command}, während ein Koordinatensystem, eine Transformation, Drehung oder Skalierung "
+    "aktiv ist",
+    remedy_en="Switch it off first: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
     remedy_de="Vorher abwählen: #CS OFF ALL, #TRAFO OFF, #ROTATION OFF.",
     classes=(2, 3),
 )
@@ -79,13 +81,11 @@ EXCHANGE_IN_SEARCH = error(
 )
 AXIS_OF_SPINDLE = error(
     901807,
-    en="axis number {value} turns spindle {spindle} of channel {channel} and cannot be fetched",
-    de="die Achse Nummer {value} dreht Spindel {spindle} von Kanal {channel} und kann nicht geholt "
-    "werden",
-    remedy_en="Only the axis of a main spindle with 0x200 in P-AXIS-00015 can be fetched, after "
-    "S[PUTAX].",
-    remedy_de="Holbar ist nur die Achse einer Hauptspindel mit 0x200 in P-AXIS-00015, nach "
-    "S[PUTAX].",
+    en="axis number {value} drives spindle {spindle} of channel {channel} and cannot be fetched",
+    de="die Achse Nummer {value} treibt die Spindel {spindle} von Kanal {channel} an und kann "
+    "nicht geholt werden",
+    remedy_en="Fetch only the axis of a main spindle with 0x200 in P-AXIS-00015, after S[PUTAX].",
+    remedy_de="Nur die Achse einer Hauptspindel mit 0x200 in P-AXIS-00015 holen, nach S[PUTAX].",
     value=("the logical number", "die logische Nummer"),
     channel=("its channel", "ihr Kanal"),
     classes=(2, 3),
@@ -93,11 +93,12 @@ AXIS_OF_SPINDLE = error(
 AXIS_NEVER_GIVEN = warning(
     901808,
     en="no program of this run gives away axis number {number}, which belongs to channel {channel}",
-    de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
-    remedy_en="Program {command} in channel {channel}; without it the command never ends.",
+    de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die zu Kanal {channel} "
+    "gehört",
+    remedy_en="Program {command} in channel {channel}; without it this command waits for ever.",
     remedy_de="{command} in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",
     number=("the logical number", "die logische Nummer"),
-    command=("what gives the axis", "was die Achse abgibt"),
+    command=("the command that gives the axis away", "der Befehl, der die Achse abgibt"),
     channel=("the channel that has it", "der Kanal, der sie hat"),
 )
 CYCLE_AXIS_NOT_IN_CHANNEL = error(

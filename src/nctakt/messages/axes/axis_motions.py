@@ -17,7 +17,7 @@ AXIS_NOT_AT_BLOCK_START = error(
     "path never jumps.",
     cause_de="Etwas anderes als die Bahn hat eine Achse bewegt, seit der Satz dekodiert wurde; die "
     "Bahn springt nie.",
-    axis=("the first such axis", "die erste solche Achse"),
+    axis=("the first of these axes", "die erste dieser Achsen"),
     classes=(6, 6),
 )
 AXIS_MOVED_BY_PATH = error(
@@ -71,14 +71,14 @@ MOTION_ENDED_BY_LIMIT = error(
     en="a software limit of axis {axis} ends its motion",
     de="ein Software-Endschalter der Achse {axis} beendet ihre Bewegung",
     remedy_en="Stop the axis earlier, give a shorter distance, or make it a modulo axis.",
-    remedy_de="Die Achse früher stoppen, einen kürzeren Weg angeben oder sie zur Modulo-Achse "
+    remedy_de="Die Achse früher stoppen, einen kürzeren Weg angeben oder sie zur Moduloachse "
     "machen.",
-    cause_en="An endless motion was braked so that it stopped at the limit, or a BUFFERED distance "
-    "would have led beyond it from where it starts: after an endless motion that is where the "
-    "endless one reaches its speed.",
-    cause_de="Eine Endlosbewegung wurde so gebremst, dass sie auf dem Endschalter steht, oder ein "
-    "BUFFERED-Weg hätte von seinem Start aus darüber hinausgeführt: nach einer Endlosbewegung ist "
-    "das dort, wo diese ihre Geschwindigkeit erreicht.",
+    cause_en="An endless motion was braked so that it stopped at the limit, or a BUFFERED "
+    "distance would have led beyond it. After an endless motion such a distance begins where the "
+    "axis reaches its speed.",
+    cause_de="Eine Endlosbewegung wurde so gebremst, dass die Achse am Endschalter steht, oder "
+    "ein BUFFERED-Weg hätte darüber hinausgeführt. Nach einer Endlosbewegung beginnt ein solcher "
+    "Weg dort, wo die Achse ihre Geschwindigkeit erreicht.",
     classes=(6, 6),
 )
 AXIS_IN_INDEPENDENT_MOTION = error(
@@ -86,8 +86,9 @@ AXIS_IN_INDEPENDENT_MOTION = error(
     known_as=(900435, 900446, 900447, 50629),
     en="the block moves axis {axis}, {motion}",
     de="der Satz bewegt die Achse {axis}, {motion}",
-    remedy_en="Stop it first: {axis}[INDP STOP], ABORT ACTION or END_ACTION; CONTINUE one on hold.",
-    remedy_de="Sie vorher anhalten: {axis}[INDP STOP], ABORT ACTION oder END_ACTION; eine "
+    remedy_en="Stop the motion first: {axis}[INDP STOP], ABORT ACTION or END_ACTION. If it is on "
+    "hold, CONTINUE it.",
+    remedy_de="Die Bewegung vorher stoppen: {axis}[INDP STOP], ABORT ACTION, END_ACTION. Eine "
     "angehaltene fortsetzen.",
     cause_en="An axis has one owner at a time, and the path never jumps. A block that programs an "
     "axis moved by a realtime cycle waits until that axis stops, which in an endless motion it "
@@ -104,10 +105,10 @@ MOTION_ENDED_WITH_CYCLE = note(
     902001,
     en="{axis} {what}: realtime cycle {cycle} {how} (MOVE_ABORT)",
     de="{axis} {what}: Echtzeit-Zyklus {cycle} {how} (MOVE_ABORT)",
-    remedy_en="END_ACTION=MOVE_CONT lets the motion continue; END_ACTION=MOVE_ABORT says that "
-    "the abort is intended.",
-    remedy_de="Mit END_ACTION=MOVE_CONT geht die Bewegung weiter; "
-    "MOVE_ABORT dort heißt: so gemeint.",
+    remedy_en="END_ACTION=MOVE_CONT lets the motion continue; END_ACTION=MOVE_ABORT marks the "
+    "abort as intended.",
+    remedy_de="Mit END_ACTION=MOVE_CONT läuft die Bewegung weiter; END_ACTION=MOVE_ABORT "
+    "kennzeichnet gewollten Abbruch.",
     cause_en="Without END_ACTION the motions of a cycle are aborted when it ends: at the end of "
     "its scope or of the program, or by #RT CYCLE DELETE.",
     cause_de="Ohne END_ACTION werden die Bewegungen eines Zyklus abgebrochen, wenn er endet: am "

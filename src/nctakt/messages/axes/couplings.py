@@ -29,18 +29,20 @@ COUPLING_DURING_COMPENSATION = error(
 )
 COUPLING_GROUP_OUT_OF_RANGE = error(
     20461,
-    en="{group} is not the number of a coupling group here",
-    de="{group} ist hier nicht die Nummer einer Kopplungsgruppe",
-    remedy_en="Groups have whole numbers from {low} to {high}; 0 is the one of the channel list.",
-    remedy_de="Gruppen haben ganze Nummern von {low} bis {high}; 0 ist die der Kanalliste.",
+    en="{group} is not a valid number of a coupling group",
+    de="{group} ist keine gültige Nummer einer Kopplungsgruppe",
+    remedy_en="Give a whole number from {low} to {high}; 0 is the group of the channel list.",
+    remedy_de="Eine ganze Zahl von {low} bis {high} angeben; 0 ist die Gruppe der Kanalliste.",
     group=_GROUP,
 )
 MAIN_AXIS_AS_SLAVE = error(
     20467,
     en="{slave} cannot follow {master}: it is a main axis",
     de="{slave} kann {master} nicht folgen: sie ist eine Hauptachse",
-    remedy_en="Slaves have the index 3 or above; exchange the two, or use #SET AX before.",
-    remedy_de="Slaves haben den Index 3 oder höher; die beiden tauschen oder vorher #SET AX.",
+    remedy_en="Slaves have the index 3 or above: exchange the two, or move the axis first (#SET "
+    "AX).",
+    remedy_de="Slaves haben den Index 3 oder höher: die beiden tauschen oder die Achse vorher "
+    "umsetzen (#SET AX).",
     slave=_SLAVE,
     master=_MASTER,
 )
@@ -59,15 +61,15 @@ COUPLED_MODES_DIFFER = error(
     20469,
     en="{slave} cannot follow {master}: their modes differ (P-AXIS-00015)",
     de="{slave} kann {master} nicht folgen: ihre Betriebsarten sind verschieden (P-AXIS-00015)",
-    remedy_en="Give both the same kenngr.achs_mode, as for example modulo axes.",
-    remedy_de="Beiden dasselbe kenngr.achs_mode geben, etwa als Moduloachsen.",
+    remedy_en="Give both the same kenngr.achs_mode: make both modulo axes, for example.",
+    remedy_de="Beiden dasselbe kenngr.achs_mode geben, etwa beide zu Moduloachsen machen.",
     slave=_SLAVE,
     master=_MASTER,
 )
 ACTIVE_GROUP_DEFINED_AGAIN = error(
     20472,
     en="the coupling group {group} cannot be defined: it is active",
-    de="die Kopplungsgruppe {group} kann nicht festgelegt werden: sie ist aktiv",
+    de="die Kopplungsgruppe {group} kann nicht definiert werden: sie ist aktiv",
     remedy_en="Program #DISABLE AX LINK [{group}] before it.",
     remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
     group=_GROUP,
@@ -108,8 +110,8 @@ COUPLED_AXIS_GIVEN = error(
 )
 FACTOR_IS_ZERO = error(
     21077,
-    en="a coupling factor of 0",
-    de="ein Koppelfaktor von 0",
+    en="the coupling factor is 0",
+    de="der Koppelfaktor ist 0",
     remedy_en="Program a numerator and a denominator that are not 0; -1, 1 mirrors.",
     remedy_de="Zähler und Nenner ungleich 0 programmieren; -1, 1 spiegelt.",
 )
@@ -117,12 +119,12 @@ DENOMINATOR_MISSING = error(
     21110,
     en="the coupling factor has no denominator",
     de="dem Koppelfaktor fehlt der Nenner",
-    remedy_en="Program both: [C=A, 1, 2] for half the way.",
-    remedy_de="Beide programmieren: [C=A, 1, 2] für den halben Weg.",
+    remedy_en="Program both: with [C=A, 1, 2] C moves half as far as A.",
+    remedy_de="Beide programmieren: mit [C=A, 1, 2] fährt C den halben Weg von A.",
 )
 SLAVE_IN_TWO_GROUPS = error(
     21283,
-    en="{axis} is a slave in the active group {group} already",
+    en="{axis} is already a slave in the active group {group}",
     de="{axis} ist schon Slave in der aktiven Gruppe {group}",
     remedy_en="Program #DISABLE AX LINK [{group}] before it.",
     remedy_de="Davor #DISABLE AX LINK [{group}] programmieren.",
@@ -161,9 +163,8 @@ MAIN_SPINDLE_AS_SLAVE = error(
     21347,
     en="{slave} cannot follow {master}: it is the main spindle",
     de="{slave} kann {master} nicht folgen: sie ist die Hauptspindel",
-    remedy_en="Let {master} follow it, or make {master} the main spindle before (#MAIN SPINDLE).",
-    remedy_de="{master} ihr folgen lassen oder {master} vorher zur Hauptspindel machen (#MAIN "
-    "SPINDLE).",
+    remedy_en="Let {master} be the slave, or make it the main spindle first (#MAIN SPINDLE).",
+    remedy_de="{master} zum Slave machen oder vorher zur Hauptspindel (#MAIN SPINDLE).",
     slave=_SLAVE,
     master=_MASTER,
 )
@@ -178,10 +179,10 @@ GANTRY_ASKEW = error(
     901879,
     en="the drives that follow axis {axis} are too far away from it",
     de="die Antriebe, die der Achse {axis} folgen, sind zu weit von ihr entfernt",
-    remedy_en="Look for what holds one of them back: P-AXIS-00072 or the first value after G is "
-    "the limit.",
-    remedy_de="Nachsehen, was einen von ihnen aufhält; P-AXIS-00072 oder der erste Wert hinter G "
-    "ist die Grenze.",
+    remedy_en="Find out what holds one of them back; the limit is P-AXIS-00072 or the first value "
+    "after G.",
+    remedy_de="Nachsehen, was einen von ihnen aufhält; die Grenze ist P-AXIS-00072 oder der erste "
+    "Wert nach G.",
     cause_en="The actual positions of master and slave differ by more than is allowed.",
     cause_de="Die Istpositionen von Master und Slave weichen mehr als erlaubt voneinander ab.",
     axis=("the master", "der Master"),
@@ -190,12 +191,13 @@ GANTRY_ASKEW = error(
 UNKNOWN_COUPLING_GROUP = error(
     901880,
     en="{command}: the coupling group {group} is not defined",
-    de="{command}: die Kopplungsgruppe {group} ist nicht festgelegt",
-    remedy_en="Define it before (#SET AX LINK), 0 in the channel list; defined are: {known}",
-    remedy_de="Sie vorher festlegen (#SET AX LINK), 0 in der Kanalliste; festgelegt sind: {known}",
+    de="{command}: die Kopplungsgruppe {group} ist nicht definiert",
+    remedy_en="Define it first with #SET AX LINK (group 0: in the channel list). Defined: {known}",
+    remedy_de="Sie vorher mit #SET AX LINK definieren (Gruppe 0: in der Kanalliste). Definiert: "
+    "{known}",
     command=_COMMAND,
     group=_GROUP,
-    known=("the groups that are defined", "die Gruppen, die festgelegt sind"),
+    known=("the groups that are defined", "die Gruppen, die definiert sind"),
     classes=(2, 3),
 )
 UNKNOWN_COUPLED_AXIS = error(
@@ -229,10 +231,12 @@ SLAVE_PROGRAMMED = error(
 )
 NOT_WHILE_COUPLED = error(
     901884,
-    en="{command}: not together with {other}",
-    de="{command}: nicht zusammen mit {other}",
-    remedy_en="Couple axes without transformations, G96 and block search; release them before.",
-    remedy_de="Achsen ohne Transformationen, G96 und Satzvorlauf koppeln; sie vorher lösen.",
+    en="{command} cannot be combined with {other}",
+    de="{command} und {other} sind nicht gleichzeitig möglich",
+    remedy_en="Release the coupling first, or switch off the other: transformation, G96, block "
+    "search.",
+    remedy_de="Vorher die Kopplung lösen oder das andere beenden: Transformation, G96, "
+    "Satzvorlauf.",
     command=_COMMAND,
     other=("what excludes it", "was ihn ausschließt"),
     classes=(2, 3),
@@ -265,8 +269,9 @@ GROUP_NOT_RESTORED = warning(
 )
 SPINDLES_FOLLOW_JOBS = error(
     901889,
-    en="the spindle {slave} takes the jobs of its master: it has no factor and no limit",
-    de="die Spindel {slave} übernimmt die Aufträge ihres Masters: ohne Faktor, ohne Grenze",
+    en="spindle {slave} takes over the jobs of its master: a factor or a limit is not possible",
+    de="die Spindel {slave} übernimmt die Aufträge ihres Masters: Faktor und Grenze sind nicht "
+    "möglich",
     remedy_en="Write the pair without them: S2=S.",
     remedy_de="Das Paar ohne sie schreiben: S2=S.",
     slave=_SLAVE,

@@ -10,17 +10,17 @@ _SPINDLE = ("name of the spindle", "Name der Spindel")
 
 GEAR_STEP_OUT_OF_FORMAT = error(
     20030,
-    en="G112: {stage} is not a number of a gear step",
+    en="G112: {stage} is not the number of a gear step",
     de="G112: {stage} ist keine Nummer einer Getriebestufe",
-    remedy_en="Gear steps have whole numbers from 1 to 65535.",
-    remedy_de="Getriebestufen haben ganze Nummern von 1 bis 65535.",
+    remedy_en="Give a whole number from 1 to 65535.",
+    remedy_de="Eine ganze Zahl von 1 bis 65535 angeben.",
     stage=_STAGE,
 )
 UNKNOWN_SPINDLE_GEAR = error(
     20029,
     en="the axis list of the spindle {spindle} has no gear step {stage}",
     de="die Achsliste der Spindel {spindle} hat keine Getriebestufe {stage}",
-    remedy_en="Describe it there (getriebe[i].nummer), or choose one of: {known}",
+    remedy_en="Describe it there (getriebe[i].nummer), or choose one of these: {known}",
     remedy_de="Sie dort beschreiben (getriebe[i].nummer) oder eine von diesen wählen: {known}",
     spindle=_SPINDLE,
     stage=_STAGE,
@@ -56,8 +56,10 @@ NO_GEAR_FOR_SPEED = error(
 )
 GEAR_FUNCTION_SYNCHRONISATION = error(
     901878,
-    en="M{function} changes the gear, but the channel list does not wait for it",
-    de="M{function} schaltet das Getriebe, aber die Kanalliste wartet nicht darauf",
+    en="M{function} changes the gear, but by its synchronisation type the program does not wait "
+    "for it",
+    de="M{function} schaltet das Getriebe, aber mit ihrer Synchronisationsart wartet das Programm "
+    "nicht darauf",
     remedy_en="Set m_synch[{function}] to MVS_SVS (P-CHAN-00041).",
     remedy_de="m_synch[{function}] auf MVS_SVS setzen (P-CHAN-00041).",
     function=("number of the M function", "Nummer der M-Funktion"),

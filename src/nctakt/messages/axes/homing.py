@@ -10,16 +10,16 @@ HOMING_NOT_ALLOWED = error(
     known_as=(60313,),
     en="{axis} must not be homed",
     de="{axis} darf nicht referenziert werden",
-    remedy_en="Take {axis} out of G74, or set kenngr.homing.homing_type (P-AXIS-00299) to another "
-    "type than DISABLED.",
-    remedy_de="{axis} aus G74 nehmen oder kenngr.homing.homing_type (P-AXIS-00299) auf eine andere "
-    "Art als DISABLED setzen.",
+    remedy_en="Take {axis} out of G74, or change kenngr.homing.homing_type (P-AXIS-00299), which "
+    "is DISABLED.",
+    remedy_de="{axis} aus G74 nehmen oder kenngr.homing.homing_type (P-AXIS-00299) ändern: es ist "
+    "DISABLED.",
     classes=(2, 6),
 )
 INVALID_HOMING_ORDER = error(
     901710,
     en="{value} is not a valid place in the homing order",
-    de="{value} ist kein Platz in der Reihenfolge der Referenzpunktfahrt",
+    de="{value} ist kein gültiger Platz in der Reihenfolge der Referenzpunktfahrt",
     remedy_en="Write a whole number from 1 on: the axes with 1 come first, equal ones together.",
     remedy_de="Eine ganze Zahl ab 1 schreiben: Achsen mit 1 kommen zuerst, gleiche gemeinsam.",
     classes=(2, 3),
@@ -36,7 +36,7 @@ NEGATIVE_LIMIT_IGNORED = warning(
     21648,
     en="G98 {axis}: {value} is below the limit {listed} of the list, and is ignored",
     de="G98 {axis}: {value} liegt unter dem Endschalter {listed} der Liste und wird nicht beachtet",
-    remedy_en="Program a limit within the list's, or set range_check_prog_soft_limits "
+    remedy_en="Stay within the limits of the list, or set range_check_prog_soft_limits "
     "(P-CHAN-00498) to 0.",
     remedy_de="Innerhalb der Endschalter der Liste bleiben oder "
     "range_check_prog_soft_limits (P-CHAN-00498) = 0.",
@@ -47,7 +47,7 @@ POSITIVE_LIMIT_IGNORED = warning(
     21650,
     en="G99 {axis}: {value} is above the limit {listed} of the list, and is ignored",
     de="G99 {axis}: {value} liegt über dem Endschalter {listed} der Liste und wird nicht beachtet",
-    remedy_en="Program a limit within the list's, or set range_check_prog_soft_limits "
+    remedy_en="Stay within the limits of the list, or set range_check_prog_soft_limits "
     "(P-CHAN-00498) to 0.",
     remedy_de="Innerhalb der Endschalter der Liste bleiben oder "
     "range_check_prog_soft_limits (P-CHAN-00498) = 0.",

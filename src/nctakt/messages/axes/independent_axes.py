@@ -16,7 +16,7 @@ INDEPENDENT_SYNTAX = error(
     remedy_de="{axis}[{form} G90 G01 FEED=500 POS=100] oder {axis}[{form} G90 G00 POS=100] "
     "schreiben.",
     cause_en="An independent axis moves to a position (G90) or by a distance (G91), at rapid "
-    "traverse (G00) or with a speed of its own (G01).",
+    "traverse (G00) or at its own speed (G01).",
     cause_de="Eine unabhängige Achse fährt auf eine Position (G90) oder um einen Weg (G91), im "
     "Eilgang (G00) oder mit eigener Geschwindigkeit (G01).",
     form=_FORM,
@@ -52,10 +52,10 @@ AXIS_VALUE_INVALID = error(
 INDEPENDENT_IN_TRANSFORMATION = error(
     21071,
     known_as=(1709, 50948),
-    en="{axis}[{form} …]: a transformation is active, in which {axis} cannot move alone",
-    de="{axis}[{form} …]: eine Transformation ist aktiv, in der {axis} nicht allein fahren kann",
-    remedy_en="Write #TRAFO OFF before, or move the axis with the path.",
-    remedy_de="Vorher #TRAFO OFF schreiben oder die Achse mit der Bahn bewegen.",
+    en="{axis}[{form} …]: {axis} cannot move by itself while a transformation is active",
+    de="{axis}[{form} …]: bei aktiver Transformation kann {axis} nicht allein fahren",
+    remedy_en="Program #TRAFO OFF first, or move the axis with the path.",
+    remedy_de="Vorher #TRAFO OFF programmieren oder die Achse mit der Bahn bewegen.",
     cause_en="Under a transformation the path moves all its axes together.",
     cause_de="In einer Transformation bewegt die Bahn alle ihre Achsen gemeinsam.",
     form=_FORM,
@@ -124,11 +124,12 @@ OSCILLATION_OUTSIDE_MODULO_RANGE = error(
 OSCILLATION_LIMITED = warning(
     50487,
     en="{axis}[OSC …]: an oscillation takes at least {reached} s instead of {period} s",
-    de="{axis}[OSC …]: eine Pendelung dauert mindestens {reached} s statt {period} s",
+    de="{axis}[OSC …]: eine Pendelperiode dauert mindestens {reached} s statt {period} s",
     remedy_en="Shorten the stroke or the waiting times, or give the axis a lower frequency.",
     remedy_de="Hub oder Wartezeiten verkürzen oder der Achse eine kleinere Frequenz geben.",
-    cause_en="The axis reaches its highest speed or its acceleration.",
-    cause_de="Die Achse erreicht ihre höchste Geschwindigkeit oder ihre Beschleunigung.",
+    cause_en="The axis cannot oscillate faster with its highest speed and its acceleration.",
+    cause_de="Schneller kann die Achse mit ihrer Höchstgeschwindigkeit und ihrer Beschleunigung "
+    "nicht pendeln.",
     reached=("s, with the limits of the axis", "s, mit den Grenzen der Achse"),
     period=("s, as it is programmed", "s, wie programmiert"),
 )

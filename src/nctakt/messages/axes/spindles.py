@@ -8,10 +8,9 @@ from nctakt.messages.catalogue import error, warning
 
 SPINDLE_BUSY = error(
     60331,
-    en="spindle {spindle} is busy with a job of this tick, or with one that the PLC has not "
-    "acknowledged",
-    de="Spindel {spindle} ist mit einem Auftrag dieses Takts oder einem unquittierten der SPS "
-    "belegt",
+    en="spindle {spindle} already has a job in this tick, or the PLC has not acknowledged one",
+    de="Spindel {spindle} hat in diesem Takt schon einen Auftrag, oder die SPS hat einen nicht "
+    "quittiert",
     remedy_en="Give each spindle one job per tick; let the PLC acknowledge in time.",
     remedy_de="Jeder Spindel nur einen Auftrag je Takt geben; die SPS rechtzeitig quittieren "
     "lassen.",
@@ -41,16 +40,16 @@ SPINDLE_AXIS_LIST_MISSING = error(
 )
 CYCLE_ACTIONS_FULL = error(
     51028,
-    en="realtime cycle {cycle} cannot open another action: {used}",
+    en="realtime cycle {cycle} cannot start another action: {used}",
     de="Echtzeit-Zyklus {cycle} kann keine weitere Aktion beginnen: {used}",
     remedy_en="Let an action end first (open: {open}). More slots: "
     "configuration.rt_cycles.buffers (P-CHAN-00480).",
     remedy_de="Eine Aktion vorher enden lassen (offen: {open}). Mehr Plätze: "
     "configuration.rt_cycles.buffers (P-CHAN-00480).",
-    cause_en="An action keeps its slot until it has ended. A list of errors reads 51028 as missing "
-    "memory for realtime loops, which is 51029 here.",
-    cause_de="Eine Aktion behält ihren Platz bis zu ihrem Ende. Eine Fehlerliste liest 51028 als "
-    "fehlenden Speicher für Echtzeit-Schleifen: hier 51029.",
+    cause_en="An action keeps its slot until it has ended. One published list of errors gives "
+    "51028 for missing memory of realtime loops; here that is 51029.",
+    cause_de="Eine Aktion behält ihren Platz bis zu ihrem Ende. Eine veröffentlichte Fehlerliste "
+    "nennt 51028 für fehlenden Speicher von Echtzeit-Schleifen; hier ist das 51029.",
     used=("what its slots are used for", "wofür seine Plätze verwendet werden"),
     open=("how many of its actions are open", "wie viele seiner Aktionen offen sind"),
     classes=(6, 6),
@@ -61,10 +60,8 @@ NOT_A_SPINDLE_WORD = error(
     known_as=(900282, 20180, 21039),
     en="{word} does not belong to a spindle command",
     de="{word} gehört nicht zu einem Spindelbefehl",
-    remedy_en="Did you mean {nearest}? A spindle command takes M3, M4, M5, M19, S or REV, S.POS or "
-    "POS.",
-    remedy_de="War {nearest} gemeint? Ein Spindelbefehl hat M3, M4, M5, M19, S oder REV, S.POS "
-    "oder POS.",
+    remedy_en="Did you mean {nearest}? Possible are M3, M4, M5, M19, S or REV, S.POS or POS.",
+    remedy_de="War {nearest} gemeint? Möglich sind M3, M4, M5, M19, S oder REV, S.POS oder POS.",
 )
 NO_MAIN_SPINDLE = error(
     21961,
@@ -74,8 +71,8 @@ NO_MAIN_SPINDLE = error(
     de="der Kanal hat keine Hauptspindel",
     remedy_en="Name one (main_spindle_ax_nr, P-CHAN-00051), or use the name of a spindle: S2[M3 "
     "REV=1000]",
-    remedy_de="Eine nennen (main_spindle_ax_nr, P-CHAN-00051) oder eine Spindel mit Namen "
-    "ansprechen: S2[M3]",
+    remedy_de="Eine angeben (main_spindle_ax_nr, P-CHAN-00051) oder eine Spindel mit Namen: S2[M3 "
+    "REV=1000]",
 )
 NO_SUCH_SPINDLE = error(
     21306,
@@ -88,12 +85,12 @@ NO_SUCH_SPINDLE = error(
 )
 TOOL_SPEED_RANGE = error(
     60312,
-    en="the tool of the spindle {spindle} turns with {low} … {high} 1/min, not with {speed}",
-    de="das Werkzeug der Spindel {spindle} dreht mit {low} … {high} 1/min, nicht mit {speed}",
+    en="the tool of spindle {spindle} allows {low} … {high} 1/min, not {speed}",
+    de="das Werkzeug der Spindel {spindle} erlaubt {low} … {high} 1/min, nicht {speed}",
     remedy_en="Program another speed, or change wz[i].vb_min and wz[i].vb_max of the tool list.",
     remedy_de="Eine andere Drehzahl programmieren oder wz[i].vb_min und wz[i].vb_max der "
     "Werkzeugliste ändern.",
-    low=("least speed of the tool", "kleinste Drehzahl des Werkzeugs"),
+    low=("lowest speed of the tool", "kleinste Drehzahl des Werkzeugs"),
     high=("highest speed of the tool; 0: none", "größte Drehzahl des Werkzeugs; 0: keine"),
     classes=(6, 6),
 )
@@ -194,8 +191,8 @@ DWELL_WITHOUT_SPINDLE = error(
 )
 SPINDLE_TURNS_IN_EXCHANGE = error(
     60137,
-    en="spindle {spindle} turns and cannot give its axis away",
-    de="Spindel {spindle} dreht und kann ihre Achse nicht abgeben",
+    en="spindle {spindle} is turning and cannot give away its axis",
+    de="Spindel {spindle} dreht sich und kann ihre Achse nicht abgeben",
     remedy_en="Stop it by M5 before PUTAX.",
     remedy_de="Sie vor PUTAX mit M5 anhalten.",
     classes=(6, 6),
@@ -210,8 +207,8 @@ SPINDLE_WITHOUT_AXIS = error(
 )
 SPINDLE_EXCHANGE_NOT_ALONE = error(
     902721,
-    en="{word} stands alone in the brackets of a spindle",
-    de="{word} steht in den Klammern einer Spindel allein",
+    en="{word} must be the only word in the brackets of a spindle",
+    de="{word} muss in den Klammern einer Spindel allein stehen",
     remedy_en="Write the other words in a block of their own.",
     remedy_de="Die anderen Wörter in einen eigenen Satz schreiben.",
     word=("CALLAX or PUTAX", "CALLAX oder PUTAX"),

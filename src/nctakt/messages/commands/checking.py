@@ -18,7 +18,8 @@ NOTHING_TO_CHECK = warning(
 NOTHING_NAMED_TO_CHECK = error(
     901066,
     en="no file or folder was named, and no project file says what to check",
-    de="es wurde weder Datei noch Ordner angegeben, und keine Projektdatei sagt, was zu prüfen ist",
+    de="es wurde weder eine Datei noch ein Ordner angegeben, und keine Projektdatei sagt, was zu "
+    "prüfen ist",
     remedy_en='Name them (nctakt check .), or write paths = ["programs"] in nctakt.toml.',
     remedy_de='Sie angeben (nctakt check .) oder paths = ["programme"] in nctakt.toml schreiben.',
 )
@@ -67,8 +68,8 @@ NO_MESSAGE_SELECTED = error(
     de="'{text}' wählt keine Meldung aus",
     remedy_en="Write numbers (22009), prefixes (9002) or ranges (22000-22099), separated by "
     "commas.",
-    remedy_de="Nummern (22009), Anfänge (9002) oder Bereiche (22000-22099) durch Kommas getrennt "
-    "angeben.",
+    remedy_de="Nummern (22009), Nummernanfänge (9002) oder Bereiche (22000-22099) durch Kommas "
+    "getrennt angeben.",
     text=("the word as it was given", "das Wort, wie angegeben"),
 )
 CHECKED_FOR_MACHINE_OF_FILE = note(
@@ -89,7 +90,7 @@ SUPPRESSION_UNUSED = warning(
     remedy_en="Remove the number, or write the comment in the line of the finding.",
     remedy_de="Die Nummer entfernen oder den Kommentar in die Zeile des Befunds schreiben.",
     number=("the number in the comment", "die Nummer im Kommentar"),
-    line=("the line that the comment is about", "die Zeile, um die es dem Kommentar geht"),
+    line=("the line that the comment applies to", "die Zeile, für die der Kommentar gilt"),
 )
 SUPPRESSION_WITHOUT_REASON = warning(
     901183,
@@ -109,9 +110,9 @@ SUPPRESSED_ERROR = warning(
 )
 INVALID_SUPPRESSION = warning(
     901185,
-    en="'{text}' says neither what to ignore nor anything else that a comment can ask for",
-    de="'{text}' nennt weder, was zu übergehen ist, noch sonst etwas, das ein Kommentar kann",
-    remedy_en="Write ; nctakt: ignore NUMBER REASON with the number of a message, as in 900243.",
-    remedy_de="; nctakt: ignore NUMMER GRUND mit der Nummer einer Meldung schreiben, wie 900243.",
+    en="'{text}' is not an instruction that nctakt knows in comments",
+    de="'{text}' ist keine Anweisung, die nctakt in Kommentaren kennt",
+    remedy_en="Write ; nctakt: ignore NUMBER REASON with the number of a message, such as 900243.",
+    remedy_de="; nctakt: ignore NUMMER GRUND mit der Nummer einer Meldung schreiben, etwa 900243.",
     text=("the text of the comment", "der Text des Kommentars"),
 )

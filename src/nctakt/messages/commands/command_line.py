@@ -10,7 +10,7 @@ COMPILED_PART_MISSING = error(
     en="the realtime part is not compiled here, so --compiled is not possible",
     de="der Echtzeit-Teil ist hier nicht übersetzt, daher ist --compiled nicht möglich",
     remedy_en="Install nctakt where a C compiler is available, or omit --compiled.",
-    remedy_de="nctakt mit einem C-Compiler installieren oder --compiled weglassen.",
+    remedy_de="nctakt dort installieren, wo es einen C-Compiler gibt, oder --compiled weglassen.",
 )
 RUNNING_UNCOMPILED = note(
     900531,
@@ -18,7 +18,7 @@ RUNNING_UNCOMPILED = note(
     de="der Echtzeit-Teil ist hier nicht übersetzt; die Ergebnisse sind gleich, die Läufe dauern "
     "länger",
     remedy_en="Install nctakt where a C compiler is available.",
-    remedy_de="nctakt mit einem C-Compiler installieren.",
+    remedy_de="nctakt dort installieren, wo es einen C-Compiler gibt.",
 )
 RECORDING_WITHOUT_TRACE = error(
     900817,
@@ -35,25 +35,24 @@ WAITING_AT_RUN_LIMIT = note(
     remedy_en="{freed_by}. Another limit: --until, --ticks.",
     remedy_de="{freed_by}. Eine andere Grenze: --until, --ticks.",
     awaited=("what is waited for", "worauf gewartet wird"),
-    freed_by=("what frees the program", "was das Programm befreit"),
+    freed_by=("what lets the program go on", "was das Programm weiterlaufen lässt"),
 )
 STANDS_FOR_EVER = error(
     902000,
     en="after {limit} of the machine's time the program is still waiting for {awaited}",
     de="nach {limit} Maschinenzeit wartet das Programm immer noch auf {awaited}",
-    remedy_en="{freed_by}. If the run shall end so, set a limit: --until, --ticks.",
-    remedy_de="{freed_by}. Soll der Lauf so enden, eine Grenze setzen: --until, --ticks.",
+    remedy_en="{freed_by}. If the run should end there, set a limit: --until, --ticks.",
+    remedy_de="{freed_by}. Soll der Lauf dort enden, eine Grenze setzen: --until, --ticks.",
     cause_en="No limit is set, so the run was meant to end with its program.",
-    cause_de="Niemand hat eine Grenze gesetzt; der Lauf sollte also mit seinem Programm enden.",
+    cause_de="Es ist keine Grenze gesetzt; der Lauf sollte also mit seinem Programm enden.",
     limit=("the limit of runs without one", "die Grenze von Läufen ohne eigene"),
     awaited=("what is waited for", "worauf gewartet wird"),
-    freed_by=("what frees the program", "was das Programm befreit"),
+    freed_by=("what lets the program go on", "was das Programm weiterlaufen lässt"),
 )
 LISTING_INCOMPLETE = note(
     900590,
-    en="the listing ends at the limit of the run, tick {ticks}; what would be decoded later is "
-    "missing",
-    de="die Auflistung endet an der Grenze des Laufs, Takt {ticks}; später Dekodiertes fehlt",
+    en="the listing ends at the limit of the run, tick {ticks}; blocks decoded later are missing",
+    de="die Auflistung endet an der Grenze des Laufs, Takt {ticks}; später dekodierte Sätze fehlen",
     remedy_en="Set another limit with --until or --ticks.",
     remedy_de="Mit --until oder --ticks eine andere Grenze setzen.",
     ticks=("the number of ticks that were run", "die Anzahl der gelaufenen Takte"),
@@ -63,7 +62,8 @@ NO_CYCLE_DEFINED = note(
     en="no realtime cycle was defined",
     de="es wurde kein Echtzeit-Zyklus definiert",
     remedy_en="Branches that are not taken are not decoded: --set gives variables other values.",
-    remedy_de="Nicht genommene Zweige werden nicht dekodiert: --set gibt Variablen andere Werte.",
+    remedy_de="Nicht durchlaufene Zweige werden nicht dekodiert: --set gibt Variablen andere "
+    "Werte.",
 )
 INVALID_SKIP_OPTION = error(
     21655,
@@ -95,8 +95,8 @@ INVALID_COMMAND_LINE = error(
     900909,
     en="the command line is not valid: {reason}",
     de="die Befehlszeile ist ungültig: {reason}",
-    remedy_en="What is possible: {help}",
-    remedy_de="Was möglich ist: {help}",
+    remedy_en="See {help} for what is possible.",
+    remedy_de="Was möglich ist, zeigt {help}.",
 )
 ARGUMENT_MISSING = error(
     900910,
@@ -137,14 +137,14 @@ WATCH_OF_STDIN = error(
 )
 WATCHING_FILES = note(
     901069,
-    en="watching {count} files for changes; Ctrl-C ends it",
-    de="{count} Dateien werden auf Änderungen überwacht; Strg-C beendet es",
+    en="watching {count} files for changes; stop with Ctrl-C",
+    de="{count} Dateien werden auf Änderungen überwacht; Ende mit Strg-C",
     count=("the number of files that were read", "die Anzahl der gelesenen Dateien"),
 )
 NO_DIAGNOSIS_DATA = note(
     901040,
-    en="no channel of the machine has realtime cycles: there are no diagnosis data",
-    de="kein Kanal der Maschine hat Echtzeit-Zyklen: es gibt keine Diagnosedaten",
+    en="no channel of the machine has realtime cycles, so there is no diagnosis data",
+    de="kein Kanal der Maschine hat Echtzeit-Zyklen, also gibt es keine Diagnosedaten",
     remedy_en="Write configuration.rt_cycles.enable 1 (P-CHAN-00406) in the channel list.",
     remedy_de="configuration.rt_cycles.enable 1 (P-CHAN-00406) in die Kanalliste schreiben.",
 )
@@ -160,7 +160,7 @@ RUN_NOT_ENDED = error(
 OPTION_OF_OTHERS = error(
     902380,
     en="{option} cannot be set in {front_end}",
-    de="{option} lässt sich hier nicht angeben: {front_end}",
+    de="{option} lässt sich nicht angeben in: {front_end}",
     remedy_en="It can be set in: {others}.",
     remedy_de="Es lässt sich angeben in: {others}.",
     option=("the run option", "die Option des Laufs"),
@@ -169,10 +169,10 @@ OPTION_OF_OTHERS = error(
 )
 COMMAND_RENAMED = note(
     902381,
-    en="nctakt {name} is called nctakt {new_name} now",
+    en="nctakt {name} is now called nctakt {new_name}",
     de="nctakt {name} heißt jetzt nctakt {new_name}",
-    remedy_en="Use the new name; the earlier one goes with the next version.",
-    remedy_de="Den neuen Namen nehmen; der bisherige entfällt mit der nächsten Version.",
-    name=("the earlier name", "der bisherige Name"),
+    remedy_en="Use the new name; the next version drops the old one.",
+    remedy_de="Den neuen Namen verwenden; der alte entfällt mit der nächsten Version.",
+    name=("the old name", "der alte Name"),
     new_name=("the new name", "der neue Name"),
 )

@@ -7,22 +7,22 @@ from nctakt.messages.catalogue import error, note, warning
 
 LOG_IN_OTHER_FORM = error(
     902510,
-    en="{file} is a log in a form that is not read here",
-    de="{file} ist eine Aufzeichnung in einer Form, die hier nicht gelesen wird",
+    en="{file} is a log in a format that nctakt does not read",
+    de="{file} ist ein Log in einem Format, das nctakt nicht liest",
     remedy_en="Export it as text: TC3ScopeExportTool.exe writes .csv from .svdx.",
     remedy_de="Als Text exportieren: TC3ScopeExportTool.exe schreibt .csv aus .svdx.",
 )
 NO_TIME_IN_LOG = error(
     902511,
-    en="{file} has no column that is known as one of times",
-    de="{file} hat keine Spalte, die als Zeit bekannt ist",
+    en="no column of {file} is recognised as its time",
+    de="keine Spalte von {file} ist als Zeit erkennbar",
     remedy_en='Name it in a mapping file: [log] time = "t", time_unit = "ms".',
-    remedy_de='In einer Zuordnungsdatei nennen: [log] time = "t", time_unit = "ms".',
+    remedy_de='Sie in einer Zuordnungsdatei angeben: [log] time = "t", time_unit = "ms".',
 )
 NO_NAMES_IN_LOG = error(
     902512,
-    en="{file}, line {line}: there is no row of names before the numbers",
-    de="{file}, Zeile {line}: Vor den Zahlen steht keine Zeile mit Namen",
+    en="{file}, line {line}: the row of names before the numbers is missing",
+    de="{file}, Zeile {line}: vor den Zahlen fehlt die Zeile mit den Namen",
     remedy_en="Add a first line with the names of the columns.",
     remedy_de="Eine erste Zeile mit den Namen der Spalten ergänzen.",
     line=("the line", "die Zeile"),
@@ -38,15 +38,15 @@ NO_NUMBER_IN_LOG = error(
     902514,
     en="'{text}' is not a number",
     de="'{text}' ist keine Zahl",
-    remedy_en="Say separator and decimal mark in a mapping file, or leave the column out of it.",
-    remedy_de="Trennzeichen und Dezimalzeichen in einer Zuordnungsdatei sagen oder die Spalte "
-    "weglassen.",
+    remedy_en="Give separator and decimal mark in a mapping file, or leave the column out there.",
+    remedy_de="Trennzeichen und Dezimalzeichen in einer Zuordnungsdatei angeben oder die Spalte "
+    "dort weglassen.",
     text=("the text", "der Text"),
 )
 COMMA_FOR_BOTH = error(
     902515,
     en="{file} has the comma as separator and as decimal mark: its columns cannot be told apart",
-    de="{file} hat das Komma als Trenn- und als Dezimalzeichen: Spalten sind nicht zu trennen",
+    de="{file} hat das Komma als Trenn- und als Dezimalzeichen: die Spalten sind nicht zu trennen",
     remedy_en="Export it with a semicolon or a tab as separator.",
     remedy_de="Mit Semikolon oder Tabulator als Trennzeichen exportieren.",
 )
@@ -59,16 +59,16 @@ LOG_IS_EMPTY = error(
 )
 TIME_RUNS_BACK = error(
     902517,
-    en="{file}: the time of {name} runs back after {time} s",
-    de="{file}: Die Zeit von {name} läuft nach {time} s zurück",
+    en="{file}: the time of {name} goes backwards after {time} s",
+    de="{file}: die Zeit von {name} läuft nach {time} s rückwärts",
     time=("the time", "die Zeit"),
     remedy_en="Split the log there: it holds several recordings.",
-    remedy_de="Die Aufzeichnung dort teilen: Sie enthält mehrere.",
+    remedy_de="Das Log dort teilen: es enthält mehrere Aufzeichnungen.",
 )
 UNITS_DO_NOT_FIT = error(
     902518,
     en="{name} of the log is in {unit}, {signal} in {other}",
-    de="{name} der Aufzeichnung hat die Einheit {unit}, {signal} hat {other}",
+    de="{name} des Logs hat die Einheit {unit}, {signal} hat {other}",
     remedy_en="Correct the mapping, or give a factor there.",
     remedy_de="Die Zuordnung berichtigen oder dort einen Faktor angeben.",
     signal=("the signal", "das Signal"),
@@ -77,8 +77,8 @@ UNITS_DO_NOT_FIT = error(
 )
 NOTHING_IS_MAPPED = error(
     902519,
-    en="no column of {file} belongs to a signal: it has {columns}",
-    de="keine Spalte von {file} gehört zu einem Signal: Sie hat {columns}",
+    en="no column of {file} belongs to a signal; its columns: {columns}",
+    de="keine Spalte von {file} gehört zu einem Signal; ihre Spalten: {columns}",
     remedy_en='Write a mapping file: [signals] "X.ACS.ACT_POS" = "name in the log".',
     remedy_de='Eine Zuordnungsdatei schreiben: [signals] "X.ACS.ACT_POS" = "Name im Log".',
     columns=("its columns", "ihre Spalten"),
@@ -87,8 +87,10 @@ LOG_LACKS_SIGNAL = error(
     902619,
     en="no column of {file} belongs to {name}",
     de="keine Spalte von {file} gehört zu {name}",
-    remedy_en="Name the column of the log as the signal, or expect one that it has.",
-    remedy_de="Die Spalte der Aufzeichnung wie das Signal nennen oder eines erwarten, das sie hat.",
+    remedy_en="Give the column of the log the name of the signal, or expect a signal that the log "
+    "has.",
+    remedy_de="Der Spalte des Logs den Namen des Signals geben oder ein Signal erwarten, das das "
+    "Log hat.",
 )
 COLUMN_UNKNOWN = error(
     902520,
@@ -100,16 +102,16 @@ COLUMN_UNKNOWN = error(
 )
 MAPPING_UNREADABLE = error(
     902521,
-    en="{file} is not a mapping of a log: {reason}",
-    de="{file} ist keine Zuordnung einer Aufzeichnung: {reason}",
-    remedy_en="docs/compare.md says what it may hold.",
-    remedy_de="docs/compare.md sagt, was darin stehen kann.",
+    en="{file} is not a mapping file: {reason}",
+    de="{file} ist keine Zuordnungsdatei: {reason}",
+    remedy_en="Correct it; docs/compare.md explains its entries.",
+    remedy_de="Sie berichtigen; docs/compare.md erklärt ihre Einträge.",
     reason=("what is wrong", "was falsch ist"),
 )
 NO_OVERLAP = error(
     902522,
     en="log and run have no time in common: the log lies {offset} s after the run",
-    de="Aufzeichnung und Lauf haben keine Zeit gemeinsam: Sie liegt {offset} s nach dem Lauf",
+    de="Log und Lauf haben keine gemeinsame Zeit: das Log liegt {offset} s nach dem Lauf",
     remedy_en="Give the right time with --offset, or leave it out.",
     remedy_de="Mit --offset die richtige Zeit angeben oder die Angabe weglassen.",
     offset=("the offset", "der Versatz"),
@@ -119,41 +121,41 @@ LOG_TEXT_CUT = error(
     en="{file}, line {line} has more than a million characters",
     de="{file}, Zeile {line} hat mehr als eine Million Zeichen",
     remedy_en="Check whether this is a log.",
-    remedy_de="Prüfen, ob das eine Aufzeichnung ist.",
+    remedy_de="Prüfen, ob das ein Log ist.",
     line=("the line", "die Zeile"),
 )
 SCALE_IN_LOG = note(
     902524,
-    en="{name} has a scale in the log ({rows}); whether it is in the values the log does not say",
-    de="{name} hat im Log eine Skalierung ({rows}); ob sie in den Werten steckt, sagt es nicht",
+    en="the log gives {name} a scale ({rows}), but does not say whether the values include it",
+    de="das Log nennt für {name} eine Skalierung ({rows}), aber nicht, ob sie in den Werten steckt",
     remedy_en="If it is not, give factor and offset in a mapping file.",
     remedy_de="Wenn nicht, Faktor und Versatz in einer Zuordnungsdatei angeben.",
     rows=("the rows", "die Zeilen"),
 )
 EQUAL_STAMPS = note(
     902525,
-    en="up to {count} samples of {name} share a stamp; they are spread over {time} ms",
+    en="up to {count} samples of {name} share a time stamp; they are spread over {time} ms",
     de="bis zu {count} Werte von {name} haben denselben Zeitstempel; sie werden auf {time} ms "
     "verteilt",
-    remedy_en="Record with a finer time.",
-    remedy_de="Mit feinerer Zeit aufzeichnen.",
+    remedy_en="Record with a finer time resolution.",
+    remedy_de="Mit feinerer Zeitauflösung aufzeichnen.",
     time=("the time between two stamps", "die Zeit zwischen zwei Zeitstempeln"),
     count=("the count", "die Anzahl"),
 )
 CELLS_LEFT_OUT = note(
     902864,
-    en="{name} has no number at {count} of its times; these are no samples",
-    de="{name} hat zu {count} seiner Zeiten keine Zahl; das sind keine Werte",
-    remedy_en="Nothing, unless the machine should have recorded values there.",
-    remedy_de="Nichts, es sei denn, die Maschine sollte dort Werte aufgezeichnet haben.",
+    en="{name} has no number at {count} of its times; they do not count as samples",
+    de="{name} hat zu {count} Zeitpunkten keine Zahl; sie zählen nicht als Werte",
+    remedy_en="Nothing to do, unless the machine should have recorded values there.",
+    remedy_de="Nichts zu tun, außer die Maschine hätte dort Werte aufzeichnen sollen.",
     count=("how many", "wie viele"),
 )
 GAP_IN_LOG = note(
     902865,
     en="{name} has no sample for {length} ms after {time} s; {period} ms are usual",
     de="{name} hat nach {time} s für {length} ms keinen Wert; üblich sind {period} ms",
-    remedy_en="What happened there is not compared.",
-    remedy_de="Was dort geschah, wird nicht verglichen.",
+    remedy_en="Nothing to do; what happened in the gap is not compared.",
+    remedy_de="Nichts zu tun; was in der Lücke geschah, wird nicht verglichen.",
     length=("how long the gap is", "wie lang die Lücke ist"),
     time=("where it begins, in the log's time", "wo sie beginnt, in der Zeit des Logs"),
     period=("the usual time between two samples", "die übliche Zeit zwischen zwei Werten"),
@@ -167,17 +169,17 @@ LOG_NOT_UTF8 = note(
 )
 NAMES_ALIKE = note(
     902527,
-    en="{columns} all look like {signal}: none is compared",
-    de="{columns} sehen alle nach {signal} aus: keines wird verglichen",
+    en="{columns} all look like {signal}: none of them is compared",
+    de="{columns} sehen alle nach {signal} aus: keine davon wird verglichen",
     remedy_en="Choose one in a mapping file.",
-    remedy_de="Eines in einer Zuordnungsdatei wählen.",
+    remedy_de="Eine davon in einer Zuordnungsdatei wählen.",
     signal=("the signal", "das Signal"),
     columns=("the columns", "die Spalten"),
 )
 TIMES_NOT_ALIGNED = warning(
     902528,
     en="the time of the log is taken as that of the run: {reason}",
-    de="die Zeit der Aufzeichnung gilt als die des Laufs: {reason}",
+    de="die Zeit des Logs gilt als die des Laufs: {reason}",
     remedy_en="Give --offset, or record a signal that moves.",
     remedy_de="--offset angeben oder ein Signal aufzeichnen, das sich bewegt.",
     reason=("the reason", "der Grund"),
@@ -194,32 +196,35 @@ SHARE_DIFFERS = warning(
     902740,
     en="the files to share do not run like the program: {signal} differs from {time} s on",
     de="die Dateien zum Teilen laufen anders als das Programm: {signal} weicht ab {time} s ab",
-    remedy_en="Say when you send them what a PLC, an FMU or a tape did: it is not in them.",
-    remedy_de="Beim Senden dazusagen, was SPS, FMU oder Band getan haben: Das steht nicht darin.",
+    remedy_en="When you send them, describe what a PLC, an FMU or a tape did: the files do not "
+    "contain it.",
+    remedy_de="Beim Senden dazuschreiben, was SPS, FMU oder Band getan haben: die Dateien "
+    "enthalten es nicht.",
     signal=("the signal", "das Signal"),
     time=("the time", "die Zeit"),
 )
 SHARE_DOES_NOT_RUN = warning(
     902741,
     en="the files to share do not run by themselves: message {number}",
-    de="die Dateien zum Teilen laufen nicht für sich: Meldung {number}",
-    remedy_en="Send them nevertheless: log and deviations are complete.",
-    remedy_de="Sie trotzdem senden: Aufzeichnung und Abweichungen sind vollständig.",
+    de="die Dateien zum Teilen laufen allein nicht: Meldung {number}",
+    remedy_en="Send them all the same: log and deviations are complete.",
+    remedy_de="Sie trotzdem senden: Log und Abweichungen sind vollständig.",
     number=("the number of the message", "die Nummer der Meldung"),
 )
 LOG_TOO_LONG_TO_SHARE = error(
     902742,
     en="{count} samples are too many to share: at most {limit}",
     de="{count} Werte sind zum Teilen zu viele: höchstens {limit}",
-    remedy_en="Map fewer signals, or cut the log to where the curves part.",
-    remedy_de="Weniger Signale zuordnen oder das Log dort abschneiden, wo sich die Kurven trennen.",
+    remedy_en="Map fewer signals, or cut the log down to the part in which the curves differ.",
+    remedy_de="Weniger Signale zuordnen oder das Log auf den Teil kürzen, in dem sich die Kurven "
+    "unterscheiden.",
     count=("how many", "wie viele"),
     limit=("the largest number", "die größte Zahl"),
 )
 SHARE_NOT_WRITTEN = note(
     902743,
-    en="nothing is written into {folder} yet",
-    de="in {folder} ist noch nichts geschrieben",
+    en="nothing has been written to {folder} yet",
+    de="in {folder} wurde noch nichts geschrieben",
     remedy_en="Repeat the command with --yes to write it; nctakt sends nothing.",
     remedy_de="Den Befehl mit --yes wiederholen, um es zu schreiben; nctakt sendet nichts.",
 )
@@ -229,22 +234,21 @@ LOG_NOT_SHOWN = warning(
     de="{log} wird nicht über den Lauf gelegt, der mit einem Fehler endet: Meldung {number}",
     remedy_en="Correct the program, and start the page again.",
     remedy_de="Das Programm berichtigen und die Seite neu starten.",
-    log=("the log", "die Aufzeichnung"),
+    log=("the log", "das Log"),
     number=("the number of the message", "die Nummer der Meldung"),
 )
 NO_ROOM_FOR_SAMPLES = error(
     902730,
-    en="the samples of run and log do not fit into the folder of temporary files: {reason}",
-    de="Die Werte von Lauf und Aufzeichnung passen nicht in den Ordner der Temporärdateien: "
-    "{reason}",
+    en="the samples of run and log do not fit into the folder for temporary files: {reason}",
+    de="die Werte von Lauf und Log passen nicht in den Ordner für temporäre Dateien: {reason}",
     remedy_en="Make room there, or name another folder in TMPDIR; each sample takes 8 bytes.",
     remedy_de="Dort Platz schaffen oder mit TMPDIR einen anderen Ordner nennen; je Wert 8 Byte.",
     reason=("what the operating system says", "was das Betriebssystem sagt"),
 )
 LOG_THINNED = note(
     902844,
-    en="{name}: the page shows {kept} of the log's {count} samples; what is shorter may be missing",
-    de="{name}: Die Seite zeigt {kept} der {count} Werte; Kürzeres kann darin fehlen",
+    en="{name}: the page shows {kept} of the log's {count} samples; short changes may be missing",
+    de="{name}: die Seite zeigt {kept} der {count} Werte; kurze Änderungen können fehlen",
     kept=("how many are shown", "wie viele gezeigt werden"),
 )
 EVENT_UNREADABLE = error(
@@ -272,17 +276,18 @@ EVENT_NOT_IN_LOG = error(
 )
 TWO_PLACES = error(
     902848,
-    en="--offset and --align both say where the run begins in the log",
-    de="--offset und --align sagen beide, wo der Lauf in der Aufzeichnung beginnt",
+    en="--offset and --align both define where the run begins in the log",
+    de="--offset und --align legen beide fest, wo der Lauf im Log beginnt",
     remedy_en="Leave one of them out.",
     remedy_de="Eines von beiden weglassen.",
 )
 BEGIN_UNCERTAIN = warning(
     902849,
     en="where the run begins in the log is uncertain: correlation {quality}, gain {gain}",
-    de="der Beginn des Laufs ist unsicher gefunden: Korrelation {quality}, Faktor {gain}",
-    remedy_en="The curves differ in more than time: give --offset or --align, then see --propose.",
-    remedy_de="Die Kurven weichen nicht nur zeitlich ab: --offset oder --align, dann --propose.",
+    de="der Beginn des Laufs im Log ist unsicher: Korrelation {quality}, Faktor {gain}",
+    remedy_en="The curves differ in more than time: give --offset or --align, then try --propose.",
+    remedy_de="Die Kurven weichen nicht nur zeitlich ab: --offset oder --align angeben, dann "
+    "--propose.",
     quality=("the correlation of the speeds, 1 for equal ones", "die Korrelation, 1 für gleiche"),
-    gain=("how many times the run the log is", "wie viel Mal der Lauf die Aufzeichnung ist"),
+    gain=("the log as a multiple of the run", "das Log als Vielfaches des Laufs"),
 )

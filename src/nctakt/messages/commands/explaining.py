@@ -49,8 +49,8 @@ RUN_WITHOUT_CYCLES = error(
     900577,
     en="there is no realtime cycle {cycle}: this run defined no cycles",
     de="es gibt keinen Echtzeit-Zyklus {cycle}: dieser Lauf hat keinen definiert",
-    remedy_en="Ask without a cycle to see which definitions were not reached.",
-    remedy_de="Ohne Zyklus fragen, um zu sehen, welche Definitionen nicht erreicht wurden.",
+    remedy_en="Leave the cycle out to see which definitions were not reached.",
+    remedy_de="Den Zyklus weglassen, um zu sehen, welche Definitionen nicht erreicht wurden.",
     cycle=("the ID that was given", "die angegebene ID"),
 )
 PROGRAMS_WITHOUT_CYCLES = error(
@@ -62,10 +62,10 @@ PROGRAMS_WITHOUT_CYCLES = error(
 )
 PLC_VARIABLE_UNCHANGED = error(
     902660,
-    en="no write of {path} by the PLC is recorded in this run",
-    de="in diesem Lauf ist nicht aufgezeichnet, dass die SPS {path} schreibt",
-    remedy_en="{meant}Texts, pointers, FOR counters, libraries are not recorded.",
-    remedy_de="{meant}Texte, Zeiger, Zähler von FOR, Bibliotheken werden nicht aufgezeichnet.",
+    en="this run has recorded no write of {path} by the PLC",
+    de="dieser Lauf hat kein Schreiben von {path} durch die SPS aufgezeichnet",
+    remedy_en="{meant}Texts, pointers, FOR counters and libraries are not recorded.",
+    remedy_de="{meant}Texte, Zeiger, FOR-Zähler und Bibliotheken werden nicht aufgezeichnet.",
     path=("the path that was given", "der angegebene Pfad"),
     meant=("the path that is probably meant", "der Pfad, der wohl gemeint ist"),
 )

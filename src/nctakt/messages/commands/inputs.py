@@ -24,8 +24,8 @@ WRONG_TIME_TYPE = error(
 )
 NOT_A_STIMULUS = error(
     900514,
-    en="{value} is not a value at a time",
-    de="{value} ist kein Wert zu einer Zeit",
+    en="{value} does not give a variable a value at a time",
+    de="{value} gibt keiner Variablen zu einer Zeit einen Wert",
     remedy_en='Give a time, the name of a variable and its value: ("20 ms", "V.E.DOOR", 1).',
     remedy_de='Zeit, Name der Variablen und Wert angeben: ("20 ms", "V.E.DOOR", 1).',
 )
@@ -167,8 +167,8 @@ NAMES_OF_DEMO_MACHINE = note(
     901006,
     en="the names are looked up on the built-in demo machine",
     de="die Namen werden an der eingebauten Demo-Maschine gesucht",
-    remedy_en="--machine FOLDER takes your own machine; in Python it is Controller(FOLDER).",
-    remedy_de="--machine FOLDER nimmt die eigene Maschine; in Python ist es Controller(FOLDER).",
+    remedy_en="--machine FOLDER selects your own machine; in Python it is Controller(FOLDER).",
+    remedy_de="--machine FOLDER wählt die eigene Maschine; in Python ist es Controller(FOLDER).",
     cause_en="Variables, axes, spindles, M and H functions come from the lists of a machine.",
     cause_de="Variablen, Achsen, Spindeln, M- und H-Funktionen stammen aus den Listen einer "
     "Maschine.",

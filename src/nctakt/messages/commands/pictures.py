@@ -18,7 +18,7 @@ RUN_NOT_RECORDED = error(
     en="the run has no trace in memory, so there is nothing to draw",
     de="der Lauf hat keine Aufzeichnung im Speicher, also gibt es nichts zu zeichnen",
     remedy_en="Run with memory_trace=True, which is the default.",
-    remedy_de="Mit memory_trace=True laufen lassen, der Vorgabe.",
+    remedy_de="Mit memory_trace=True laufen lassen; das ist die Voreinstellung.",
 )
 SIGNAL_NOT_RECORDED = error(
     901092,

@@ -40,51 +40,51 @@ PROJECT_NOT_TRUSTED = error(
     902025,
     en="project file: {key} is not run: {reason}",
     de="Projektdatei: {key} wird nicht ausgeführt: {reason}",
-    remedy_en="If you trust it: --trust, or a line {folder} in {list}; or name the file yourself.",
-    remedy_de="Bei Vertrauen: --trust, oder eine Zeile {folder} in {list}; oder die Datei selbst "
-    "angeben.",
-    cause_en="Code of a project counts only if it, the project file and their folders belong to "
+    remedy_en="If you trust it, use --trust, add {folder} to {list}, or name the file yourself.",
+    remedy_de="Bei Vertrauen --trust verwenden, {folder} in {list} eintragen oder die Datei "
+    "selbst angeben.",
+    cause_en="Code of a project is run only if it, the project file and their folders belong to "
     "you or to root, and no one else can write to them.",
-    cause_de="Code eines Projekts zählt nur, wenn er, die Projektdatei und deren Ordner Ihnen oder "
-    "root gehören und niemand sonst sie schreiben darf.",
+    cause_de="Code eines Projekts wird nur ausgeführt, wenn er, die Projektdatei und deren Ordner "
+    "dem Benutzer oder root gehören und niemand sonst sie ändern darf.",
     key=("the entry", "der Eintrag"),
     reason=(
-        "whose it is, or that others may write it",
-        "wem es gehört, oder dass andere schreiben",
+        "who owns it, or that others may write to it",
+        "wem es gehört, oder dass andere es ändern dürfen",
     ),
     folder=("the folder of the project", "der Ordner des Projekts"),
-    list=("the file with the trusted folders", "die Datei mit den vertrauten Ordnern"),
+    list=("the file with the trusted folders", "die Datei mit den vertrauenswürdigen Ordnern"),
 )
 PLC_NOT_RUN = note(
     902026,
     en="the PLC of the project, {plc}, is not run: this command runs no code of others",
     de="die SPS des Projekts, {plc}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
-    remedy_en="--plc {plc} runs it.",
-    remedy_de="--plc {plc} lässt sie laufen.",
+    remedy_en="Give --plc {plc} to run it.",
+    remedy_de="Mit --plc {plc} wird sie ausgeführt.",
     plc=("the file", "die Datei"),
 )
 FMU_NOT_RUN = note(
     902613,
     en="the FMU of the project, {fmu}, is not run: this command runs no code of others",
     de="die FMU des Projekts, {fmu}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
-    remedy_en="--fmu {fmu} runs it.",
-    remedy_de="--fmu {fmu} lässt sie laufen.",
+    remedy_en="Give --fmu {fmu} to run it.",
+    remedy_de="Mit --fmu {fmu} wird sie ausgeführt.",
     fmu=("the file", "die Datei"),
 )
 PROJECT_FMU_NOT_POSSIBLE = error(
     902614,
-    en="project file: an FMU runs in commands that run a program to its end and in tests, not here",
-    de="Projektdatei: Eine FMU läuft in Befehlen, die ein Programm zu Ende fahren, und in Tests, "
-    "hier nicht",
-    remedy_en="Record the run (nctakt run --record part.tape), and live through the tape here.",
-    remedy_de="Den Lauf aufzeichnen (nctakt run --record teil.tape) und hier das Band erleben.",
+    en="project file: an FMU runs only in tests and in commands that run a program to its end",
+    de="Projektdatei: eine FMU läuft nur in Tests und in Befehlen, die ein Programm bis zum Ende "
+    "ausführen",
+    remedy_en="Record the run (nctakt run --record part.tape), and open the tape here.",
+    remedy_de="Den Lauf aufzeichnen (nctakt run --record teil.tape) und hier das Band öffnen.",
 )
 MACHINE_OF_SETTING = note(
     901064,
     en="the machine is {machine}, as {source} says",
     de="die Maschine ist {machine}, wie {source} es angibt",
-    remedy_en="--machine FOLDER takes another one, --machine demo the built-in one.",
-    remedy_de="--machine FOLDER nimmt eine andere, --machine demo die eingebaute.",
+    remedy_en="--machine FOLDER selects another one, --machine demo the built-in one.",
+    remedy_de="--machine FOLDER wählt eine andere, --machine demo die eingebaute.",
     machine=("the folder with its lists", "der Ordner mit ihren Listen"),
     source=(
         "the project file or the environment variable",
@@ -95,8 +95,8 @@ RUN_ON_MACHINE_OF_FILE = note(
     900816,
     en="the program runs on the machine of {file}",
     de="das Programm läuft auf der Maschine von {file}",
-    remedy_en="--machine FOLDER takes another one, --machine demo the built-in one.",
-    remedy_de="--machine FOLDER nimmt eine andere, --machine demo die eingebaute.",
+    remedy_en="--machine FOLDER selects another one, --machine demo the built-in one.",
+    remedy_de="--machine FOLDER wählt eine andere, --machine demo die eingebaute.",
     file=(
         "the start-up list in whose folder the program lies",
         "die Hochlaufliste, in deren Ordner das Programm liegt",
@@ -112,21 +112,21 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
     first=("the first program", "das erste Programm"),
     machine=("its machine", "seine Maschine"),
     second=("another program", "ein anderes Programm"),
-    other=("the machine of that one", "die Maschine von jenem"),
+    other=("the machine of the other program", "dessen Maschine"),
 )
 SEVERAL_PLCS_HERE = error(
     902760,
-    en="several PLCs do not run together here: {files}",
-    de="mehrere SPSen laufen hier nicht zusammen: {files}",
-    remedy_en="Name one of them; commands but study and fmu, sessions and tests take several.",
-    remedy_de="Eine davon angeben; Befehle außer study und fmu, Sitzungen, Tests nehmen mehrere.",
+    en="several PLCs cannot run together here: {files}",
+    de="mehrere SPSen können hier nicht gemeinsam laufen: {files}",
+    remedy_en="Name one; sessions, tests and all commands except study and fmu accept several.",
+    remedy_de="Eine angeben; mehrere nehmen Sitzungen, Tests und alle Befehle außer study und fmu.",
     files=("the files of the PLCs", "die Dateien der SPSen"),
 )
 FILE_KEPT = note(
     902382,
-    en="{file} is there already and stays as it is",
+    en="{file} already exists and is left as it is",
     de="{file} gibt es schon und bleibt, wie sie ist",
-    remedy_en="Remove it first to have it written anew.",
+    remedy_en="Delete it first to have it written again.",
     remedy_de="Sie vorher löschen, damit sie neu geschrieben wird.",
 )
 NO_LISTS_OR_PROGRAMS = error(

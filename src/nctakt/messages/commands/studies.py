@@ -15,7 +15,7 @@ INVALID_PLAN = error(
 UNKNOWN_PLAN_ENTRY = error(
     901301,
     en="unknown entry {key} in the plan; nearest: {nearest}",
-    de="unbekannter Eintrag {key} im Plan; am nächsten: {nearest}",
+    de="unbekannter Eintrag {key} im Plan; am ähnlichsten: {nearest}",
     remedy_en="Possible here: {names}.",
     remedy_de="Hier möglich: {names}.",
     nearest=("the nearest known one", "der nächste bekannte"),
@@ -59,25 +59,26 @@ STUDY_TOO_LARGE = error(
 )
 INVALID_MEASURE = error(
     901306,
-    en="not a measure: {text}: {reason}",
-    de="keine Messgröße: {text}: {reason}",
-    remedy_en="Such as: time of M100 · count of fired 17 · max X · X at end · "
-    "time from M100 to M101 · duration.",
-    remedy_de="Etwa: time of M100 · count of fired 17 · max X · X at end · "
-    "time from M100 to M101 · duration.",
+    en="{text} is not a measure: {reason}",
+    de="{text} ist keine Messgröße: {reason}",
+    remedy_en="Write for example: time of M100 · count of fired 17 · max X · X at end · time from "
+    "M100 to M101 · duration.",
+    remedy_de="Möglich: time of M100 · count of fired 17 · max X · X at end · time from M100 to "
+    "M101 · duration.",
 )
 INVALID_STUDY_EXPECTATION = error(
     901307,
-    en="not an expectation: {text}: {reason}",
-    de="keine Erwartung: {text}: {reason}",
-    remedy_en="Such as: max X < 300 · X < 50 within 100 ms · M100 once · message "
-    '"done" before 2 s.',
-    remedy_de='Etwa: max X < 300 · X < 50 within 100 ms · M100 once · message "done" before 2 s.',
+    en="{text} is not an expectation: {reason}",
+    de="{text} ist keine Erwartung: {reason}",
+    remedy_en='Write for example: max X < 300 · X < 50 within 100 ms · M100 once · message "done" '
+    "before 2 s.",
+    remedy_de='Möglich: max X < 300 · X < 50 within 100 ms · M100 once · message "done" before 2 '
+    "s.",
 )
 RUN_CRASHED = warning(
     901308,
-    en="the process of run {index} has ended by itself; the other runs go on",
-    de="der Prozess des Laufs {index} hat sich selbst beendet; die anderen Läufe gehen weiter",
+    en="the process of run {index} has ended unexpectedly; the other runs go on",
+    de="der Prozess des Laufs {index} ist unerwartet zu Ende; die anderen Läufe gehen weiter",
     remedy_en="Look at this run alone: nctakt study … --only {index}",
     remedy_de="Diesen Lauf allein ansehen: nctakt study … --only {index}",
     index=("the number of the run", "die Nummer des Laufs"),
@@ -85,16 +86,16 @@ RUN_CRASHED = warning(
 OTHER_PLAN = error(
     901309,
     en="the results in {folder} are those of another plan, program or list",
-    de="die Ergebnisse in {folder} gehören zu einem anderen Plan, Programm oder einer anderen "
-    "Liste",
+    de="die Ergebnisse in {folder} gehören zu einem anderen Plan, einem anderen Programm oder "
+    "einer anderen Liste",
     remedy_en="Remove the folder, write to another file with --out, or leave --resume out.",
     remedy_de="Den Ordner entfernen, mit --out in eine andere Datei schreiben oder --resume "
     "weglassen.",
 )
 NOT_ROWS_OF_A_STUDY = error(
     902023,
-    en="{file} is there and holds no rows of a study, whose name it has",
-    de="{file} gibt es und enthält keine Zeilen einer Studie, deren Namen es trägt",
+    en="{file} exists, but does not contain rows of a study",
+    de="{file} gibt es, aber die Datei enthält keine Zeilen einer Studie",
     remedy_en="Move the file, or write to another one with --out.",
     remedy_de="Die Datei verschieben oder mit --out in eine andere schreiben.",
     cause_en="The rows of a study are kept there until it is finished.",
@@ -104,8 +105,8 @@ STUDY_INTERRUPTED = note(
     901310,
     en="interrupted after {count} of {size} runs; they are kept in {folder}",
     de="unterbrochen nach {count} von {size} Läufen; sie stehen in {folder}",
-    remedy_en="--resume makes the missing ones.",
-    remedy_de="--resume macht die fehlenden.",
+    remedy_en="Use --resume to make the missing runs.",
+    remedy_de="Mit --resume die fehlenden Läufe nachholen.",
     count=("the number of finished runs", "die Zahl der fertigen Läufe"),
     size=("the number of all runs", "die Zahl aller Läufe"),
 )
@@ -136,18 +137,18 @@ UNKNOWN_PROGRAM_VARIABLE = error(
 )
 NO_BOUNDARY = warning(
     901314,
-    en="no switch-over between {low} and {high}: the expectations hold at both ends or at neither",
-    de="kein Umschlag zwischen {low} und {high}: die Erwartungen gelten an beiden Enden oder an "
-    "keinem",
+    en="nothing changes between {low} and {high}: the expectations hold at both ends or at neither",
+    de="zwischen {low} und {high} ändert sich nichts: die Erwartungen gelten an beiden Enden oder "
+    "an keinem",
     remedy_en="Choose from and to so that the expectations hold at one end only.",
     remedy_de="Die Grenzen from und to ändern, bis die Erwartungen nur an einem Ende gelten.",
 )
 NOT_AN_INJECTION = error(
     901315,
-    en="not an injection: {text}",
-    de="kein Eingriff: {text}",
-    remedy_en='Such as: --each-tick "V.E.STOP=1 for 20 ms"',
-    remedy_de='Etwa: --each-tick "V.E.STOP=1 for 20 ms"',
+    en="{text} is not an injection",
+    de="{text} ist kein Eingriff",
+    remedy_en='Write for example: --each-tick "V.E.STOP=1 for 20 ms"',
+    remedy_de='Zum Beispiel schreiben: --each-tick "V.E.STOP=1 for 20 ms"',
 )
 CLUSTER_LOST = error(
     901316,
@@ -168,7 +169,7 @@ NAME_TAKEN = error(
 UNKNOWN_THREAD = error(
     901391,
     en="the schedule has no thread or CPU {name}; nearest: {nearest}",
-    de="der Ablaufplan hat keinen Thread und keine CPU {name}; am nächsten: {nearest}",
+    de="der Ablaufplan hat keinen Thread und keine CPU {name}; am ähnlichsten: {nearest}",
     remedy_en="nctakt schedule show lists the threads; put a name that contains a blank in quotes.",
     remedy_de="Die Threads zeigt nctakt schedule show; ein Name mit Leerzeichen steht in "
     "Anführungszeichen.",
@@ -207,8 +208,8 @@ NO_EFFECT_SHOWN = warning(
 )
 UNCHANGED_RUN_BROKEN = warning(
     901942,
-    en="the run without any injection fails already: {broken}",
-    de="schon der Lauf ohne jeden Eingriff ist nicht bestanden: {broken}",
+    en="the run without any injection already fails: {broken}",
+    de="schon der Lauf ohne Eingriff scheitert: {broken}",
     remedy_en="Correct program or expectation first: each injection would show the same.",
     remedy_de="Zuerst Programm oder Erwartung berichtigen: jeder Eingriff würde dasselbe zeigen.",
     broken=("what does not hold", "was verletzt ist"),
@@ -224,10 +225,10 @@ NOTHING_MEASURED = warning(
 )
 UPLOAD_TOO_LARGE = error(
     901484,
-    en="{file} is too large: at most {limit} MB of files go along with the runs",
-    de="{file} ist zu groß: mit den Läufen gehen höchstens {limit} MB an Dateien",
-    remedy_en="Have it on the workers beforehand, or send only the files that the runs need.",
-    remedy_de="Es vorher auf die Worker bringen oder nur die Dateien senden, die die Läufe "
+    en="{file} is too large: at most {limit} MB of files can be sent with the runs",
+    de="{file} ist zu groß: mit den Läufen lassen sich höchstens {limit} MB an Dateien senden",
+    remedy_en="Copy it to the workers beforehand, or send only the files that the runs need.",
+    remedy_de="Es vorher auf die Worker kopieren oder nur die Dateien senden, die die Läufe "
     "brauchen.",
     file=("the file or folder", "die Datei oder der Ordner"),
     limit=("the limit in MB", "die Grenze in MB"),
@@ -235,7 +236,7 @@ UPLOAD_TOO_LARGE = error(
 WORKER_UNFIT = error(
     901485,
     en="{worker} cannot make the runs: {reason}",
-    de="{worker} kann die Läufe nicht machen: {reason}",
+    de="{worker} kann die Läufe nicht ausführen: {reason}",
     remedy_en="Install on scheduler and workers what is installed here; --upload FILE.whl sends "
     "what the PLC needs.",
     remedy_de="Auf Scheduler und Workern dasselbe installieren wie hier; --upload DATEI.whl "
@@ -244,10 +245,10 @@ WORKER_UNFIT = error(
 )
 WORKER_NOT_STARTED = error(
     901486,
-    en="a process that should make runs does not start: {reason}",
-    de="ein Prozess, der Läufe machen soll, startet nicht: {reason}",
-    remedy_en="Memory may be short: try fewer processes (-j 1); --resume keeps finished runs.",
-    remedy_de="Vielleicht reicht der Speicher nicht: weniger Prozesse (-j 1); --resume behält "
+    en="a process for the runs does not start: {reason}",
+    de="ein Prozess für die Läufe startet nicht: {reason}",
+    remedy_en="Memory may be short: use fewer processes (-j 1); --resume keeps finished runs.",
+    remedy_de="Vielleicht fehlt Speicher: weniger Prozesse verwenden (-j 1); --resume behält "
     "fertige Läufe.",
 )
 RUN_WITHOUT_TRACE = error(
@@ -267,8 +268,8 @@ INVALID_CORPUS = error(
 )
 IMPOSSIBLE_RUNS = warning(
     902531,
-    en="so many of the runs were not possible: {count}; the first of them reported the above",
-    de="so viele der Läufe waren nicht möglich: {count}; der erste von ihnen meldete das Obige",
+    en="runs that were not possible: {count}; the first of them reported the finding above",
+    de="nicht mögliche Läufe: {count}; der erste davon meldete den Befund darüber",
     count=("the number of runs", "die Zahl der Läufe"),
 )
 INVALID_SAMPLE = error(
@@ -292,11 +293,10 @@ SAMPLE_COLUMN_MISSING = error(
 )
 NO_PARTS = error(
     902534,
-    en="{folder} has no parts of one study; parts of studies in so many parts: {counts}",
-    de="{folder} hat keine Teile einer einzigen Studie; Teile von Studien in so vielen Teilen: "
-    "{counts}",
-    remedy_en="Use a folder that nctakt study --part I/N --out FOLDER has written, for each N its "
-    "own.",
+    en="{folder} does not hold the parts of one study; numbers of parts found: {counts}",
+    de="{folder} enthält nicht die Teile genau einer Studie; gefundene Teilezahlen: {counts}",
+    remedy_en="Use a folder that nctakt study --part I/N --out FOLDER has written, a separate one "
+    "for each N.",
     remedy_de="Einen Ordner angeben, den nctakt study --part I/N --out ORDNER geschrieben hat, für "
     "jedes N einen eigenen.",
     counts=("the numbers of parts that were found", "die gefundenen Zahlen von Teilen"),
@@ -305,20 +305,20 @@ FOLDER_HAS_RESULTS = error(
     902690,
     en="{folder} has the results of an earlier study",
     de="{folder} hat die Ergebnisse einer früheren Studie",
-    remedy_en="--resume goes on with it, if it has the same plan; else name another folder.",
-    remedy_de="--resume macht damit weiter, wenn der Plan derselbe ist; sonst einen anderen Ordner "
+    remedy_en="--resume continues it, if it has the same plan; otherwise name another folder.",
+    remedy_de="Mit --resume weitermachen, wenn der Plan derselbe ist; sonst einen anderen Ordner "
     "angeben.",
 )
 PARTS_MISSING = warning(
     902535,
-    en="of the study in {folder} these parts are missing: {names}; the report has the others only",
-    de="von der Studie in {folder} fehlen diese Teile: {names}; der Bericht hat nur die anderen",
+    en="the study in {folder} lacks these parts: {names}; the report covers only the others",
+    de="der Studie in {folder} fehlen diese Teile: {names}; der Bericht enthält nur die übrigen",
     names=("the numbers of the parts", "die Nummern der Teile"),
 )
 FAULTS_OF_STRUCTURED_PLC = error(
     902670,
-    en="faults of a PLC can be put on one in Python only, not on {file}",
-    de="Fehler einer SPS lassen sich nur einer in Python geben, nicht {file}",
+    en="faults can be injected only into a PLC in Python, not into {file}",
+    de="Fehler lassen sich nur in eine SPS in Python einspielen, nicht in {file}",
     remedy_en='Vary its inputs instead: time_of = "MAIN.bSensor = 1".',
     remedy_de='Stattdessen ihre Eingänge variieren: time_of = "MAIN.bSensor = 1".',
 )

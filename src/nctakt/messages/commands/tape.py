@@ -8,26 +8,26 @@ from nctakt.messages.catalogue import error, note, warning
 INVALID_TAPE = error(
     901070,
     en="this is not a line of a tape: {reason}",
-    de="das ist keine Zeile einer Eingabe-Aufzeichnung: {reason}",
+    de="das ist keine Zeile eines Bands: {reason}",
     remedy_en="Name a file that nctakt run --record has written.",
     remedy_de="Eine Datei nennen, die nctakt run --record geschrieben hat.",
 )
 TAPE_OF_OTHER_VERSION = error(
     901071,
     en="the tape has version {found}; this nctakt reads version {version}",
-    de="die Aufzeichnung hat die Version {found}; dieses nctakt liest die Version {version}",
+    de="das Band hat die Version {found}; dieses nctakt liest die Version {version}",
     remedy_en="Record the run again, or replay it with nctakt {writer}.",
     remedy_de="Den Lauf neu aufzeichnen oder mit nctakt {writer} wiederholen.",
-    found=("the version of the tape", "die Version der Aufzeichnung"),
+    found=("the version of the tape", "die Version des Bands"),
     version=("the version that is read", "die Version, die gelesen wird"),
-    writer=("the nctakt that wrote it", "das nctakt, das sie geschrieben hat"),
+    writer=("the nctakt that wrote it", "das nctakt, das es geschrieben hat"),
 )
 TAPE_CUT_OFF = error(
     901072,
     en="the tape is cut off: its last line is missing",
-    de="die Aufzeichnung ist abgeschnitten: ihre letzte Zeile fehlt",
+    de="das Band ist abgeschnitten: seine letzte Zeile fehlt",
     remedy_en="Record the run again; the tape is complete when the run has ended.",
-    remedy_de="Den Lauf neu aufzeichnen; vollständig ist die Aufzeichnung, wenn der Lauf endet.",
+    remedy_de="Den Lauf neu aufzeichnen; vollständig ist das Band erst, wenn der Lauf zu Ende ist.",
 )
 TAPE_FILES_CHANGED = error(
     901073,
@@ -40,12 +40,12 @@ TAPE_FILES_CHANGED = error(
 TAPE_NAMES_OUTSIDE = error(
     902024,
     en="the tape names files outside of {folders}: {files}",
-    de="die Aufzeichnung nennt Dateien außerhalb von {folders}: {files}",
-    remedy_en="If you trust the tape, name the folder whose files it may have read: --root FOLDER",
-    remedy_de="Wenn Sie der Aufzeichnung vertrauen, den Ordner nennen, dessen Dateien sie lesen "
-    "darf: --root ORDNER",
-    cause_en="A tape may come from anywhere; it reaches the files of its own folder.",
-    cause_de="Eine Aufzeichnung kann von überall kommen; sie erreicht die Dateien ihres Ordners.",
+    de="das Band nennt Dateien außerhalb von {folders}: {files}",
+    remedy_en="If you trust the tape, name the folder whose files it may read: --root FOLDER",
+    remedy_de="Ist das Band vertrauenswürdig, den Ordner nennen, dessen Dateien es lesen darf: "
+    "--root ORDNER",
+    cause_en="A tape may come from anywhere; it may read only the files of its own folder.",
+    cause_de="Ein Band kann von überall kommen; es darf nur die Dateien seines Ordners lesen.",
     folders=("the folders that may be read", "die Ordner, die gelesen werden dürfen"),
     files=("the files", "die Dateien"),
 )
@@ -54,8 +54,8 @@ REPLAY_DIFFERS = warning(
     en="the events differ from those of the recorded run, first in tick {tick} ({time}): {events}",
     de="die Ereignisse weichen vom aufgezeichneten Lauf ab, zuerst im Takt {tick} ({time}): "
     "{events}",
-    remedy_en="The trace around this tick tells more: --trace out.csv",
-    remedy_de="Mehr sagt die Aufzeichnung um diesen Takt: --trace out.csv",
+    remedy_en="Look at the trace around this tick: --trace out.csv",
+    remedy_de="Die Aufzeichnung um diesen Takt ansehen: --trace out.csv",
     tick=("the tick, counted from 0", "der Takt, ab 0 gezählt"),
     time=("its virtual time", "seine virtuelle Zeit"),
     events=("the events of the tick now, or –", "die jetzigen Ereignisse des Takts oder –"),
@@ -67,8 +67,9 @@ REPLAY_AGREES = note(
 )
 REPLAY_NOT_COMPARED = note(
     901531,
-    en="the tape grew until its process was ended: {ticks} ticks, no events to compare with",
-    de="die Aufzeichnung wuchs bis zum Ende ihres Prozesses: {ticks} Takte, kein Vergleich möglich",
+    en="the tape ends where its process was ended: {ticks} ticks, no events to compare with",
+    de="das Band endet, wo sein Prozess beendet wurde: {ticks} Takte, keine Ereignisse zum "
+    "Vergleichen",
 )
 INPUT_NOT_POSSIBLE = error(
     901077,
@@ -83,7 +84,7 @@ TAPE_CHANGES_LISTS = error(
     901392,
     en="the tape has other values of parameters than the lists: {files}",
     de="das Band hat andere Parameterwerte als die Listen: {files}",
-    remedy_en="nctakt replay takes the values of the tape.",
-    remedy_de="nctakt replay nimmt die Werte des Bands.",
+    remedy_en="Use nctakt replay, which takes the values of the tape.",
+    remedy_de="nctakt replay verwenden, das die Werte des Bands nimmt.",
     files=("the lists", "die Listen"),
 )

@@ -33,8 +33,8 @@ UNKNOWN_REQUEST = error(
     901223,
     en="the debugger does not know the request {command}",
     de="der Debugger kennt die Anfrage {command} nicht",
-    remedy_en="The answer to initialize tells what it can do.",
-    remedy_de="Die Antwort auf initialize nennt, was er kann.",
+    remedy_en="Send only requests that the answer to initialize announces.",
+    remedy_de="Nur Anfragen senden, die die Antwort auf initialize ankündigt.",
     command=("the request", "die Anfrage"),
 )
 WRONG_ARGUMENT = error(
@@ -63,10 +63,10 @@ RUN_IS_ON = error(
 )
 TOO_MANY_REQUESTS = error(
     901227,
-    en="{limit} requests wait already",
+    en="{limit} requests are already waiting",
     de="es warten schon {limit} Anfragen",
-    remedy_en="Wait for answers before you ask on.",
-    remedy_de="Antworten abwarten, dann weiterfragen.",
+    remedy_en="Wait for answers before you send more requests.",
+    remedy_de="Antworten abwarten, bevor weitere Anfragen kommen.",
 )
 REQUEST_CANCELLED = note(
     901228,
@@ -105,17 +105,17 @@ CHANGES_NEEDS_A_BRANCH = error(
 )
 DECODER_VARIABLE = error(
     901233,
-    en="{name} belongs to the decoder, which works ahead of the ticks: it can be read only",
+    en="{name} belongs to the decoder, which works ahead of the ticks: it is read-only",
     de="{name} gehört zum Dekoder, der den Takten vorausläuft: nur lesbar",
     remedy_en="Set a V.E or V.CH variable, or a value of the HLI.",
-    remedy_de="Eine Variable V.E oder V.CH oder einen Wert der HLI setzen.",
+    remedy_de="Eine Variable V.E oder V.CH oder einen Wert des HLI setzen.",
 )
 UNKNOWN_REFERENCE = error(
     901234,
-    en="{what} {number} is not known, or not any more",
-    de="{what} {number} ist nicht oder nicht mehr bekannt",
-    remedy_en="Numbers hold until the run goes on.",
-    remedy_de="Nummern gelten, bis der Lauf weitergeht.",
+    en="{what} {number} is unknown or no longer valid",
+    de="{what} {number} ist unbekannt oder nicht mehr gültig",
+    remedy_en="Ask for the numbers again: they are valid until the run goes on.",
+    remedy_de="Die Nummern neu anfordern: sie gelten, bis der Lauf weitergeht.",
     what=("what it is the number of", "wessen Nummer es ist"),
 )
 UNKNOWN_CONSOLE_COMMAND = error(
@@ -160,21 +160,22 @@ NOT_RESTARTED = error(
     902570,
     en="only a program on the path of a channel can be restarted",
     de="neu beginnen kann nur ein Programm auf der Bahn eines Kanals",
-    remedy_en="Choose a frame of a channel that is not of its decoder.",
-    remedy_de="Einen Aufruf eines Kanals wählen, der nicht zu dessen Dekoder gehört.",
+    remedy_en="Choose a frame of a channel, not of its decoder.",
+    remedy_de="Einen Aufruf eines Kanals wählen, nicht seines Dekoders.",
 )
 NO_INSTRUCTIONS = error(
     902571,
     en="there are no instructions at {reference}",
     de="bei {reference} stehen keine Anweisungen",
-    remedy_en="Ask for the address of a frame of a realtime cycle that lives now.",
-    remedy_de="Nach der Adresse eines Aufrufs eines lebenden Echtzeit-Zyklus fragen.",
+    remedy_en="Ask for the address of a frame of a realtime cycle that exists now.",
+    remedy_de="Nach der Adresse eines Aufrufs eines vorhandenen Echtzeit-Zyklus fragen.",
     reference=("the address", "die Adresse"),
 )
 GOTO_NEEDS_LAUNCH = error(
     902572,
-    en="a program that the debugger has not started cannot begin anew at another block",
-    de="ein Programm, das der Debugger nicht gestartet hat, kann nicht anderswo neu beginnen",
+    en="a program that the debugger has not started cannot be restarted at another block",
+    de="ein Programm, das der Debugger nicht gestartet hat, kann nicht an einem anderen Satz neu "
+    "beginnen",
     remedy_en="Launch it with fromLine instead.",
     remedy_de="Es stattdessen mit fromLine starten.",
 )
@@ -184,7 +185,7 @@ NO_VALUE = error(
     en="{text} has no value here: {reason}",
     de="{text} hat hier keinen Wert: {reason}",
     remedy_en="Ask again where it has one, or for another expression.",
-    remedy_de="Dort fragen, wo es einen hat, oder nach einem anderen Ausdruck.",
+    remedy_de="Dort fragen, wo es einen hat, oder einen anderen Ausdruck abfragen.",
     text=("what was asked for", "das Gefragte"),
     reason=("why there is none", "warum es keinen gibt"),
 )

@@ -8,7 +8,7 @@ from nctakt.messages.catalogue import error
 EDITOR_LIBRARY_MISSING = error(
     901290,
     en="nctakt lsp needs the library pygls, which is not installed",
-    de="nctakt lsp braucht die Bibliothek pygls, sie ist nicht installiert",
+    de="nctakt lsp braucht die Bibliothek pygls, die nicht installiert ist",
     remedy_en='Install it: .venv/bin/pip install ".[editor]"',
     remedy_de='Installieren: .venv/bin/pip install ".[editor]"',
 )
@@ -23,7 +23,7 @@ NEW_NAME_INVALID = error(
 )
 NEW_NAME_TAKEN = error(
     901981,
-    en="{new} is in use already, {where}: the two would become one",
+    en="{new} is already in use, {where}: the two would become one",
     de="{new} wird schon verwendet, {where}: aus beiden würde eines",
     remedy_en="Give another name, or rename the other one first.",
     remedy_de="Einen anderen Namen angeben oder zuerst den anderen umbenennen.",
@@ -32,8 +32,8 @@ NEW_NAME_TAKEN = error(
 )
 RENAMED_BY_NUMBER = error(
     901982,
-    en="{written} in {where} may mean {name}: which one it means is computed",
-    de="{written} in {where} meint vielleicht {name}: welches es meint, wird berechnet",
+    en="{written} in {where} may mean {name}: its number is computed",
+    de="{written} in {where} meint vielleicht {name}: die Nummer wird berechnet",
     remedy_en="Rename it by hand.",
     remedy_de="Von Hand umbenennen.",
     written=("the text with a computed number", "der Text mit einer berechneten Nummer"),

@@ -7,7 +7,7 @@ from nctakt.messages.catalogue import error, note
 
 DOOR_ADDRESS_NOT_USABLE = error(
     901351,
-    en="{endpoint} cannot listen at {host}, port {port}: {reason}",
+    en="{endpoint} cannot listen on {host}, port {port}: {reason}",
     de="{endpoint} kann nicht an {host}, Port {port} lauschen: {reason}",
     remedy_en="End the program that uses the port, or name another one; port 0 takes a free one.",
     remedy_de="Das Programm am Port beenden oder einen anderen nennen; Port 0 nimmt einen freien.",
@@ -26,7 +26,7 @@ NO_DOOR = error(
     en="nctakt serve needs at least one protocol for its clients",
     de="nctakt serve braucht mindestens ein Protokoll für seine Clients",
     remedy_en="Name one, for example --ads.",
-    remedy_de="Eine nennen, zum Beispiel --ads.",
+    remedy_de="Eines nennen, zum Beispiel --ads.",
 )
 CONTROLLER_STOPPED = error(
     901354,
@@ -40,7 +40,8 @@ CONTROLLER_SILENT = error(
     en="the controller did not answer within {seconds} s at the end, so its process was killed",
     de="die Steuerung antwortete am Ende {seconds} s lang nicht, ihr Prozess wurde abgebrochen",
     remedy_en="Look for an endless loop or a wait in the PLC; the tape ends before it.",
-    remedy_de="In der SPS nach einer Endlosschleife suchen; die Aufzeichnung endet davor.",
+    remedy_de="In der SPS nach einer Endlosschleife oder einem Warten suchen; das Band endet "
+    "davor.",
     seconds=("the time", "die Zeit"),
 )
 INVALID_BROKER = error(
@@ -49,7 +50,7 @@ INVALID_BROKER = error(
     de="--mqtt braucht einen Broker der Form mqtt://HOST[:PORT][/WURZEL], nicht {text}",
     remedy_en="mqtts:// uses TLS; user and password come from {user} and {password}.",
     remedy_de="mqtts:// verwendet TLS; Benutzer und Passwort stehen in {user} und {password}.",
-    text=("the text, without what may be secret", "der Text, ohne was geheim sein kann"),
+    text=("the text, without what may be secret", "der Text, ohne Geheimes"),
     user=("the environment variable of the user", "die Umgebungsvariable des Benutzers"),
     password=("that of the password", "die des Passworts"),
 )
@@ -93,7 +94,7 @@ ADS_NEEDS_SOURCES = error(
 WHO_COMMANDS = note(
     902022,
     en="{endpoint}: the machine can be commanded by {who}",
-    de="{endpoint}: Der Maschine befehlen kann {who}",
+    de="{endpoint}: die Maschine steuern kann: {who}",
     endpoint=("the protocol", "das Protokoll"),
     who=("whoever is admitted", "wer zugelassen ist"),
 )
@@ -106,8 +107,8 @@ INVALID_NET_ID = error(
 )
 PAGE_WITHOUT_PROGRAM = error(
     901477,
-    en="--live shows a program, and none is named",
-    de="--live zeigt ein Programm, und keines ist genannt",
+    en="--live shows a program, but none is named",
+    de="--live zeigt ein Programm, aber keines ist angegeben",
     remedy_en="Name the program that the page shows.",
     remedy_de="Das Programm nennen, das die Seite zeigt.",
 )

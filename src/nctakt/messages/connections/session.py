@@ -34,7 +34,7 @@ CONTROLLER_LOST = error(
     en="the session's controller is gone: {reason}",
     de="die Steuerung der Sitzung ist nicht mehr da: {reason}",
     remedy_en="Open a new session; its tape is still there.",
-    remedy_de="Eine neue Sitzung öffnen; die Aufzeichnung ist noch da.",
+    remedy_de="Eine neue Sitzung öffnen; das Band ist noch da.",
     reason=("what happened to it", "was mit ihr geschah"),
 )
 INTERRUPTED = error(
@@ -55,8 +55,8 @@ TICK_NOT_REACHED = error(
 PLC_HOLDS_OPEN = error(
     902060,
     en="the session cannot go back: the PLC holds {names} open, which copies of it would share",
-    de="die Sitzung kann nicht zurück: die SPS hält {names} offen, was sich ihre Kopien teilen "
-    "würden",
+    de="die Sitzung kann nicht zurück: die SPS hält {names} offen; ihre Kopien müssten sich das "
+    "teilen",
     remedy_en="Let the PLC open what it writes or connects to only as long as it needs it.",
     remedy_de="Die SPS soll, was sie schreibt oder womit sie sich verbindet, nur so lange offen "
     "halten, wie sie es braucht.",
@@ -86,13 +86,13 @@ SESSION_IS_CLOSED = error(
 )
 PLC_DIFFERS = warning(
     901156,
-    en="from tick {tick} on the PLC behaves differently than before: it depends on more than its "
+    en="from tick {tick} on the PLC behaves differently from before: it depends on more than its "
     "inputs",
     de="ab Takt {tick} verhält sich die SPS anders als zuvor: sie hängt von mehr als ihren "
     "Eingängen ab",
     remedy_en="Random numbers, clocks or files can cause this; the tape holds what the PLC did "
     "first.",
-    remedy_de="Zufall, Uhren oder Dateien können das bewirken; aufgezeichnet ist, was sie zuerst "
+    remedy_de="Zufall, Uhren oder Dateien können das bewirken; das Band enthält, was sie zuerst "
     "tat.",
     tick=("the first tick that differs", "der erste abweichende Takt"),
 )
@@ -118,11 +118,12 @@ PROGRAM_NOT_SELECTED = warning(
 
 TAPE_NEEDS_SCHEDULE = error(
     901149,
-    en="the run on this tape went by the schedule {list}, which a session has not",
-    de="der Lauf auf diesem Band ging nach dem Ablaufplan {list}, den eine Sitzung nicht hat",
+    en="the run on this tape used the schedule {list}, which a session cannot use",
+    de="der Lauf auf diesem Band folgte dem Ablaufplan {list}, den eine Sitzung nicht verwenden "
+    "kann",
     remedy_en="Repeat it with `nctakt replay`.",
     remedy_de="Ihn mit `nctakt replay` wiederholen.",
-    list=("the scheduling list", "die Liste der Ablaufplanung"),
+    list=("the scheduling list", "die Scheduling-Liste"),
 )
 
 NO_BLOCK_COMES = note(

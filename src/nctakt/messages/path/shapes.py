@@ -81,7 +81,7 @@ CORNER_TOO_LARGE = error(
     remedy_en="Use a smaller chamfer or rounding, or longer motions.",
     remedy_de="Eine kleinere Fase oder Rundung oder längere Bewegungen verwenden.",
     size=("the size in mm", "die Größe in mm"),
-    side=("in front of, or behind", "vor oder hinter"),
+    side=("before or after", "vor oder nach"),
 )
 CORNER_NOT_IN_PLANE = error(
     901615,
@@ -90,7 +90,7 @@ CORNER_NOT_IN_PLANE = error(
     "G{plane}",
     remedy_en="Select the plane of the two motions with G17, G18 or G19.",
     remedy_de="Mit G17, G18 oder G19 die Ebene der beiden Bewegungen wählen.",
-    side=("in front of, or behind", "vor oder hinter"),
+    side=("before or after", "vor oder nach"),
     plane=("number of the active plane", "Nummer der aktiven Ebene"),
 )
 CORNER_REVERSES = error(

@@ -68,7 +68,7 @@ SPLINE_WITH_CONTOURING = error(
     remedy_de="Vor dem Spline G260 oder #HSC OFF programmieren.",
     classes=(2, 6),
 )
-NO_MOTION_BEHIND_SPLINE = error(
+NO_MOTION_AFTER_SPLINE = error(
     901620,
     en="a spline that ends tangentially has no motion after it",
     de="ein tangential endender Spline hat keine Bewegung dahinter",

@@ -43,9 +43,9 @@ _HOW = {
     rows.ENDED_BY_SCOPE: Text("ended", "endete"),
     rows.ENDED_BY_DELETE: Text("was deleted", "wurde gelöscht"),
 }
-_STOPPED = Text("stopped {distance} before its target", "hielt {distance} vor ihrem Ziel")
-_ENDLESS = Text("stopped, which was to move without a target", "hielt, die ohne Ziel fahren sollte")
-_WAITING = Text("did not begin a motion that waited", "begann eine wartende Bewegung nicht")
+_STOPPED = Text("stopped {distance} before its target", "hielt {distance} vor ihrem Ziel an")
+_ENDLESS = Text("stopped during an endless motion", "hielt während einer Endlosbewegung an")
+_WAITING = Text("did not begin its waiting motion", "begann ihre wartende Bewegung nicht")
 
 
 @dataclass(frozen=True, slots=True)

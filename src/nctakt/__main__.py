@@ -3,10 +3,10 @@
 
 import sys
 
-from nctakt.base.python_process import leave_working_directory
-
-leave_working_directory()  # before the libraries that the command imports
-import signal  # noqa: E402 - a file of this name in the working directory must not run
+if __name__ == "__main__" and not sys.flags.safe_path:
+    del sys.path[0]  # ``python -m`` has put the working directory there: none of its files runs
+# ``signal`` reads other modules first, in which Ctrl-C would show a traceback; this one is built in
+import _signal  # type: ignore[import-not-found]
 
 
 def start() -> int:
@@ -15,16 +15,16 @@ def start() -> int:
     Before it begins, and once it is over, Ctrl-C ends the process as the system does: nothing is
     there to be kept, and Python would show a traceback. Where it is ignored it stays ignored.
     """
-    answer = signal.getsignal(signal.SIGINT)
-    quiet = signal.SIG_DFL if answer == signal.default_int_handler else answer
-    signal.signal(signal.SIGINT, quiet)
+    answer = _signal.getsignal(_signal.SIGINT)
+    quiet = _signal.SIG_DFL if answer == _signal.default_int_handler else answer
+    _signal.signal(_signal.SIGINT, quiet)
     from nctakt.cli import main  # noqa: PLC0415 - the import takes most of the time of a start
 
-    signal.signal(signal.SIGINT, answer)
+    _signal.signal(_signal.SIGINT, answer)
     try:
         return main()
     finally:
-        signal.signal(signal.SIGINT, quiet)
+        _signal.signal(_signal.SIGINT, quiet)
 
 
 if __name__ == "__main__":

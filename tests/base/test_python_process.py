@@ -24,7 +24,10 @@ PART = (
 )
 
 #: Modules that Python, a library or nctakt imports early, the first one beside them.
-BAIT = ("nctakt", "click", "json", "multiprocessing", "pickle", "signal", "numpy", "lsprotocol")
+BAIT = (
+    *("nctakt", "click", "enum", "fnmatch", "json", "multiprocessing", "numpy", "lsprotocol"),
+    *("pathlib", "pickle", "re", "rich", "signal", "sitecustomize", "typing"),
+)
 
 
 @pytest.fixture

@@ -22,7 +22,7 @@ from nctakt.run.program_loader import NcText
 from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.mqtt import MqttEndpoint
-from nctakt.servers.mqtt_requests import Broker, read_broker
+from nctakt.servers.mqtt_requests import MAX_WAITING, Broker, read_broker
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -279,44 +279,63 @@ def test_another_text_is_refused_without_its_secrets(url: str) -> None:
     assert "secret" not in str(caught.value)
 
 
-def test_a_topic_that_nobody_can_read_is_dropped() -> None:
-    """A broker that sends bytes without UTF-8 as a topic: it is told, the next request acts."""
-    pytest.importorskip("aiomqtt", reason="the extra mqtt")
+Packets = Callable[[asyncio.StreamWriter], Awaitable[None]]
+
+
+def packet(kind: int, body: bytes) -> bytes:
+    """A packet of MQTT of any length."""
+    size, rest = b"", len(body)
+    while rest > 127:
+        size, rest = size + bytes((rest % 128 + 128,)), rest // 128
+    return bytes((kind,)) + size + bytes((rest,)) + body
+
+
+def message(topic: bytes, text: bytes) -> bytes:
+    """A message that wants no acknowledgement."""
+    return packet(0x30, len(topic).to_bytes(2, "big") + topic + text)
+
+
+async def be_a_broker(
+    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, then: Packets
+) -> None:
+    """Accept, acknowledge all; once three subscriptions are granted do ``then``."""
+    granted = 0
+    while head := await reader.read(1):
+        kind, size = head[0], (await reader.readexactly(1))[0]
+        if size > 127:  # the properties of longer packets do not matter
+            size += 128 * (await reader.readexactly(1))[0] - 128
+        body = await reader.readexactly(size)
+        if kind >> 4 == 1:
+            writer.write(packet(0x20, b"\0\0"))
+        elif kind >> 4 == 3:
+            end = 2 + int.from_bytes(body[:2], "big")
+            writer.write(packet(0x40, body[end : end + 2]))
+        elif kind >> 4 == 8:
+            granted += 1
+            writer.write(packet(0x90, body[:2] + b"\1"))
+            if granted == 3:
+                await then(writer)
+    writer.close()
+
+
+def with_a_broker(
+    then: Packets, until: Callable[[Session, list[str]], bool]
+) -> tuple[list[tuple[Any, ...]], list[Any]]:
+    """Serve a session at such a broker until something holds; its inputs, reasons of the log."""
+    pytest.importorskip("aiomqtt")
     lines: list[str] = []
 
-    def packet(kind: int, body: bytes) -> bytes:
-        return bytes((kind, len(body))) + body
-
-    async def broker(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Accept, grant three subscriptions, then send nonsense and a request; acknowledge all."""
-        granted = 0
-        while head := await reader.read(1):
-            kind, size = head[0], (await reader.readexactly(1))[0]
-            if size > 127:  # the properties of longer packets do not matter
-                size += 128 * (await reader.readexactly(1))[0] - 128
-            body = await reader.readexactly(size)
-            if kind >> 4 == 1:
-                writer.write(packet(0x20, b"\0\0"))
-            elif kind >> 4 == 3:
-                end = 2 + int.from_bytes(body[:2], "big")
-                writer.write(packet(0x40, body[end : end + 2]))
-            elif kind >> 4 == 8:
-                granted += 1
-                writer.write(packet(0x90, body[:2] + b"\1"))
-                if granted == 3:
-                    for topic, text in ((b"\xff\xfe", b"{}"), (b"cell/press", b'{"key": "hold"}')):
-                        writer.write(packet(0x30, len(topic).to_bytes(2, "big") + topic + text))
-        writer.close()
-
     async def live(session: Session) -> None:
-        server = await asyncio.start_server(broker, "127.0.0.1", 0)
+        server = await asyncio.start_server(
+            lambda *streams: be_a_broker(*streams, then), "127.0.0.1", 0
+        )
         port = server.sockets[0].getsockname()[1]
         host = await Host(session, load_machine(), ServerLog(lines.append)).open()
         endpoint = MqttEndpoint(host, Broker("127.0.0.1", port, False, "cell"))
         await endpoint.prepare()
         host.clock.begin(0)
         await endpoint.open()
-        while not session.tape():
+        while not until(session, lines):
             await asyncio.sleep(0.05)
         await endpoint.close()
         await host.close()
@@ -324,5 +343,49 @@ def test_a_topic_that_nobody_can_read_is_dropped() -> None:
 
     with Session(PROGRAM, stays=True) as session:
         asyncio.run(asyncio.wait_for(live(session), 60.0))
-        assert [one.values for one in session.tape()] == [("HLI.FEED_HOLD", 1.0)]
-    assert "a message that cannot be read" in [json.loads(one).get("reason") for one in lines]
+        inputs = [one.values for one in session.tape()]
+    return inputs, [json.loads(one).get("reason") for one in lines]
+
+
+def test_a_topic_that_nobody_can_read_is_dropped() -> None:
+    """A broker that sends bytes without UTF-8 as a topic: it is told, the next request acts."""
+
+    async def then(writer: asyncio.StreamWriter) -> None:
+        writer.write(message(b"\xff\xfe", b"{}") + message(b"cell/press", b'{"key": "hold"}'))
+
+    inputs, reasons = with_a_broker(then, lambda session, _: bool(session.tape()))
+    assert inputs == [("HLI.FEED_HOLD", 1.0)]
+    assert "a message that cannot be read" in reasons
+
+
+def test_a_broker_that_comes_back_is_served_again() -> None:
+    """It goes away twice; at its third connection a request acts."""
+    connections = []
+
+    async def then(writer: asyncio.StreamWriter) -> None:
+        connections.append(writer)
+        if len(connections) < 3:
+            await asyncio.sleep(0.2)  # until what is published flows
+            writer.transport.abort()
+        else:
+            writer.write(message(b"cell/press", b'{"key": "hold"}'))
+
+    inputs, _ = with_a_broker(then, lambda session, _: bool(session.tape()))
+    assert inputs == [("HLI.FEED_HOLD", 1.0)]
+    assert len(connections) == 3
+
+
+def test_requests_beyond_a_number_are_dropped_and_told() -> None:
+    """1,000 at once, each longer than a request may be: none fills the memory."""
+
+    async def then(writer: asyncio.StreamWriter) -> None:
+        for _ in range(1000):
+            writer.write(message(b"cell/write", b"[" * 70_000))
+        await writer.drain()
+
+    def is_told(_: Session, lines: list[str]) -> bool:
+        return any("requests wait" in one for one in lines)
+
+    inputs, reasons = with_a_broker(then, is_told)
+    assert inputs == []
+    assert f"more than {MAX_WAITING} requests wait" in reasons

@@ -38,12 +38,6 @@ def python_environment() -> dict[str, str]:
     return {**os.environ, _SEARCH_PATH: search}
 
 
-def leave_working_directory() -> None:
-    """Let no module of the working directory be imported, where ``python -m`` has put it first."""
-    if not sys.flags.safe_path and sys.path and sys.path[0] in ("", str(Path.cwd())):
-        del sys.path[0]
-
-
 def start_resource_tracker() -> None:
     """Start Python's resource tracker, which removes the shared memory of a killed process.
 

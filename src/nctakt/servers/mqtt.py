@@ -14,7 +14,7 @@ import json
 import logging
 import os
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from nctakt.base.failure import Failure, error_text
 from nctakt.messages import diagnostic
@@ -25,8 +25,10 @@ from nctakt.servers.host import Busy, Host
 from nctakt.servers.log import ServerLog, escaped
 from nctakt.servers.mqtt_requests import (
     PASSWORD,
+    REQUESTS,
     USER,
     Broker,
+    RequestQueue,
     key_of,
     program_of,
     read_request,
@@ -43,9 +45,6 @@ _RATE_S = 0.1
 
 #: The shortest and the longest time until the next attempt to connect, in seconds.
 _FIRST_RETRY_S, _LAST_RETRY_S = 1.0, 30.0
-
-#: The topics of requests.
-_REQUESTS = ("write", "press", "select")
 
 _DOOR = "mqtt"
 _AT_LEAST_ONCE = 1
@@ -93,6 +92,11 @@ class MqttEndpoint:
             task.cancel()
             await asyncio.gather(task, return_exceptions=True)
 
+    def _waiting(self, maxsize: int) -> RequestQueue:
+        """Return what keeps the requests of a new client, in place of the library's own queue."""
+        log, broker = self._host.log, self._broker
+        return RequestQueue(broker.root, lambda reason: log.refuse(_DOOR, broker.host, reason))
+
     def _client(self) -> aiomqtt.Client:
         """Return a client that is not connected yet; its end is reported by the broker."""
         import aiomqtt  # noqa: PLC0415 - an extra
@@ -107,6 +111,7 @@ class MqttEndpoint:
             will=aiomqtt.Will(f"{broker.root}/status", _json(online=False), 1, retain=True),
             timeout=_FIRST_RETRY_S * 5,
             logger=self._logger,
+            queue_type=cast("type[asyncio.Queue[aiomqtt.Message]]", self._waiting),
         )
         # else a topic that is no UTF-8 ends its loop, whose socket stays open and busy forever
         client._client.suppress_exceptions = True
@@ -118,7 +123,7 @@ class MqttEndpoint:
         await client.__aenter__()
         try:
             await self._publish(client, "status", _json(online=True), retain=True)
-            for name in _REQUESTS:
+            for name in REQUESTS:
                 await client.subscribe(f"{self._broker.root}/{name}", _AT_LEAST_ONCE)
             _end_if_cancelled()
         except BaseException as error:
@@ -136,7 +141,9 @@ class MqttEndpoint:
                     client = await self._connected()
                     is_connected, retry_s = True, _FIRST_RETRY_S
                 self._host.log.note("connected", endpoint=_DOOR, client=self._broker.host)
-                await self._serve(client)
+                # in a task of its own: in Python before 3.13 a group that fails while it waits for
+                # its tasks leaves the task around it cancelled
+                await asyncio.create_task(self._serve(client))
             except lost as error:
                 self._host.log.error("disconnected", endpoint=_DOOR, reason=str(error))
             except Exception as error:  # noqa: BLE001 - one request must not end the endpoint
@@ -227,8 +234,6 @@ class MqttEndpoint:
         async for message in client.messages:
             topic = str(message.topic).removeprefix(f"{self._broker.root}/")
             payload = message.payload
-            if topic not in _REQUESTS:
-                continue  # some brokers send what no one has subscribed to
             if message.retain:  # an old one, which would act again at each connection
                 self._host.log.refuse(_DOOR, self._broker.host, f"a retained {topic}")
                 continue

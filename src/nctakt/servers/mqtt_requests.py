@@ -6,9 +6,10 @@ In: a URL, bytes of a message. Out: the broker, the values to write, the key to 
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any, cast
 from urllib.parse import urlsplit
 
@@ -25,8 +26,14 @@ _PORTS = {"mqtt": 1883, "mqtts": 8883}
 #: The environment variables with the user and the password of the broker.
 USER, PASSWORD = "NCTAKT_MQTT_USER", "NCTAKT_MQTT_PASSWORD"
 
+#: The topics of requests.
+REQUESTS = ("write", "press", "select")
+
 #: Bytes of one request at most.
 _MAX_REQUEST = 65_536
+
+#: How many requests wait for their turn at most.
+MAX_WAITING = 100
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +44,29 @@ class Broker:
     port: int
     has_tls: bool
     root: str
+
+
+class RequestQueue(asyncio.Queue[Any]):
+    """Requests of a broker that wait; ``refuse`` tells why one of them is dropped.
+
+    Of one that is too long it keeps as much as shows that it is.
+    """
+
+    def __init__(self, root: str, refuse: Callable[[str], None]) -> None:
+        super().__init__(MAX_WAITING)
+        self._topics = {f"{root}/{name}" for name in REQUESTS}
+        self._refuse = refuse
+
+    def put_nowait(self, item: Any) -> None:
+        """Take a request, unless too many wait."""
+        if str(item.topic) not in self._topics:
+            return  # some brokers send what no one has subscribed to
+        if self.full():
+            self._refuse(f"more than {MAX_WAITING} requests wait")
+            return
+        if isinstance(item.payload, bytes):
+            item.payload = item.payload[: _MAX_REQUEST + 1]
+        super().put_nowait(item)
 
 
 def read_broker(url: str) -> Broker:

@@ -242,6 +242,38 @@ def test_who_has_vanished_makes_room(served):
     assert "its connection is gone, and its place was needed" in served.refusals()
 
 
+def test_who_has_become_silent_makes_room(served, monkeypatch):
+    """Eight clients that hold their connections and say nothing: who was silent first goes.
+
+    One that has asked within the time stays, and so do all while it is not over.
+    """
+    server = served.endpoint.server.iserver
+
+    async def work():
+        await until(lambda: not server.client_sessions)
+        async with contextlib.AsyncExitStack() as stack:
+            silent = [await stack.enter_async_context(connected(served)) for _ in range(8)]
+            sessions = list(server.client_sessions)
+            newcomer = patient_client(served.url)
+            with pytest.raises((ua.uaerrors.BadTooManySessions, ConnectionError)):
+                await newcomer.connect()
+            monkeypatch.setattr(server, "limits", replace(server.limits, silence_s=0.5))
+            for client in silent[1:]:
+                await asyncio.sleep(0.1)
+                await client.get_node(f"{CHANNEL}.Id").read_value()
+            assert await silent[-1].get_node(f"{CHANNEL}.Id").read_value() == 1
+            await stack.enter_async_context(connected(served))
+            assert sessions[0] not in server.client_sessions
+            assert sessions[-1] in server.client_sessions
+            with pytest.raises((ua.UaError, ConnectionError)):
+                await silent[0].get_node(f"{CHANNEL}.Id").read_value()
+        monkeypatch.undo()
+        await is_well(served)
+
+    asyncio.run(work())
+    assert "its client asks for nothing, and its place was needed" in served.refusals()
+
+
 def test_a_newcomer_finds_a_subscription_where_others_hold_all(served):
     """The oldest one of the client that has most goes, and that client is told."""
 

@@ -30,6 +30,7 @@ class Limits:
     max_interval_ms: float = 3_600_000.0
     activation_s: float = 10.0
     entering_s: float = 2.0
+    silence_s: float = 30.0
 
     def interval_ms(self, requested: float) -> float:
         """Return the interval that a client gets: as requested, in steps of the shortest one."""

@@ -71,33 +71,38 @@ class CncInternalServer(LibraryInternalServer):
                 self.services.host.log.refuse(DOOR, one.client, reason)
 
     def make_room(self) -> bool:
-        """End a session that no one uses; return whether there was any.
-
-        First the one that lost its connection first, then the oldest that no user has entered.
-        """
+        """End a session that no one uses; return whether there was any."""
         assert self.services is not None
-        now_s = asyncio.get_running_loop().time()
-        left = [one for one in self.client_sessions if one.left_s is not None]
-        unused = [
-            one
-            for one in self.client_sessions
-            if not one.is_activated() and now_s - one.begun_s > self.limits.entering_s
-        ]
-        if left:
-            oldest = min(left, key=lambda one: one.left_s)
-            reason = "its connection is gone, and its place was needed"
-        elif unused:
-            oldest = min(unused, key=lambda one: one.begun_s)
-            reason = "no user has entered its session, and its place was needed"
-        else:
+        found = self._unused()
+        if found is None:
             return False
-        self.services.host.log.refuse(DOOR, oldest.client, reason)
-        self.unregister_external_session(oldest)
-        self.subscription_service.expire_all(oldest.session_id)
-        task = asyncio.get_running_loop().create_task(oldest.close_session(False))
+        unused, reason = found
+        self.services.host.log.refuse(DOOR, unused.client, f"{reason}, and its place was needed")
+        self.unregister_external_session(unused)
+        self.subscription_service.expire_all(unused.session_id)
+        task = asyncio.get_running_loop().create_task(unused.close_session(False))
         self._ending.add(task)
         task.add_done_callback(self._ending.discard)
         return True
+
+    def _unused(self) -> tuple[ClientSession, str] | None:
+        """Return a session that may go, and why.
+
+        First the one that lost its connection first, then the oldest that no user has entered,
+        then the one whose client has been silent longest.
+        """
+        now_s = asyncio.get_running_loop().time()
+        left = [one for one in self.client_sessions if one.left_s is not None]
+        if left:
+            return min(left, key=lambda one: one.left_s), "its connection is gone"
+        empty = [one for one in self.client_sessions if not one.is_activated()]
+        oldest = min(empty, key=lambda one: one.begun_s, default=None)
+        if oldest is not None and now_s - oldest.begun_s > self.limits.entering_s:
+            return oldest, "no user has entered its session"
+        silent = min(self.client_sessions, key=lambda one: one.heard_s, default=None)
+        if silent is not None and now_s - silent.heard_s > self.limits.silence_s:
+            return silent, "its client asks for nothing"
+        return None
 
 
 class CncServer(LibraryServer):

@@ -31,6 +31,7 @@ class ClientSession(InternalSession):
 
     ``left_s``: when it lost its connection, by the loop's clock; ``None`` while it has one. It
     stays for its client to come back, until its time is over or another client needs its place.
+    ``heard_s``: when its client asked for something last.
     """
 
     def __init__(self, services: MachineServices, *words: Any, **keywords: Any) -> None:
@@ -38,6 +39,7 @@ class ClientSession(InternalSession):
         self.client = ""
         self.left_s: float | None = None
         self.begun_s = asyncio.get_running_loop().time() if keywords.get("external") else 0.0
+        self.heard_s = self.begun_s
         self._link: object = None
         self.language: Language = "en"
         super().__init__(*words, **keywords)
@@ -49,6 +51,11 @@ class ClientSession(InternalSession):
     def join(self, connection: object, client: str) -> None:
         """Belong to a connection from now on, whose client has this address."""
         self._link, self.client, self.left_s = connection, client, None
+
+    def touch(self) -> None:
+        """Remember that its client has asked for something."""
+        super().touch()
+        self.heard_s = asyncio.get_running_loop().time()
 
     def leave(self, connection: object) -> None:
         """Be without a connection, unless it is another one by now."""

@@ -4,22 +4,22 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+import zipfile
 from pathlib import Path
 
 import pytest
 from support.plc_rig import EACH_TICK
 
-from nctakt import Controller, HliView, NcText
+from nctakt import Controller, HliView, NcText, Study
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.debugger.arguments import Arguments
 from nctakt.debugger.launch import read_configuration
 from nctakt.files.access import FileAccess
+from nctakt.fmu.cell import Cell
 from nctakt.plc import load_plc
 from nctakt.project.run_settings import run_settings
 from nctakt.session.session import Session
-from nctakt.session.tapes import read_setup
 from nctakt.testing.expectations import read_script
 from nctakt.testing.queries import run_program
 
@@ -74,8 +74,11 @@ def test_a_tape_has_what_all_of_them_do() -> None:
     assert [head["words"]["plc"], head["has_plc"]] == [["one/cell.st", "two/cell.st"], True]
     Path("cell.py").unlink()
     assert main(["replay", "run.tape"]) == 0
-    with pytest.raises(Failure, match="902760"):
-        read_setup("run.tape", anyway=False)
+    with Session.of_tape("run.tape") as session:
+        session.step(8)
+        assert list(session.read("MAIN.n", "cell_2.MAIN.n")) == [8, 80]
+        session.step(50)  # M7 waits for the acknowledgement of the tape
+        assert session.tick == 12
 
 
 def test_the_project_file_names_several(capsys: pytest.CaptureFixture[str]) -> None:
@@ -115,7 +118,7 @@ def test_comments_of_a_program_name_several() -> None:
     named = read_script(Path("part.nc"), text).named(Path())
     assert [
         named.plcs,
-        run_settings([], FileAccess(), replace(named, takes_several_plcs=True)).plcs,
+        run_settings([], FileAccess(), named).plcs,
     ] == [PLCS, tuple(map(Path, PLCS))]
 
 
@@ -144,16 +147,65 @@ def test_a_project_wins_over_python() -> None:
     assert controller.hli.override_pct == 50
 
 
-def test_two_in_python_and_several_where_one_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    """902761, 902760: what does not run together is refused by name before the first tick."""
+def test_two_in_python_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
+    """902761: two PLCs in Python do not run together, which is told before the first tick."""
     assert main(["run", "part.nc", "--plc", "cell.py", "--plc", "cell.py"]) == 2
     assert "902761" in capsys.readouterr().err
     with pytest.raises(Failure, match="902761"):
         Controller().run(NcText("a.nc", "M30"), plc=[load_plc("cell.py"), load_plc("cell.py")])
-    assert main(["fmu", "part.nc", *WORDS[:4], "-o", "part.fmu"]) == 2
-    shown = capsys.readouterr().err
-    assert "902760" in shown
-    assert "one/cell.st, two/cell.st" in shown
+    study = {"program": "part.nc", "plc": ["cell.py", "cell.py"], "measure": {"t": "duration"}}
+    with pytest.raises(Failure, match="902761"):
+        Study(**study).run(processes=1)
+
+
+def test_an_fmu_has_all_of_them() -> None:
+    """Its cell runs the three files that it holds; a state is put back with the data of both."""
+    pytest.importorskip("pythonfmu3")
+    outputs = "MAIN.n,cell_2.MAIN.n"
+    words = ["fmu", "part.nc", *WORDS, "--outputs", outputs, "-o", "part.fmu", "--quiet"]
+    assert main(words) == 0
+    with zipfile.ZipFile("part.fmu") as archive:
+        archive.extractall("unpacked")
+    for plc in PLCS:
+        Path(plc).unlink()
+    cell = Cell(Path("unpacked", "resources"))
+    cell.step(0.0, 0.005)
+    assert cell.get([1, 2]) == [5, 50]
+    state = cell.state()
+    cell.step(0.005, 0.003)
+    assert cell.get([1, 2]) == [8, 80]
+    cell.put_back(state)
+    assert cell.get([1, 2]) == [5, 50]
+    cell.close()
+
+
+def test_a_study_measures_all_of_them() -> None:
+    """Each run begins anew with all of them; a recorded run is replayed without the one in Python.
+
+    The program waits 10 ms for M7, which is acknowledged behind tick 0, and G04.
+    """
+    study = Study(
+        program="part.nc",
+        plc=list(PLCS),
+        until="0.008 s",
+        vary=[{"name": "first", "variable": "MAIN.n", "values": [0, 100]}],
+        measure={"one": "MAIN.n at end", "two": "cell_2.MAIN.n at end"},
+    )
+    rows = list(study.run(processes=1).rows)
+    assert [(row["one"], row["two"]) for row in rows] == [(8, 80), (108, 80)]
+    study.record(1, "run.tape")
+    Path("cell.py").unlink()
+    assert main(["replay", "run.tape", "--quiet"]) == 0
+
+
+def test_a_plan_and_its_project_name_several() -> None:
+    """A list of files in the plan; what it leaves out is that of the project."""
+    plan = 'program = "part.nc"\nuntil = "0.008 s"\n[measure]\ntwo = "cell_2.MAIN.n at end"\n'
+    Path("plan.toml").write_text(f"plc = {json.dumps(PLCS)}\n{plan}", "utf-8")
+    assert [row["two"] for row in Study("plan.toml").run(processes=1).rows] == [80]
+    Path("plan.toml").write_text(plan, "utf-8")
+    Path("nctakt.toml").write_text(f"plc = {json.dumps(PLCS)}\n", "utf-8")
+    assert [row["two"] for row in Study("plan.toml").run(processes=1).rows] == [80]
 
 
 def test_a_session_goes_back_with_all_of_them() -> None:
@@ -172,6 +224,17 @@ def test_a_session_goes_back_with_all_of_them() -> None:
     with Session.of_tape("both.tape") as session:
         session.step(5)
         assert list(session.read(*names)) == [5, 50]
+    with Session("part.nc", plc=PLCS) as session:
+        session.step(20)
+        assert session.is_over
+        session.save("all.tape")
+    Path("cell.py").unlink()
+    assert main(["replay", "all.tape", "--quiet"]) == 0
+    with Session.of_tape("all.tape") as session:
+        session.step(8)
+        session.go_to(3)
+        session.step(20)
+        assert [session.tick, *session.read(*names)] == [12, 12, 120]
 
 
 def test_a_session_takes_one_in_python() -> None:

@@ -99,7 +99,6 @@ def command(target: str, version: str, **words: Any) -> int:
         words,
         lambda options, access: _pack(options, access, target, int(version), inputs, outputs),
         fmu_use="leave_out",
-        takes_several_plcs=False,
     )
 
 
@@ -126,6 +125,7 @@ def _pack(
             **request.options,
             "plc": request.plc,
             "memory_trace": False,
+            "signals": list(dict.fromkeys((*(outputs or ()), *(inputs or ())))) or None,
         }
         run = controller.begin({1: request.programs, **request.channels}, **given)
         run.load()
@@ -141,7 +141,7 @@ def _pack(
             others=[list(pair) for pair in options.others],
             machine=options.machine,
         )
-        cell = gather(words, options.plc, access.read_files)
+        cell = gather(words, options.plcs, access.read_files)
         file.write(build_cell(version, name, cell, variables, controller.cycle_time_us))
     count = sum(one.start is not None for one in variables)
     said = _TEXT.get(options.language).format(

@@ -96,9 +96,7 @@ def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configur
     machine = arguments.optional_text("machine")
     plcs = tuple(arguments.texts("plc")) if arguments.has("plc") else ()
     values = options.get("set") or {}
-    named = Named(
-        machine=machine, plcs=plcs, values=values, until=until, base=base, takes_several_plcs=True
-    )
+    named = Named(machine=machine, plcs=plcs, values=values, until=until, base=base)
     settings = run_settings([one for own in channels.values() for one in own], access, named)
     if machine is not None and settings.machine is not None:
         access.check_admitted(settings.machine)

@@ -22,7 +22,7 @@ from nctakt.messages.plcs.fmu import (
     CELL_STATE_OF_ANOTHER,
     CELL_STEP_NOT_POSSIBLE,
 )
-from nctakt.plc import load_plc
+from nctakt.plc.loading import load_plcs
 from nctakt.run.access.inputs import FMU
 from nctakt.run.controller import Controller
 from nctakt.run.options import RunKeywords
@@ -44,13 +44,14 @@ class _Started:
         machine = words["machine"]
         folder = None if machine is None else files / machine if content["has_lists"] else machine
         self.controller = controller = Controller(folder, None, FileAccess([files]))
-        plc = None if content["plc"] is None else load_plc(files / content["plc"])
+        plc = load_plcs([files / name for name in content["plcs"]])
         self._events = EventDigest()
         options: RunKeywords = {
             **options_of_words(words),
             "plc": plc,
             "sinks": [self._events],
             "memory_trace": False,
+            "signals": content["variables"],
             "record_writes": False,
             "stays": True,
         }
@@ -164,8 +165,8 @@ class Cell:
         again.run.advance(state.ticks)
         if again.digest() != state.digest:
             again.run.close()
-            plc = self._content["plc"] or "-"
-            raise Failure(diagnostic(CELL_DOES_OTHERWISE, ticks=state.ticks, plc=plc))
+            plcs = ", ".join(self._content["plcs"]) or "-"
+            raise Failure(diagnostic(CELL_DOES_OTHERWISE, ticks=state.ticks, plc=plcs))
         self._run.close()
         self._inputs = CellInputs(state.inputs, state.count)
         self._start_us, self._shown = state.start_us, state.shown

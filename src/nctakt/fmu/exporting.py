@@ -60,15 +60,15 @@ class CellFiles:
     """What an FMU holds of a run: ``words`` as on a tape, names relative to their folder."""
 
     words: Mapping[str, Any]
-    plc: str | None
+    plcs: tuple[str, ...]
     files: Mapping[str, bytes]
     has_lists: bool
 
 
-def gather(words: Mapping[str, Any], plc: str | None, read: Sequence[Path]) -> CellFiles:
+def gather(words: Mapping[str, Any], plcs: Sequence[str], read: Sequence[Path]) -> CellFiles:
     """Return the files of a run in one folder; ``words``: those of its tape."""
     files = {Path(os.path.realpath(one)) for one in read}
-    files |= set(_beside_plc(plc))
+    files.update(file for plc in plcs for file in _beside_plc(plc))
     files = {one for one in files if not one.is_relative_to(_BUILT_IN)}
     root = Path(os.path.commonpath([one.parent for one in files]))
 
@@ -87,15 +87,15 @@ def gather(words: Mapping[str, Any], plc: str | None, read: Sequence[Path]) -> C
             "others": [[number, name(one)] for number, one in words["others"]],
             "machine": machine,
         },
-        None if plc is None else name(plc),
+        tuple(map(name, plcs)),
         {name(str(one)): one.read_bytes() for one in sorted(files)},
         has_lists,
     )
 
 
-def _beside_plc(plc: str | None) -> Iterator[Path]:
+def _beside_plc(plc: str) -> Iterator[Path]:
     """Yield the files of a PLC in Python: its own, its inputs, the modules beside it."""
-    if plc is None or is_structured(plc):
+    if is_structured(plc):
         return
     file = Path(os.path.realpath(plc))
     yield file
@@ -175,7 +175,7 @@ def build_cell(
     """
     content = {
         "words": cell.words,
-        "plc": cell.plc,
+        "plcs": cell.plcs,
         "has_lists": cell.has_lists,
         "variables": [one.name for one in variables],
     }

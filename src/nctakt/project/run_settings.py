@@ -24,7 +24,6 @@ from nctakt.messages.commands.project import (
     PROGRAMS_OF_DIFFERENT_MACHINES,
     PROJECT_FMU_NOT_POSSIBLE,
     PROJECT_NOT_TRUSTED,
-    SEVERAL_PLCS_HERE,
 )
 from nctakt.messages.plcs.fmu import NOTHING_TO_ISOLATE
 from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
@@ -43,7 +42,6 @@ class Named:
     """What the words of a run name themselves; ``None`` and empty: nothing.
 
     ``plcs``: files, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file;
-    ``takes_several_plcs``: it runs more than one.
     ``fmu``: a file; ``fmu_use``: whether it runs that of the project, leaves it out, or has to
     refuse it; ``isolates``: whether it gives an FMU a process of its own.
     ``values``: the variables that it sets before the first tick. ``is_limited``: it has a limit of
@@ -53,7 +51,6 @@ class Named:
     machine: str | Path | None = None
     plcs: tuple[str | Path, ...] = ()
     has_plc: bool = False
-    takes_several_plcs: bool = False
     fmu: str | Path | None = None
     fmu_use: FmuUse = "refuse"
     isolates: bool = False
@@ -145,8 +142,6 @@ def _plcs(named: Named, project: Project | None, access: FileAccess) -> tuple[Pa
         for file in found:
             access.check_admitted(file)
             _check_trusted(project, "plc", file)
-    if len(found) > 1 and not named.takes_several_plcs:
-        raise Failure(diagnostic(SEVERAL_PLCS_HERE, files=", ".join(map(str, found))))
     return found
 
 

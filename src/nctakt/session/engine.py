@@ -38,7 +38,7 @@ from nctakt.run.access.shared_image import SharedImage
 from nctakt.run.access.stimuli import Stimulus, as_inputs, read_stimulus
 from nctakt.run.options import RunKeywords, completed
 from nctakt.run.plcs.plc_view import AnyPlc, PlcView
-from nctakt.run.plcs.realtime_plc import memories_of
+from nctakt.run.plcs.realtime_plc import memories_of, parts_of
 from nctakt.run.program_loader import load
 from nctakt.run.program_run import ProgramRun
 from nctakt.run.realtime.assembly import AssembledMachine
@@ -213,7 +213,7 @@ class Engine:
         options = self._options(options, plc, stimuli, recorded)
         self._run = ProgramRun(self._loop, self._diagnostics, setup.programs, completed(options))
         self._trail.follow(memories_of(plc))
-        self._loop.connect(plc, has_plc=plc is None and not setup.acknowledges)
+        self._loop.connect(plc, has_plc=not setup.acknowledges)
         self._recorded_cells = tuple(self._signals[name][0] for name in recorded)
         self._selected: Sequence[int] | None = None
         self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
@@ -300,9 +300,9 @@ class Engine:
     def plan(self, inputs: Sequence[Input]) -> None:
         """Replace the inputs that are to come, from this tick on.
 
-        Those of the PLC are only compared with what it does, since it runs again, too.
+        Those of a PLC in Python are only compared with what it does where it runs again, too.
         """
-        runs_again = self._loop.plc is not None
+        runs_again = parts_of(self._loop.plc)[1] is not None
         own = [planned for planned in inputs if planned.source != PLC or not runs_again]
         self._expected = deque(one for one in inputs if one.source == PLC and runs_again)
         self._differs = None

@@ -20,11 +20,11 @@ class Setup:
 
     ``programs``: number of the channel, from 1 -> its programs. ``machine``: a folder, ``None`` for
     the demo machine. ``plc``: files of PLCs. ``acknowledges``: technology functions acknowledge
-    themselves where there is no PLC; else whoever watches the session does it. ``folders``: the
-    only ones whose files may be read, where there are any. ``inputs``: those of a tape. ``rtconf``:
-    a scheduling list by which the controller's threads run on a real clock, with its ``load`` and
-    the name of its operating system. ``options``: those of ``Controller.run``, of which
-    ``signals`` are by default those of a run and the variables of the machine.
+    themselves where no PLC is present; else whoever watches the session, or a tape, does it.
+    ``folders``: the only ones whose files may be read, where there are any. ``inputs``: those of a
+    tape. ``rtconf``: a scheduling list by which the controller's threads run on a real clock, with
+    its ``load`` and the name of its operating system. ``options``: those of ``Controller.run``, of
+    which ``signals`` are by default those of a run and the variables of the machine.
     """
 
     programs: Mapping[int, Sequence[str | Path | NcText]]

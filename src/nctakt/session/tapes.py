@@ -15,7 +15,6 @@ from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.project import SEVERAL_PLCS_HERE
 from nctakt.messages.commands.tape import TAPE_CHANGES_LISTS, TAPE_FILES_CHANGED
 from nctakt.messages.connections.session import TAPE_NEEDS_SCHEDULE
 from nctakt.plc.loading import load_plcs
@@ -97,9 +96,7 @@ def words_of_setup(setup: Setup) -> dict[str, Any]:
 
 def has_called_plc(setup: Setup) -> bool:
     """Return whether a PLC outside of the tick acknowledges: a tape has what it does."""
-    if not setup.plcs:
-        return not setup.acknowledges
-    return not all(map(is_structured, setup.plcs))
+    return not (setup.acknowledges and all(map(is_structured, setup.plcs)))
 
 
 def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: bool) -> Setup:
@@ -118,8 +115,6 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
     if changed and not anyway:
         raise Failure(diagnostic(TAPE_FILES_CHANGED, files=", ".join(changed)))
     plcs = plcs_of(tape)
-    if plcs and tape.has_plc:
-        raise Failure(diagnostic(SEVERAL_PLCS_HERE, files=", ".join((*plcs, "Python"))))
     if tape.lists:
         raise Failure(diagnostic(TAPE_CHANGES_LISTS, files=", ".join(tape.lists)))
     if words["rtconf"] is not None:

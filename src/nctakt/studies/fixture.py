@@ -42,8 +42,11 @@ def study(request: pytest.FixtureRequest) -> RunStudy:
 
     def make(file: str | Path | None = None, *, processes: int = 1, **entries: Any) -> StudyResult:
         for key in ("program", "plc"):
-            if isinstance(entries.get(key), str | Path) and entries[key] != DEFAULT_PLC:
-                entries[key] = str(folder / entries[key])
+            value = entries.get(key)
+            if isinstance(value, list | tuple):
+                entries[key] = [str(folder / one) for one in value]
+            elif isinstance(value, str | Path) and value != DEFAULT_PLC:
+                entries[key] = str(folder / value)
         machine = machine_of_configuration(request.config)
         plan = Study(None if file is None else folder / file, default_machine=machine, **entries)
         return plan.run(processes=processes)

@@ -131,7 +131,7 @@ def _settings_beside(
     settings = run_settings(
         [named.base],
         FileAccess(),
-        replace(named, plcs=files, has_plc=bool(words), takes_several_plcs=True),
+        replace(named, plcs=files, has_plc=bool(words)),
     )
     if len(files) == len(words):
         return settings, load_plcs(settings.plcs)

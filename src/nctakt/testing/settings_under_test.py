@@ -32,7 +32,7 @@ def settings_of_test(config: pytest.Config, test: Path, named: Named | None = No
     the machine of the project comes ``nctakt_machine`` (relative to the root of the tests). Raises
     ``Failure`` as ``run_settings``.
     """
-    named = replace(named or Named(), fmu_use="run", takes_several_plcs=True)
+    named = replace(named or Named(), fmu_use="run")
     if named.machine is None:
         named = replace(named, machine=machine_of_configuration(config))
     settings = run_settings([test], FileAccess(), named)

@@ -31,22 +31,17 @@ def carry_out(
     *,
     runs_code: bool = True,
     fmu_use: FmuUse | None = None,
-    takes_several_plcs: bool = True,
 ) -> int:
     """Carry out a command that runs programs; its exit code. A ``Failure`` is shown.
 
     ``runs_code``: the project's PLC too; without it only one that the words name.
     ``fmu_use``: what becomes of the project's FMU, by default what the command's options say.
-    ``takes_several_plcs``: it runs more than one PLC.
     """
-    several = takes_several_plcs
     paths = [*words["programs"], *(program for _, program in words["others"])]
     return maybe_watched(
         words,
         paths,
-        lambda access: _carry_out(
-            words, action, access, runs_code=runs_code, fmu_use=fmu_use, several=several
-        ),
+        lambda access: _carry_out(words, action, access, runs_code=runs_code, fmu_use=fmu_use),
     )
 
 
@@ -77,12 +72,11 @@ def _carry_out(
     *,
     runs_code: bool,
     fmu_use: FmuUse | None,
-    several: bool,
 ) -> int:
     language: Language = words["language"] or "en"
     settings: RunSettings | None = None
     try:
-        settings = _settings(words, access, fmu_use, runs_code=runs_code, several=several)
+        settings = _settings(words, access, fmu_use, runs_code=runs_code)
         options = _completed(words, settings)
         language = options.language
         project = settings.project
@@ -105,7 +99,6 @@ def _settings(
     fmu_use: FmuUse | None,
     *,
     runs_code: bool,
-    several: bool,
 ) -> RunSettings:
     """Return the settings of the words; raises ``Failure`` where these are wrong."""
     if fmu_use is None:
@@ -115,7 +108,6 @@ def _settings(
     named = Named(
         machine=words["machine"],
         plcs=words["plc"],
-        takes_several_plcs=several,
         has_plc=words.get("hli") is not None or not runs_code,
         fmu=words.get("fmu"),
         fmu_use=fmu_use,

@@ -114,14 +114,6 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
     second=("another program", "ein anderes Programm"),
     other=("the machine of the other program", "dessen Maschine"),
 )
-SEVERAL_PLCS_HERE = error(
-    902760,
-    en="several PLCs cannot run together here: {files}",
-    de="mehrere SPSen können hier nicht gemeinsam laufen: {files}",
-    remedy_en="Name one; sessions, tests and all commands except study and fmu accept several.",
-    remedy_de="Eine angeben; mehrere nehmen Sitzungen, Tests und alle Befehle außer study und fmu.",
-    files=("the files of the PLCs", "die Dateien der SPSen"),
-)
 FILE_KEPT = note(
     902382,
     en="{file} already exists and is left as it is",

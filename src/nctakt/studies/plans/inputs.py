@@ -145,8 +145,8 @@ def command_of(plan: Plan, inputs: RunInputs) -> str | None:
     words = ["nctakt", "run", str(plan.program)]
     if plan.machine is not None:
         words += ["--machine", str(plan.machine)]
-    if plan.plc is not None or plan.names_default_plc:
-        words += ["--plc", DEFAULT_PLC if plan.plc is None else str(plan.plc)]
+    for plc in plan.plcs or ((DEFAULT_PLC,) if plan.names_default_plc else ()):
+        words += ["--plc", str(plc)]
     for name, value in inputs.assignments.items():
         words += ["--set", assignment_text(name, value)]
     for time, name, value in inputs.stimuli:

@@ -73,7 +73,7 @@ class Goal:
 class Plan:
     """A checked plan; ``text``: that of the program where it is in no file.
 
-    ``machine`` ``None``: the demo machine. ``plc`` ``None``: the built-in one; with
+    ``machine`` ``None``: the demo machine. No ``plcs``: the built-in one; with
     ``names_default_plc`` because the plan says so. ``assignments`` and ``stimuli`` are those of all
     runs. ``count``: the number of points of a method without a grid. ``rtconf``, ``load``,
     ``system``: the scheduling list, its load and its operating system; ``is_schedule``: the list is
@@ -84,7 +84,7 @@ class Plan:
 
     program: Path
     machine: Path | None
-    plc: Path | None
+    plcs: tuple[Path, ...]
     dimensions: tuple[Dimension, ...]
     measures: tuple[Measure, ...]
     expectations: tuple[Expectation, ...]
@@ -114,7 +114,7 @@ class Plan:
     @property
     def files(self) -> list[Path]:
         """The files beside program and machine: PLC, schedule, series, Python measures."""
-        single = (self.plc, self.rtconf, self.load)
+        single = (*self.plcs, self.rtconf, self.load)
         files = [path for path in single if path is not None]
         for dimension in self.dimensions:
             if dimension.has_files:

@@ -161,14 +161,14 @@ class _Reader(PlanReader):
         source = tables.get("program")
         text = source.text if isinstance(source, NcText) else None
         program = Path(source.name) if isinstance(source, NcText) else self._path(tables, "program")
-        machine, plc = self._path(tables, "machine"), self._plc(tables)
+        machine, plcs = self._path(tables, "machine"), self._plcs(tables)
         rtconf, load = self._path(tables, "rtconf"), self._path(tables, "load")
         self._check_entries(tables)
         self._program, self._rtconf = program or Path(), rtconf
         is_schedule = "program" not in tables and "rtconf" in tables
         values, until = self._values(tables.get("set", {})), self.length(tables, "until")
         if program is not None:
-            machine_word, plcs = machine or self.default_machine, () if plc is None else (plc,)
+            machine_word = machine or self.default_machine
             self._take_settings(Named(machine=machine_word, plcs=plcs, values=values, until=until))
         settings = self._settings
         if rtconf is not None:
@@ -184,7 +184,7 @@ class _Reader(PlanReader):
         plan = Plan(
             rtconf or Path() if is_schedule else self._program,
             machine if settings is None else settings.machine,
-            None if settings is None else settings.plc,
+            () if settings is None else settings.plcs,
             dimensions,
             measures,
             self._expectations(tables.get("expect", []), known),
@@ -203,7 +203,7 @@ class _Reader(PlanReader):
             load,
             self.choice(tables, "os", list(PROFILES)),
             is_schedule,
-            plc == Path(DEFAULT_PLC),
+            plcs == (Path(DEFAULT_PLC),),
             tuple(self._further(tables)),
         )
         plan = replace(plan, places=self._places(plan))
@@ -284,12 +284,13 @@ class _Reader(PlanReader):
             self.wrong(key, value, FILE)
         return path
 
-    def _plc(self, tables: dict[str, Any]) -> Path | None:
-        """Return the file of the PLC, or the word for the built-in one."""
-        is_default = tables.get("plc") == DEFAULT_PLC and not is_file_or_folder(
-            self.folder / DEFAULT_PLC
-        )
-        return Path(DEFAULT_PLC) if is_default else self._path(tables, "plc")
+    def _plcs(self, tables: dict[str, Any]) -> tuple[Path, ...]:
+        """Return the files of the PLCs, or the word for the built-in one."""
+        value = tables.get("plc")
+        if value == DEFAULT_PLC and not is_file_or_folder(self.folder / DEFAULT_PLC):
+            return (Path(DEFAULT_PLC),)
+        given = value if isinstance(value, list | tuple) else [] if value is None else [value]
+        return tuple(path for one in given if (path := self.existing(one, "plc")) is not None)
 
     def _further(self, tables: dict[str, Any]) -> Iterator[tuple[str, Any]]:
         """Yield the further run options that the plan has, each with its value."""

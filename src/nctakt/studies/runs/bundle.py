@@ -88,7 +88,7 @@ def _with_paths(plan: Plan, changed: Callable[[Path], Path], built_in: str = "")
         plan,
         program=changed(plan.program) if plan.text is None else plan.program,
         machine=DEMO_FOLDER.parent / built_in if built_in else of(plan.machine),
-        plc=of(plan.plc),
+        plcs=tuple(map(changed, plan.plcs)),
         rtconf=of(plan.rtconf),
         load=of(plan.load),
         dimensions=tuple(

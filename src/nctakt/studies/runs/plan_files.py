@@ -34,9 +34,9 @@ def files_of(plan: Plan) -> PlanFiles:
     files = [*access.read_files, *plan.files]
     functions = [one.node for one in plan.measures if isinstance(one.node, PythonMeasure)]
     sources = [one.file for one in functions if one.function is None]
-    if plan.plc is not None:
-        sources.append(plan.plc)
-        inputs = input_file_of(plan.plc)
+    for plc in plan.plcs:
+        sources.append(plc)
+        inputs = input_file_of(plc)
         files += [] if inputs is None else [inputs]
     modules = UserModules()
     modules.trace(sources)

@@ -18,7 +18,8 @@ from nctakt.files.output import OutputFile, write_file
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
 from nctakt.run.access.tape import TapeWriter, name_on_tape
 from nctakt.run.options import merged
-from nctakt.run.tape_words import words_of_run
+from nctakt.run.plcs.realtime_plc import is_structured
+from nctakt.run.tape_words import word_of_plcs, words_of_run
 from nctakt.studies.plans.changed_lists import changed_texts
 from nctakt.studies.plans.changed_schedule import ScheduleFiles
 from nctakt.studies.plans.dimension import Value
@@ -46,7 +47,7 @@ def record_run(runner: StudyRunner, point: Sequence[Value], path: Path) -> str:
             file.write,
             _words(runner.plan, inputs),
             _texts(runner, inputs),
-            runner.plan.plc is not None or bool(inputs.faults),
+            bool(inputs.faults) or not all(map(is_structured, runner.plan.plcs)),
             _lists(runner, inputs),
         )
         run = runner.begin(inputs, tape=tape).finish().outcome.run
@@ -73,7 +74,7 @@ def _inputs(runner: StudyRunner) -> FileAccess:
     """Return the files of a study, which no run may overwrite."""
     access, plan = FileAccess(), runner.plan
     access.note_all(runner.access)
-    for path in (*plan.files, *([] if plan.plc is None else [plan.plc])):
+    for path in plan.files:
         access.note(path)
     return access
 
@@ -95,7 +96,7 @@ def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
     """Return the options of the run, as ``nctakt run`` has them."""
     changes = inputs.schedule
     load = changes.load or plan.load or (_LOAD if changes.entries else None)
-    return words_of_run(
+    words = words_of_run(
         merged(plan.options, {"set": inputs.assignments}),
         programs=[str(plan.program)],
         others=[],
@@ -105,6 +106,7 @@ def _words(plan: Plan, inputs: RunInputs) -> dict[str, Any]:
         system=None if plan.rtconf is None else plan.system,
         confined=[],
     )
+    return {**words, "plc": word_of_plcs(list(map(str, plan.plcs)))}
 
 
 def _texts(runner: StudyRunner, inputs: RunInputs) -> dict[str, str]:
@@ -130,5 +132,6 @@ def _lists(runner: StudyRunner, inputs: RunInputs) -> dict[str, str]:
 def _files(runner: StudyRunner) -> dict[str, Path]:
     """Return the programs and lists that the run has read, by their names on a tape."""
     own = (OWN_NAME, PYTHON_NAME)
+    called = [path for path in runner.plan.plcs if not is_structured(path)]
     files = [path for path in runner.access.read_files if path.name not in own]
-    return {name_on_tape(path): path for path in files if path != runner.plan.plc}
+    return {name_on_tape(path): path for path in files if path not in called}

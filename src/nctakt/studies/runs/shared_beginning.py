@@ -113,7 +113,7 @@ class SharedBeginning:
         runner, controller = self._runner, begun.controller
         is_due = any(injection.tick <= one.tick < injection.end for one in self._planned)
         has_errors = any(one.severity is Severity.ERROR for one in controller.diagnostics)
-        if is_due or has_errors or runner.plan.plc is not None or injection.end > begun.run.end:
+        if is_due or has_errors or runner.plan.plcs or injection.end > begun.run.end:
             return None
         if controller.state != "running" or begun.lent is None:
             return None

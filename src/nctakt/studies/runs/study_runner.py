@@ -30,7 +30,8 @@ from nctakt.run.beginning import Beginning, Beginnings, may_share
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords, merged
 from nctakt.run.plcs.plc_view import AnyPlc
-from nctakt.run.plcs.realtime_plc import is_structured
+from nctakt.run.plcs.realtime_plc import files_of as structured_files
+from nctakt.run.plcs.realtime_plc import is_structured, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram
 from nctakt.run.realtime.realtime_parts import MACHINES, RealtimeParts
 from nctakt.schedule.open_schedule import RunSchedule
@@ -82,7 +83,10 @@ class StudyRunner:
         self._schedules: OrderedDict[object, RunSchedule] = OrderedDict()
         text = plan.text
         self._text = "\n".join(access.read_lines(plan.program)) if text is None else text
-        self._plc_file = None if plan.plc is None else plc_file(plan.plc)
+        self._plc_files = [plc_file(one) for one in plan.plcs]
+        if self._has_structured:
+            for file in structured_files(self._plc(RunInputs())):
+                access.note(Path(file))
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
         #: The program as it was checked for a machine.
         self._loaded: dict[Parameters, LoadedProgram] = {}
@@ -290,7 +294,7 @@ class StudyRunner:
 
         What it depends on besides are values, times and sinks.
         """
-        if is_structured(self.plan.plc) or self._schedule_files is not None:
+        if self._has_structured or self._schedule_files is not None:
             return None
         if inputs.program_variables or self._asks_all or not self._may_share:
             return None
@@ -329,7 +333,7 @@ class StudyRunner:
         """Return a controller with machine, schedule and the PLC's variables of a run."""
         machine = self._machine_with(inputs.parameters)
         controller = Controller(machine, self._schedule_of(inputs.schedule), self.access)
-        if is_structured(self.plan.plc):
+        if self._has_structured:
             names = [name for _, _, name in self._readers()]
             controller.attach(self._plc(inputs), names)
         return controller
@@ -390,12 +394,18 @@ class StudyRunner:
         return "\n".join(lines)
 
     def _plc(self, inputs: RunInputs) -> AnyPlc | None:
-        plc = None if self._plc_file is None else self._plc_file.plc()
+        """Return the PLCs of a run as one; raises ``Failure`` for faults of Structured Text."""
+        plc = plc_object([one.plc() for one in self._plc_files])
         if not inputs.faults:
             return plc
-        if is_structured(self.plan.plc):
-            raise Failure(diagnostic(FAULTS_OF_STRUCTURED_PLC, file=str(self.plan.plc)))
+        for file in filter(is_structured, self.plan.plcs):
+            raise Failure(diagnostic(FAULTS_OF_STRUCTURED_PLC, file=str(file)))
         return FaultyPlc(plc, inputs.faults)
+
+    @property
+    def _has_structured(self) -> bool:
+        """Whether a PLC in Structured Text runs, which begins anew with each run."""
+        return any(map(is_structured, self.plan.plcs))
 
 
 def _signal_name(name: str, axes: Collection[str]) -> str:

@@ -67,7 +67,7 @@ def unreachable(runner: StudyRunner) -> Proofs:
 def _bounds(runner: StudyRunner) -> dict[VariableName, Interval]:
     """Return the bounds of the V.E variables that a plan varies or sets."""
     plan = runner.plan
-    is_open = plan.plc is not None or not {name for name, _ in plan.further} <= _HARMLESS
+    is_open = bool(plan.plcs) or not {name for name, _ in plan.further} <= _HARMLESS
     texts = ("program_variable", "series")
     if is_open or any(one.kind in texts for one in plan.dimensions):
         return {}

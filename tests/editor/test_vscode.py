@@ -31,8 +31,19 @@ def test_the_extension_has_what_the_server_names() -> None:
     own = {ending.lower() for ending in languages.pop(document.STRUCTURED_LANGUAGE)}
     assert own == set(document.SOURCE_SUFFIXES) - {".tctto"}
     assert languages == {"nctakt": [".nctakt"], document.LIST_LANGUAGE: []}
-    source = (FOLDER / "src" / "extension.ts").read_text("utf-8")
+    source = "".join(path.read_text("utf-8") for path in (FOLDER / "src").glob("*.ts"))
     assert all(f'"{command}"' in source for command in commands)
+
+
+def test_the_package_has_all_files_that_the_manifest_names() -> None:
+    """What ``.vscodeignore`` leaves out is not there once the extension is installed."""
+    kept = (FOLDER / ".vscodeignore").read_text("utf-8").split()
+    contributed = MANIFEST["contributes"]
+    named = [item["configuration"] for item in contributed["languages"]]
+    named += [item["path"] for kind in ("grammars", "snippets") for item in contributed[kind]]
+    for name in (MANIFEST["main"], *named):
+        path = Path(name).as_posix()
+        assert f"!{path}" in kept or f"!{path.partition('/')[0]}/**" in kept, name
 
 
 def test_what_the_extension_starts_imports_no_module_of_the_folder() -> None:
@@ -54,7 +65,7 @@ def test_no_address_of_a_registry_is_in_the_lock_file() -> None:
     reason="npm ci has not been run in editors/vscode",
 )
 def test_the_grammar_colours_the_examples() -> None:
-    """The grammar's own test, and each line of the examples."""
+    """The grammar's own test, each line of the examples, objects in XML without their markup."""
     done = subprocess.run(
         ["npm", "test"], cwd=FOLDER, capture_output=True, text=True, check=False, timeout=120
     )

@@ -5,6 +5,7 @@ import { spawn, type ChildProcess } from "node:child_process";
 import * as path from "node:path";
 import * as vscode from "vscode";
 import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
+import { middleware, register as registerObjects } from "./shown";
 
 const LANGUAGES = ["nctakt", "nctakt-list", "nctakt-st"];
 let client: LanguageClient | undefined;
@@ -41,7 +42,12 @@ async function startClient(): Promise<void> {
       language: settings().get<string>("language", "en"),
       reference: settings().get<string>("reference", ""),
     },
-    synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{lis,xml,nc,toml}") },
+    synchronize: {
+      fileEvents: vscode.workspace.createFileSystemWatcher(
+        "**/*.{lis,xml,nc,toml,st,iecst,TcPOU,TcDUT,TcGVL,TcIO,TcTTO,plcproj}",
+      ),
+    },
+    middleware,
   });
   try {
     await client.start();
@@ -169,6 +175,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.debug.registerDebugAdapterDescriptorFactory("nctakt", factory),
     new vscode.Disposable(() => page?.kill()),
   );
+  registerObjects(context);
   await startClient();
 }
 

@@ -151,6 +151,9 @@ def test_a_declaration_in_xml_goes_into_the_text_of_the_declaration(tmp_path: Pa
     text = pou_file("MAIN", "PROGRAM MAIN\nVAR\n    n : INT;\nEND_VAR\n", "m := n;")
     (found,) = remedies(tmp_path, {"MAIN.TcPOU": text}, "MAIN.TcPOU", 902190).values()
     assert found == text.replace("INT;\nEND_VAR", "INT;\n    m : INT;\nEND_VAR")
+    text = text.replace("</Declaration>\n", "</Declaration>")  # two texts on one line
+    (found,) = remedies(tmp_path, {"MAIN.TcPOU": text}, "MAIN.TcPOU", 902190).values()
+    assert found == text.replace("INT;\nEND_VAR", "INT;\n    m : INT;\nEND_VAR")
     text = pou_file("MAIN", "PROGRAM MAIN", "m := 1;\nIF m > 1 THEN\n    m := 2;")
     found = remedies(tmp_path, {"MAIN.TcPOU": text}, "MAIN.TcPOU", 902181)
     assert found["Insert END_IF"] == text.replace("m := 2;", "m := 2;\nEND_IF")

@@ -44,7 +44,7 @@ def _offset(piece: Piece, line: int, column: int) -> int | None:
         if found < 0:
             return None
         begin = found + 1
-    return begin
+    return begin if column == 1 else None  # what comes after it is markup, or another text
 
 
 def range_of(document: Document, sources: Sources, start: int, end: int) -> Range:

@@ -20,7 +20,7 @@ def coloured(text: str, first: int, last: int) -> list[list[tuple[str, str]]]:
     """The texts of tokens with their classes, by lines."""
     return [
         [(line[start:end], name.replace("nc-t-", "")) for start, end, name in tokens]
-        for line, tokens in SYNTAX.shown(text, first, last)
+        for line, tokens in SYNTAX.shown(text.split("\n"), first, last)
     ]
 
 
@@ -47,17 +47,17 @@ def test_a_comment_of_several_lines_is_one() -> None:
 
 def test_columns_are_those_of_browsers() -> None:
     """A sign outside of the basic plane has two units of UTF-16."""
-    ((_, tokens),) = SYNTAX.shown("(\U0001f529) G01", 1, 1)
+    ((_, tokens),) = SYNTAX.shown(["(\U0001f529) G01"], 1, 1)
     assert tokens == [(0, 4, "nc-t-comment"), (5, 8, "nc-t-function")]
 
 
 def test_what_is_asked_for_is_bounded() -> None:
     """Lines that are not there, too many of them, long ones; a million lines."""
-    assert SYNTAX.shown("G01", 5, 9) == SYNTAX.shown("G01", 3, 1) == []
-    assert SYNTAX.shown("G01", -5, 1) == [("G01", [(0, 3, "nc-t-function")])]
+    assert SYNTAX.shown(["G01"], 5, 9) == SYNTAX.shown(["G01"], 3, 1) == []
+    assert SYNTAX.shown(["G01"], -5, 1) == [("G01", [(0, 3, "nc-t-function")])]
     long = "X1" * MAX_CHARACTERS
-    ((text, tokens),) = SYNTAX.shown(long, 1, 1)
+    ((text, tokens),) = SYNTAX.shown([long], 1, 1)
     assert text == long
     assert tokens[-1][1] <= MAX_CHARACTERS
-    many = "G01 X1\n" * 1_000_000
+    many = ["G01 X1"] * 1_000_000
     assert len(SYNTAX.shown(many, 999_000, 1_000_000)) == MAX_LINES

@@ -76,13 +76,11 @@ def test_marks_of_the_program() -> None:
     seen = Compared(">", True, 0.75, 0.5)
     state = branch(True, count=3, seen=seen, now=seen)
     found = view.program_marks(LINES, FILE, snapshot(state), TEXTS)
-    assert [(one["kind"], one["class"]) for one in found] == [
-        ("line", "nc-block"),
-        ("line", "nc-true"),
-        ("widget", "nc-inline"),
-    ]
-    assert found[2]["text"] == "true in tick 4: 0.75 > 0.5 · ran 3×"
-    assert found[2]["position"] == len("\n".join(LINES[:2]))
+    block, line, beside = found
+    assert block["class"] == "nc-block"
+    assert line == {"line": 2, "class": "nc-true"}
+    text = "true in tick 4: 0.75 > 0.5 · ran 3×"
+    assert beside == {"line": 2, "class": "nc-inline", "text": text}
 
 
 def test_values_that_have_changed_since_the_evaluation_are_marked() -> None:
@@ -116,10 +114,12 @@ def test_findings_are_underlined() -> None:
         diagnostic(NO_FEED_ACTIVE, Span(FILE, line, column, column + 3), LINES[line - 1])
         for line, column in ((1, 2), (4, 8))
     ]
-    marks = view.finding_marks(LINES, FILE, found)
-    first = sum(len(line) + 1 for line in LINES[:3])
-    assert [(one["from"], one["to"]) for one in marks] == [(1, 4), (first + 5, first + 6)]
-    assert view.finding_marks(LINES, "other.nc", found) == []
+    marks = view.finding_marks(LINES, FILE, found, "de")
+    assert [(one["line"], one["from"], one["to"]) for one in marks] == [(1, 1, 4), (4, 5, 6)]
+    (first, _), one = marks, found[0]
+    assert first["text"] == f"{one.id}: {one.text('de')}"
+    assert first["remedy"] == one.remedy("de")
+    assert view.finding_marks(LINES, "other.nc", found, "en") == []
 
 
 def test_first_signals() -> None:
@@ -291,15 +291,15 @@ def endless(program: str | None, acknowledges: bool) -> Session:
     return Session(NcText(FILE, ENDLESS), until="24 h", acknowledges=acknowledges)
 
 
-def test_only_a_session_that_stays_where_it_is_is_explained() -> None:
+def test_a_report_is_of_its_moment() -> None:
+    """Also where the session has gone on; the lanes are those of the farthest one."""
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
         shared.do(lambda session: session.step(100))
         moment = shared.snapshot.serial, 1, 100
         shared.do(lambda session: session.step(50))
         report = shared.explainer.report(moment, shared.session)
-        assert report.ticks == 150
-        assert shared.explainer.bars(moment, FILE) == {"end": 0, "lines": []}
+        assert report.ticks == 100
         moment = shared.snapshot.serial, 1, 150
         assert shared.explainer.report(moment, shared.session).ticks == 150
         assert shared.explainer.report(moment, shared.session) is not report

@@ -13,7 +13,7 @@ import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
-from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text, encode_text, split_lines
 from nctakt.checking.check import check_files
@@ -26,30 +26,34 @@ from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.run.program_loader import NcText
 from nctakt.run.realtime.assembly import AssembledMachine
 
+#: Lines and characters of a program that is edited on the page at most; a longer one is shown.
+MAX_EDITED_LINES, MAX_EDITED_CHARACTERS = 20_000, 1_000_000
+
 
 class Checker:
     """The machine that programs are checked with; raises ``Failure`` where it cannot be read.
 
     ``types``: name -> type of the machine's variables. ``limits``: axis -> software limits.
     ``synchronous``: variables that realtime cycles read and write in each tick.
-    ``transformed``: numbers of the channels with kinematic transformations.
+    ``transformed``: numbers of the channels with kinematic transformations. ``machine``: what the
+    check, completion and explanations know of it.
     """
 
     def __init__(self, machine: str | None, folders: Sequence[str | Path]) -> None:
         access = FileAccess(folders)
-        self._machine = AssembledMachine(
+        self.machine = AssembledMachine(
             load_machine(machine, access=access), access, has_history=False
         )
-        names = self._machine.assembled[0].names
+        names = self.machine.assembled[0].names
         self.synchronous = synchronous_names(names)
         self.types = [(name, kind) for name, _, kind in names.values()]
-        channels = self._machine.configuration.channels
+        channels = self.machine.configuration.channels
         self.transformed = frozenset(
             number
             for number, channel in enumerate(channels, 1)
             if any(channel.parameters.transformations.steps)
         )
-        axes = self._machine.configuration.axes
+        axes = self.machine.configuration.axes
         self.limits = {
             axis.name: [
                 one if math.isfinite(one) else None
@@ -59,43 +63,58 @@ class Checker:
         }
 
     def check(self, file: str, text: str) -> list[Diagnostic]:
-        """Return what the check finds in a text; notes are left out."""
-        result = check_files([NcText(file, text)], self._machine)
-        return [
-            found.diagnostic
-            for found in result.findings
-            if found.diagnostic.severity > Severity.NOTE
-        ]
+        """Return what the check finds in a text, with its notes."""
+        result = check_files([NcText(file, text)], self.machine)
+        return [found.diagnostic for found in result.findings]
 
 
 class Document:
     """A program in a file; raises ``Failure`` where it cannot be read.
 
-    ``text``: as it was read or saved last.
+    ``text`` and ``lines``: as it was read or saved last.
     """
 
     def __init__(self, file: str, checker: Checker) -> None:
         self.file = file
         self.checker = checker
         self._content = b""
+        self._seen: tuple[int, int] | None = None
         self.text = ""
+        self.lines: list[str] = []
         self.read()
 
     def read(self) -> None:
         """Read the file."""
+        self._seen = None
         self._content = FileAccess().read_bytes(Path(self.file))
-        self.text = "\n".join(split_lines(decode_text(self._content).text))
+        self._set("\n".join(split_lines(decode_text(self._content).text)))
+
+    def _set(self, text: str) -> None:
+        self.text, self.lines = text, text.split("\n")
+
+    @property
+    def is_long(self) -> bool:
+        """Whether it is shown only: its lines come by request, and it is edited elsewhere."""
+        return len(self.lines) > MAX_EDITED_LINES or len(self.text) > MAX_EDITED_CHARACTERS
 
     @property
     def is_replaced(self) -> bool:
         """Whether the file on disk is another than the one that was read, or is gone."""
+        path = Path(self.file)
         try:
-            return Path(self.file).read_bytes() != self._content
+            status = path.stat()
+            seen = status.st_mtime_ns, status.st_size
+            if seen == self._seen:  # it is as it was when it was compared
+                return False
+            if path.read_bytes() != self._content:
+                return True
         except OSError:
             return True
+        self._seen = seen
+        return False
 
     def check(self, text: str) -> list[Diagnostic]:
-        """Return what the check finds in a text of the editor; notes are left out."""
+        """Return what the check finds in a text of the editor, with its notes."""
         return self.checker.check(self.file, text)
 
     def save(self, text: str, begin: str) -> None:
@@ -115,8 +134,8 @@ class Document:
         except OSError as error:
             reason = error.strerror or str(error)
             raise Failure(diagnostic(FILE_NOT_WRITABLE, file=self.file, reason=reason)) from error
-        self._content = content
-        self.text = "\n".join(lines)
+        self._content, self._seen = content, None
+        self._set(text)
 
 
 def _replace(path: Path, content: bytes) -> None:

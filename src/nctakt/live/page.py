@@ -29,7 +29,7 @@ from nctakt.live.parts.program_card import ProgramCard
 from nctakt.live.parts.tour import Hands, Tour
 from nctakt.live.parts.variables import Variables
 from nctakt.live.shared import SharedSession
-from nctakt.live.texts import Texts
+from nctakt.live.texts import EDITOR_PHRASES, Texts
 from nctakt.live.view import Snapshot
 from nctakt.session.core import NEXT_BLOCK, NEXT_REACTION
 from nctakt.session.session import Session
@@ -66,7 +66,7 @@ _NEXT = {"block": NEXT_BLOCK, "reaction": NEXT_REACTION}
 
 _FOLDER = Path(__file__).parent
 _CSS = (_FOLDER / "page.css").read_text("utf-8")
-_SCRIPT = (_FOLDER / "page_events.js").read_text("utf-8")
+_SCRIPTS = [(_FOLDER / name).read_text("utf-8") for name in ("page_program.js", "page_events.js")]
 
 
 class Page:
@@ -96,9 +96,16 @@ class Page:
         self._help = build_help(texts)
         self._build(documents, [one.file for one in documents.get(1, ())], has_plc, has_tour)
         keys = json.dumps({name: key.is_everywhere for name, key in KEYS.items()})
-        script = _SCRIPT.replace("KEYS", keys).replace("EDITOR", str(self._program.editor_id))
-        script = script.replace("PROGRAM_NAME", json.dumps(texts["program"]))
-        ui.add_body_html(f"<script>{script}</script>")
+        words = {
+            "nothing": texts["nothing_known"],
+            "none": texts["no_findings"],
+            "phrases": EDITOR_PHRASES if texts.language == "de" else {},
+        }
+        for text in _SCRIPTS:
+            script = text.replace("KEYS", keys).replace("EDITOR", str(self._program.editor_id))
+            script = script.replace("PROGRAM_NAME", json.dumps(texts["program"]))
+            script = script.replace("PROGRAM_WORDS", json.dumps(words))
+            ui.add_body_html(f"<script>{script}</script>")
         ui.on("nctakt_key", self._key)
         ui.on("nctakt_dark", self._show_dark)
         ui.timer(_LOOK_S, self._follow)

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The colours of a program's lines on the page: those that the language server has.
 
-In: a text, which of its lines are in view. Out: their texts with tokens, for the browser to compare
-with what it shows, since somebody may have typed meanwhile.
+In: the lines of a text, which of them are in view. Out: their texts with tokens, for the browser
+to compare with what it shows, since somebody may have typed meanwhile.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 from nctakt.editor.token_colours import Surroundings, coloured
 
@@ -21,28 +23,26 @@ class Syntax:
 
     def __init__(self, synchronous: frozenset[str]) -> None:
         self._synchronous = synchronous
-        self._text = ""
-        self._lines = [""]
+        self._lines: Sequence[str] = [""]
         self._surroundings = Surroundings(self._lines)
 
-    def shown(self, text: str, first: int, last: int) -> list[tuple[str, list[Token]]]:
+    def shown(self, lines: Sequence[str], first: int, last: int) -> list[tuple[str, list[Token]]]:
         """Return the lines from ``first`` to ``last``, from 1, with their tokens."""
-        if text is not self._text:
-            self._text, self._lines = text, text.split("\n")
-            self._surroundings = Surroundings(self._lines)
+        if lines is not self._lines:
+            self._lines, self._surroundings = lines, Surroundings(lines)
         begin = max(first, 1) - 1
-        shown = self._lines[begin : min(last, begin + MAX_LINES)]
+        shown = lines[begin : min(last, begin + MAX_LINES)]
         return [(line, self._tokens(line, number)) for number, line in enumerate(shown, begin)]
 
     def _tokens(self, line: str, number: int) -> list[Token]:
         code = line[:MAX_CHARACTERS]
         return [
-            (_units(code, one.start), _units(code, one.end), _classes(one.type, one.modifier))
+            (units(code, one.start), units(code, one.end), _classes(one.type, one.modifier))
             for one in coloured(code, self._surroundings.of(number), self._synchronous)
         ]
 
 
-def _units(line: str, index: int) -> int:
+def units(line: str, index: int) -> int:
     """Return a column as browsers count it: in units of UTF-16."""
     if line.isascii():
         return index

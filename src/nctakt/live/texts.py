@@ -47,6 +47,18 @@ WORDS: dict[str, tuple[str, str]] = {
     "on_disk": ("changed on disk", "auf der Platte geändert"),
     "plc_on_disk": ("PLC changed on disk", "SPS auf der Platte geändert"),
     "load": ("Load it", "Neu laden"),
+    "long": ("{count} lines, not edited here", "{count} Zeilen, hier nicht geändert"),
+    "find": (
+        "Go to a line, or to the next one with a text",
+        "Zu einer Zeile oder der nächsten mit einem Text",
+    ),
+    "find_short": ("line or text", "Zeile oder Text"),
+    "not_found": ("No line has {wish}", "Keine Zeile hat {wish}"),
+    "uncopied": ("Only lines in view can be copied", "Nur sichtbare Zeilen lassen sich kopieren"),
+    "explain": ("Explain the word at the cursor", "Das Wort am Cursor erklären"),
+    "finding": ("To the next finding, or the one before", "Zum nächsten Befund oder zum vorigen"),
+    "complete": ("Complete what is written", "Geschriebenes vervollständigen"),
+    "nothing_known": ("Nothing is known of this word", "Zu diesem Wort ist nichts bekannt"),
     "edit": ("To the editor", "Zum Editor"),
     "leave": ("Leave the field or the editor", "Feld oder Editor verlassen"),
     "toggle_stop": ("Stop in this line, or not", "Haltepunkt in dieser Zeile setzen, löschen"),
@@ -318,6 +330,37 @@ WORDS: dict[str, tuple[str, str]] = {
         "503: too many browsers look at this page already ({count}). Close one of them.",
         "503: zu viele Browser zeigen diese Seite schon ({count}). Einen davon schließen.",
     ),
+}
+
+
+#: What the library's editor says, in German.
+EDITOR_PHRASES = {
+    "Control character": "Steuerzeichen",
+    "Selection deleted": "Auswahl gelöscht",
+    "Folded lines": "Eingeklappte Zeilen",
+    "Unfolded lines": "Ausgeklappte Zeilen",
+    "to": "bis",
+    "folded code": "eingeklappter Text",
+    "unfold": "ausklappen",
+    "Fold line": "Zeile einklappen",
+    "Unfold line": "Zeile ausklappen",
+    "Go to line": "Zu Zeile",
+    "go": "gehen",
+    "Find": "Suchen",
+    "Replace": "Ersetzen",
+    "next": "weiter",
+    "previous": "zurück",
+    "all": "alle",
+    "match case": "Groß/klein",
+    "by word": "ganze Wörter",
+    "replace": "ersetzen",
+    "replace all": "alle ersetzen",
+    "close": "schließen",
+    "current match": "dieser Treffer",
+    "replaced $ matches": "$ Treffer ersetzt",
+    "replaced match on line $": "Treffer in Zeile $ ersetzt",
+    "on line": "in Zeile",
+    "Completions": "Vorschläge",
 }
 
 

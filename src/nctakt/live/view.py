@@ -17,6 +17,7 @@ from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.live.conditions import is_condition
 from nctakt.live.event_words import event_words
+from nctakt.live.syntax import units
 from nctakt.live.texts import Texts
 from nctakt.results.compared import Compared
 from nctakt.results.run import ProgramMessage, RunState
@@ -161,14 +162,25 @@ def operands_in(line: str) -> list[str]:
     return list(dict.fromkeys(_OPERAND.findall(code)))
 
 
+def variables_named(lines: Sequence[str]) -> set[str]:
+    """Return the variables that a program names, in capitals."""
+    return {
+        name.upper() for line in lines if "V." in line or "v." in line for name in operands_in(line)
+    }
+
+
 def first_signals(signals: Mapping[str, str], lines: Sequence[str], prefix: str = "") -> list[str]:
     """Return what the scope shows first: axes of the program, path speed, variables that it names.
 
     At most 12.
     """
     text = "\n".join(lines).upper()
-    axes = [axis for axis in axes_of(signals, prefix) if re.search(rf"\b{axis}[-+=.\d\[]", text)]
-    named = {name.upper() for line in lines for name in operands_in(line)}
+    axes = [
+        axis
+        for axis in axes_of(signals, prefix)
+        if axis in text and re.search(rf"\b{axis}[-+=.\d\[]", text)
+    ]
+    named = variables_named(lines)
     variables = [
         name
         for name in signals
@@ -205,22 +217,19 @@ def program_marks(
     texts: Texts,
     stops: Sequence[int] = (),
 ) -> list[dict[str, Any]]:
-    """Return the editor's decorations: blocks of path and decoder, stops, conditions.
+    """Return the editor's marks of lines: blocks of path and decoder, stops, conditions.
 
-    Beside a condition are its truth, the values that it compared, and its runs. ``stops``: lines
-    with a stop.
+    Beside a condition, as ``text``, are its truth, the values that it compared, and its runs.
+    ``stops``: lines with a stop.
     """
     found: list[dict[str, Any]] = []
-    offsets = [0]
-    for text in lines:
-        offsets.append(offsets[-1] + len(text) + 1)
     for places, name in ((snapshot.blocks, "nc-block"), (snapshot.decoding, "nc-decoding")):
         for span in places.values():
             if span.file == file and 1 <= span.line <= len(lines):
-                found.append({"kind": "line", "line": span.line, "class": name})
+                found.append({"line": span.line, "class": name})
     for line in stops:
         if 1 <= line <= len(lines):
-            found.append({"kind": "line", "line": line, "class": "nc-stop"})
+            found.append({"line": line, "class": "nc-stop"})
     for line, (cycle, branch) in branches_in(snapshot.cycles, file).items():
         if not 1 <= line <= len(lines):
             continue
@@ -228,15 +237,8 @@ def program_marks(
         name = "nc-unknown" if has_ended else truth_class(branch)
         text = branch_text(branch, lines[line - 1], texts, has_ended=has_ended)
         moved = " nc-moved" if is_moved(branch) else ""
-        found.append({"kind": "line", "line": line, "class": name})
-        found.append(
-            {
-                "kind": "widget",
-                "position": offsets[line] - 1,
-                "text": text,
-                "class": f"nc-inline{moved}",
-            }
-        )
+        found.append({"line": line, "class": name})
+        found.append({"line": line, "text": text, "class": f"nc-inline{moved}"})
     return found
 
 
@@ -247,29 +249,27 @@ def block_line(snapshot: Snapshot, channel: int, file: str) -> int:
 
 
 def finding_marks(
-    lines: Sequence[str], file: str, found: Sequence[Diagnostic]
+    lines: Sequence[str], file: str, found: Sequence[Diagnostic], language: Language
 ) -> list[dict[str, Any]]:
-    """Return the editor's decorations of findings: their text is underlined."""
-    offsets = [0]
-    for text in lines:
-        offsets.append(offsets[-1] + len(text) + 1)
+    """Return the editor's marks of findings: their columns are underlined, ``text`` says why."""
     marks = []
     for one in found:
         span = one.span
         if span is None or span.file != file or not 1 <= span.line <= len(lines):
             continue
-        length = len(lines[span.line - 1])
-        begin = min(max(span.column - 1, 0), max(length - 1, 0))
-        end = min(max(span.end_column - 1, begin + 1), length)
-        if begin < end:
-            marks.append(
-                {
-                    "kind": "mark",
-                    "from": offsets[span.line - 1] + begin,
-                    "to": offsets[span.line - 1] + end,
-                    "class": f"nc-{one.severity.name.casefold()}",
-                }
-            )
+        line = lines[span.line - 1]
+        begin = min(max(span.column - 1, 0), max(len(line) - 1, 0))
+        end = min(max(span.end_column - 1, begin + 1), len(line))
+        marks.append(
+            {
+                "line": span.line,
+                "from": units(line, begin),
+                "to": units(line, end),
+                "class": f"nc-{one.severity.name.casefold()}",
+                "text": f"{one.id}: {one.text(language)}",
+                "remedy": one.remedy(language),
+            }
+        )
     return marks
 
 
@@ -414,7 +414,7 @@ _RANGES = {"SGN08": (-128, 127), "UNS08": (0, 255)}
 
 def variable_rows(types: Sequence[tuple[str, str]], lines: Sequence[str]) -> list[VariableRow]:
     """Return the V.E variables with their fields: first those that the program names."""
-    named = {name.upper() for line in lines for name in operands_in(line)}
+    named = variables_named(lines)
     rows = [
         VariableRow(name, _field(kind), *_RANGES.get(kind, (0, 100)), name.upper() in named)
         for name, kind in types

@@ -8,20 +8,21 @@ saved and run again.
 from __future__ import annotations
 
 import json
-from collections.abc import Awaitable, Callable, Mapping
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from typing import Any
 
-from nicegui import run, ui
+from nicegui import background_tasks, run, ui
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.live import view
 from nctakt.live.document import Document
 from nctakt.live.parts.commander import Commander, Newest
-from nctakt.live.parts.naming import card, named
+from nctakt.live.parts.naming import card, explained, named
 from nctakt.live.parts.plc_pane import PlcPane
 from nctakt.live.syntax import Syntax
 from nctakt.live.view import Snapshot
+from nctakt.live.words import TextCursor, completed, explained_word, line_found
 
 #: How long the page waits for more typing, in seconds.
 _TYPING_S = 0.35
@@ -46,11 +47,23 @@ class _Change:
     new: str
 
 
+@dataclass(frozen=True, slots=True)
+class _Question:
+    """What a browser wants to know of a place: its words are ``complete`` or ``explain``."""
+
+    what: str
+    number: int
+    cursor: TextCursor
+    text: str
+
+
 class ProgramCard:
-    """The editor of one browser; ``findings``: of the text as it is there.
+    """The editor of one browser; ``findings``: of the text as it is there, without notes.
 
     What somebody types is kept: another text takes its place only where the browser confirms that
-    it is the text that the server knows, and what was not saved comes back with its program.
+    it is the text that the server knows, and what was not saved comes back with its program. Of a
+    long program the browser has the lines in view only; what stands in the editor's element is an
+    empty text then.
     """
 
     def __init__(
@@ -72,11 +85,17 @@ class ProgramCard:
         self._drafts: dict[str, tuple[str, str]] = {}
         self._typed = 0
         self._checks = Newest(self._check)
-        self._colours = Newest(self._send_colours)
+        self._colours = Newest(self._send_lines)
+        self._questions = {name: Newest(self._answer) for name in ("complete", "explain")}
         self._marks: list[dict[str, Any]] | None = None
+        self._found: list[Diagnostic] = []
         self.findings: list[Diagnostic] = []
-        self._checked_lines: list[str] = []
+        self._checked: tuple[str, Sequence[str]] | None = None
+        self._split: tuple[str, list[str]] = ("", [""])
+        self._is_ready = False
+        self._edition = self._line = 0
         self.document = self._shown_document()
+        self._is_long = self.document.is_long
         self._begin = self.document.text
         self._syntax = Syntax(self.document.checker.synchronous)
         self._build()
@@ -103,17 +122,40 @@ class ProgramCard:
                 self._load.props("dense flat no-caps size=sm color=warning data-testid=load")
                 self._load.set_visibility(False)
                 ui.space()
+                self._build_search()
                 save = ui.button(texts["save_short"], icon="save", on_click=self.save)
                 save.props("dense flat no-caps size=sm data-testid=save").tooltip(texts["save"])
             self._editor = ui.codemirror(
-                self.document.text,
+                _in_editor(self.document),
                 theme="basicLight",
                 line_wrapping=True,
                 on_change=self._changed,
             ).props("data-testid=editor")
             self.plc = PlcPane(self._commander, self._show_choices)
+            self._show_length()
             ui.on("nctakt_line", self._click)
-            ui.on("nctakt_lines", self._wish_colours)
+            ui.on("nctakt_lines", self._wish_lines)
+            ui.on("nctakt_ask", self._ask)
+            ui.on("nctakt_ready", self._be_ready)
+            ui.on("nctakt_uncopied", lambda _: ui.notify(texts["uncopied"], type="warning"))
+
+    def _build_search(self) -> None:
+        """Build the field that finds lines of a long program, which says that it is one."""
+        texts = self._texts
+        self._length = ui.label().classes("nc-soft nc-length ellipsis").props("role=status")
+        self._length.props("data-testid=length")
+        self._sought = ui.input(placeholder=texts["find_short"]).classes("nc-find")
+        self._sought.props("dense borderless clearable maxlength=200 data-testid=find")
+        explained(self._sought, texts["find"])
+        self._sought.on("keydown.enter", self._find)
+
+    def _show_length(self) -> None:
+        count = f"{len(self.document.lines):,}"
+        if self._texts.language == "de":
+            count = count.replace(",", ".")
+        is_shown = self._is_long and not self.plc.is_shown
+        self._length.set_text(self._texts["long"].format(count=count) if is_shown else "")
+        self._sought.set_visibility(is_shown)
 
     def _choices(self) -> dict[str, str]:
         many = len(self._documents) > 1
@@ -142,9 +184,28 @@ class ProgramCard:
     # --- what is shown --------------------------------------------------------------------------
 
     @property
+    def text(self) -> str:
+        """The text that the browser shows."""
+        return self._begin if self._is_long else self._value
+
+    @property
+    def _value(self) -> str:
+        return self._editor.value or ""
+
+    @property
+    def _lines(self) -> list[str]:
+        """The lines of the text that the browser shows; the same list as long as it is the same."""
+        text = self.text
+        if text is self.document.text:
+            return self.document.lines
+        if text is not self._split[0]:
+            self._split = text, text.split("\n")
+        return self._split[1]
+
+    @property
     def is_edited(self) -> bool:
         """Whether the editor's text is not the one that was saved."""
-        return (self._editor.value or "") != self.document.text
+        return self.text != self.document.text
 
     def show(self, snapshot: Snapshot) -> None:
         """Show the blocks, conditions and stops of a tick, and where the PLC stands."""
@@ -152,30 +213,45 @@ class ProgramCard:
         if arrived is not None:
             self.reveal(arrived[1], arrived[0])
         self.plc.show(snapshot)
-        self._edited.set_text(f"● {self._texts['edited']}" if self.is_edited else "")
+        is_edited = self.is_edited and not self._is_long
+        self._edited.set_text(f"● {self._texts['edited']}" if is_edited else "")
         shared, file = self._shared, self.document.file
-        marks = view.finding_marks(self._checked_lines, file, self.findings)
+        marks = []
+        if self._checked is not None:
+            lines, language = self._checked[1], self._texts.language
+            marks += view.finding_marks(lines, file, self.findings, language)
         if not self.is_edited:
             stops = view.stop_lines(shared.stops, file)
             marks += view.program_marks(shared.lines, file, snapshot, self._texts, stops)
-        if marks != self._marks and (self.is_checked or not self.is_edited):
+        if marks != self._marks and self._is_ready and (self.is_checked or not self.is_edited):
             self._marks = marks
-            self._editor.run_method("setDecorations", marks)
+            self._run(f"mark({json.dumps(marks)})")
+
+    def _run(self, call: str) -> None:
+        """Let the browser's editor do something."""
+        self._editor.client.run_javascript(f"nctaktEditor.{call}")
+
+    def _be_ready(self, _: Any) -> None:
+        """Begin to show: the browser's editor is there."""
+        self._is_ready, self._marks = True, None
+        self.show(self._shared.snapshot)
 
     @property
     def is_checked(self) -> bool:
         """Whether the findings are those of the editor's text as it stands."""
-        return (self._editor.value or "").split("\n") == self._checked_lines
+        return self._checked is not None and self._checked[0] == self.text
 
     def follow(self) -> None:
         """Show the program that is chosen, as it was saved last unless it is changed here."""
-        shown, value = self._shown_document(), self._editor.value or ""
-        is_behind = self._begin != self.document.text and value == self._begin
+        if not self._is_ready:
+            return
+        shown = self._shown_document()
+        is_behind = self._begin != self.document.text and self.text == self._begin
         if shown is not self.document:
-            begin, text = self._drafts.get(shown.file, (shown.text, shown.text))
-            self._replace(_Change(shown, begin, value, text))
+            begin, text = self._drafts.get(shown.file, (shown.text, _in_editor(shown)))
+            self._replace(_Change(shown, begin, self._value, text))
         elif is_behind:
-            self._replace(_Change(shown, shown.text, value, shown.text))
+            self._replace(_Change(shown, shown.text, self._value, _in_editor(shown)))
 
     def _replace(self, change: _Change) -> None:
         """Let the editor have another text; where somebody types meanwhile, the next look does."""
@@ -185,13 +261,11 @@ class ProgramCard:
         if change.new == change.old:
             self._take_over()
             return
-        ui.run_javascript(
-            f"nctaktEditor.replace({json.dumps(change.old)}, {json.dumps(change.new)})"
-        )
+        self._run(f"replace({json.dumps(change.old)}, {json.dumps(change.new)})")
 
     def _changed(self) -> None:
         """Take over what somebody has typed, or what has taken the place of another text."""
-        if self._change is not None and self._editor.value == self._change.new:
+        if self._change is not None and self._value == self._change.new:
             self._take_over()
         self._change = None
         self._check_later()
@@ -201,11 +275,17 @@ class ProgramCard:
         change, self._change = self._change, None
         assert change is not None
         self._drafts.pop(change.document.file, None)
-        if change.document is not self.document and change.old != self._begin:
+        is_other = change.document is not self.document
+        if is_other and not self._is_long and change.old != self._begin:
             self._drafts[self.document.file] = self._begin, change.old
         self.document, self._begin = change.document, change.begin
-        self._marks, self.findings, self._checked_lines = None, [], []
+        self._is_long = self.document.is_long and not change.new
+        self._marks, self._found, self.findings, self._checked = None, [], [], None
+        self._edition += 1
+        self._line = 0
         self._choice.set_value(self._key())
+        self._show_length()
+        background_tasks.create(self._colours.wish((1, 1)))
         self.show(self._shared.snapshot)
 
     @property
@@ -234,7 +314,7 @@ class ProgramCard:
             self._choice.set_value(key)
         if file:
             self.plc.reveal(line)
-        elif 1 <= line <= len((self._editor.value or "").split("\n")):
+        elif 1 <= line <= len(self._lines):
             self._editor.reveal_line(line)
 
     # --- lines ----------------------------------------------------------------------------------
@@ -255,22 +335,66 @@ class ProgramCard:
         else:
             await self._ask_why(line)
 
-    async def _wish_colours(self, event: Any) -> None:
-        """Colour the lines that a browser has in view."""
+    async def _wish_lines(self, event: Any) -> None:
+        """Send the lines that a browser has in view, with their colours."""
         words = event.args if isinstance(event.args, dict) else {}
         first, last = words.get("first"), words.get("last")
         if isinstance(first, int) and isinstance(last, int):
             await self._colours.wish((first, last))
 
-    async def _send_colours(self, bounds: tuple[int, int]) -> None:
-        lines = await run.io_bound(self._syntax.shown, self._editor.value or "", *bounds)
-        found = json.dumps([max(bounds[0], 1), lines])
-        self._editor.client.run_javascript(f"nctaktEditor.colour(...{found})")
+    async def _send_lines(self, bounds: tuple[int, int]) -> None:
+        edition, lines = self._edition, self._lines
+        count = len(lines) if self._is_long else 0
+        shown = await run.io_bound(self._syntax.shown, lines, *bounds)
+        if shown is not None and edition == self._edition:
+            self._run(f"show(...{json.dumps([edition, count, max(bounds[0], 1), shown])})")
+
+    # --- words ----------------------------------------------------------------------------------
+
+    async def _ask(self, event: Any) -> None:
+        """Answer what a browser asks of a place."""
+        words = event.args if isinstance(event.args, dict) else {}
+        what, text = words.get("what"), words.get("text")
+        if what not in self._questions or not isinstance(text, str):
+            return
+        numbers = [words.get(name) for name in ("number", "line", "column")]
+        number, line, column = (one if isinstance(one, int) else -1 for one in numbers)
+        if line > 0 and column >= 0:
+            cursor = TextCursor(self.document.file, self._lines, line, column)
+            await self._questions[what].wish(_Question(what, number, cursor, text))
+
+    async def _answer(self, asked: _Question) -> None:
+        cursor, machine = asked.cursor, self.document.checker.machine
+        language, lines = self._texts.language, cursor.lines
+        found: object = None
+        if cursor.line <= len(lines) and lines[cursor.line - 1] == asked.text:
+            # where another text is there meanwhile, nothing is known
+            if asked.what == "complete":
+                found = await run.io_bound(completed, cursor, machine, language)
+            else:
+                of_check = self._found if self.is_checked else []
+                found = await run.io_bound(explained_word, cursor, machine, of_check, language)
+        words = json.dumps([asked.what, asked.number, found])
+        self._run(f"answer(...{words})")
+
+    async def _find(self, _: Any) -> None:
+        """Go to the line that somebody looks for."""
+        wish = (self._sought.value or "").strip()
+        if not wish:
+            return
+        line = await run.io_bound(line_found, self._lines, wish, self._line)
+        if line:
+            self._line = line
+            self._run(f"go({line})")
+        else:
+            with self._editor.client:
+                ui.notify(self._texts["not_found"].format(wish=wish), type="warning")
 
     def _show_plc(self, key: str) -> bool:
         """Show a file of the PLC in the editor's place, or not; return whether the key is one's."""
         is_plc = self.plc.choose(key)
         self._editor.set_visibility(not is_plc)
+        self._show_length()
         return is_plc
 
     def show_next_file(self) -> None:
@@ -320,17 +444,18 @@ class ProgramCard:
     async def _check(self, typed: int) -> None:
         if typed != self._typed:
             return
-        text = self._editor.value or ""
+        text, lines = self.text, self._lines
         found = await run.io_bound(self.document.check, text)
         if typed == self._typed and found is not None:
-            self.findings, self._checked_lines = found, text.split("\n")
+            self._found, self._checked = found, (text, lines)
+            self.findings = [one for one in found if one.severity > Severity.NOTE]
             self._on_findings()
 
     async def save(self) -> None:
         """Save the text and run the programs again."""
         if not self._commander.may():
             return
-        text = self._editor.value or ""
+        text = self.text
 
         def save_and_run() -> None:
             if text != self.document.text:
@@ -356,7 +481,7 @@ class ProgramCard:
 
             if await self._commander.attempt(read_and_run):
                 own, text = self.document, self.document.text
-                self._replace(_Change(own, text, self._editor.value or "", text))
+                self._replace(_Change(own, text, self._value, _in_editor(own)))
 
     async def _choose(self, event: Any) -> None:
         """Show another program, of this channel or another one."""
@@ -381,3 +506,8 @@ class ProgramCard:
                 self._shared.look_at(1, file)
 
         await self._commander.attempt(run_it)
+
+
+def _in_editor(document: Document) -> str:
+    """Return the text that the editor's element has of a document."""
+    return "" if document.is_long else document.text

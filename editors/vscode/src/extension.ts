@@ -5,6 +5,7 @@ import { spawn, type ChildProcess } from "node:child_process";
 import * as path from "node:path";
 import * as vscode from "vscode";
 import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
+import { tracker } from "./debugging";
 import { middleware, register as registerObjects } from "./shown";
 
 const LANGUAGES = ["nctakt", "nctakt-list", "nctakt-st"];
@@ -173,6 +174,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   };
   context.subscriptions.push(
     vscode.debug.registerDebugAdapterDescriptorFactory("nctakt", factory),
+    vscode.debug.registerDebugAdapterTrackerFactory("nctakt", tracker),
     new vscode.Disposable(() => page?.kill()),
   );
   registerObjects(context);

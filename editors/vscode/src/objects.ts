@@ -175,6 +175,12 @@ export class Lines {
     return { line: found.line, character: found.character + character };
   }
 
+  /** The last line that is shown of a line of the file: a statement stands after the markup. */
+  lastIn(line: number): Place | undefined {
+    const index = this.places.findLastIndex((own) => own?.line === line);
+    return index < 0 ? undefined : { line: index, character: 0 };
+  }
+
   /** The place that is shown for one in the file; nothing outside of all texts. */
   toShown(place: Place): Place | undefined {
     for (let index = this.places.length - 1; index >= 0; index -= 1) {

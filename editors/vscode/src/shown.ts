@@ -32,7 +32,7 @@ function language(): Language {
   return vscode.workspace.getConfiguration("nctakt").get<string>("language") === "de" ? "de" : "en";
 }
 
-const fileOf = (uri: vscode.Uri): vscode.Uri => uri.with({ scheme: "file" });
+export const fileOf = (uri: vscode.Uri): vscode.Uri => uri.with({ scheme: "file" });
 const shownOf = (uri: vscode.Uri): vscode.Uri => uri.with({ scheme: SCHEME });
 
 function opened(base: Parts, now: Parts = base): Open {
@@ -128,7 +128,7 @@ function complain(uri: vscode.Uri, text: string, error: HeadingError): void {
   headings.set(uri, [new vscode.Diagnostic(range, wordsOf(error), vscode.DiagnosticSeverity.Error)]);
 }
 
-/** Show objects without markup when they are opened, unless a person wants the file, or debugs. */
+/** Show objects without markup when they are opened, unless a person wants the file. */
 export function register(context: vscode.ExtensionContext): void {
   const files = new ObjectFiles();
   context.subscriptions.push(
@@ -155,7 +155,7 @@ export function register(context: vscode.ExtensionContext): void {
 async function replace(editor: vscode.TextEditor | undefined): Promise<void> {
   const uri = editor?.document.uri;
   if (editor === undefined || uri === undefined || uri.scheme !== "file" || !SUFFIXES.test(uri.path)) return;
-  const isWanted = raw.has(uri.toString()) || editor.document.isDirty || vscode.debug.activeDebugSession !== undefined;
+  const isWanted = raw.has(uri.toString()) || editor.document.isDirty;
   const parts = isWanted ? undefined : parse(editor.document.getText());
   if (parts === undefined) return;
   const place = new Lines(parts).toShown(editor.selection.active);
@@ -191,12 +191,12 @@ function mapped(value: unknown, map: Map_): unknown {
   return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, mapped(one, map)]));
 }
 
-/** The document without markup of a file, with its lines: as it is open, else as the file is. */
-function linesOf(file: string): [vscode.Uri, Lines] | undefined {
+/** The document without markup of a file, with its lines: as it is open, else, or `isSaved`, as the file is. */
+export function linesOf(file: string, isSaved = false): [vscode.Uri, Lines] | undefined {
   const uri = vscode.Uri.parse(file);
   if (uri.scheme !== "file" || !SUFFIXES.test(uri.path) || raw.has(uri.toString())) return undefined;
   const known = open.get(shownOf(uri).toString());
-  if (known !== undefined) return [shownOf(uri), known.lines];
+  if (known !== undefined && !isSaved) return [shownOf(uri), known.lines];
   try {
     const parts = parse(fs.readFileSync(uri.fsPath, "utf8"));
     return parts && [shownOf(uri), new Lines(parts)];

@@ -86,6 +86,9 @@ for (const end of ["\n", "\r\n"]) {
     assert.ok(fileLines[place.line].slice(place.character).startsWith(textLines[line].slice(character, character + 3)));
     assert.deepEqual(lines.toShown(place), { line, character });
   }
+  const shared = fileLines.findIndex((line) => line.includes("METHOD Run"));
+  assert.deepEqual(lines.lastIn(shared), { line: 12, character: 0 });
+  assert.equal(lines.lastIn(0), undefined);
   assert.deepEqual(lines.toFile({ line: 0, character: 5 }), lines.toFile({ line: 1, character: 0 }));
   assert.equal(lines.toShown({ line: 0, character: 3 }), undefined);
   assert.equal(lines.toShown({ line: 9, character: 8 }), undefined);

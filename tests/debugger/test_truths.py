@@ -155,9 +155,9 @@ def test_no_value_of_a_scope_is_blank(standing: DebugClient) -> None:
     [
         ("1/0", "'/' has no valid result"),
         ("LN[V.E.VALUE]", "'LN' has no valid result"),
-        ("V.P.NOTHING", "knows none of this name"),
-        ("V.P.LIST[4]", "knows none of this name"),
-        ("P77", "knows none of this name"),
+        ("V.P.NOTHING", "does not know this name"),
+        ("V.P.LIST[4]", "does not know this name"),
+        ("P77", "does not know this name"),
     ],
 )
 def test_what_has_no_value_says_why(standing: DebugClient, text: str, reason: str) -> None:

@@ -256,7 +256,7 @@ G01 Z20 F600
 M30
 """
     found = perform(text, ticks=1000).diagnostics[-1]
-    assert "axis Z, which stands at an override of 0 % in line 6 of cycle 1" in found.text()
+    assert "axis Z, stopped by an override of 0 % in line 6 of cycle 1" in found.text()
     assert found.remedy().startswith("It is held as long as line 5 runs; now V.RTA.ACS.ACT_POS.Z")
 
 

@@ -157,14 +157,14 @@ def test_a_value_that_the_machine_cannot_have_is_told(plant: Path) -> None:
         outputs={"y": "V.E.BYTE"},
         start={"gain": -1e9},
     )
-    with pytest.raises(FmuError, match=r"902612: .* of y is at 0\.001 s .* for V\.E\.BYTE"):
+    with pytest.raises(FmuError, match=r"902612: .* at 0\.001 s .* of y .* for V\.E\.BYTE"):
         run_with(fmu)
 
 
 def test_values_that_do_not_fit_a_type_are_told(libraries: dict[int, Path], tmp_path: Path) -> None:
     """A whole number of 8 bits does not silently become another one; arrays are refused."""
     file = write_fmu(tmp_path / "p.fmu", description(3, SMALL, ABSENT), libraries[3])
-    with pytest.raises(FmuError, match=r"902612: .*: 300 of V\.E\.VALUE .* for small"):
+    with pytest.raises(FmuError, match=r"902612: .* 300 of V\.E\.VALUE .* for small"):
         Controller().run(
             NcText("p.nc", PROGRAM), fmu=Fmu(file, inputs={"small": "V.E.VALUE"}),
             set={"V.E.VALUE": 300},

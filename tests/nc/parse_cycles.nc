@@ -65,7 +65,7 @@ $ENDIF
 G0 X1
 ; --- an '=' before the condition, as the manual's syntax line has it (2.7.2)
 #RT CYCLE [ID = 99]
-  $IF ONCE = V.E.COUNT > 5 ; error 901041 "there is no '=' before what $IF tests"
+  $IF ONCE = V.E.COUNT > 5 ; error 901041 "there must be no '=' between"
     M100
   $ENDIF
   $IF = V.E.COUNT == 5 ; error 901041 "$IF"

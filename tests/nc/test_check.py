@@ -113,7 +113,7 @@ def test_the_remedy_names_what_is_probably_meant(line: str, suggestion: str) -> 
         ("#MSG INFO ['x']", "positions and times do not depend on it"),
         ("#FILE DELETE [A]", "positions and times do not depend on it"),
         ("#INIT MACRO TAB", "positions and times do not depend on it"),
-        ("#INIT V.E", "may be others than on the machine"),
+        ("#INIT V.E", "may differ from those on the machine"),
         ("P1 = V.I.STATE", "here it has none"),
         ("G200", "its effect would change positions or times"),
         ("V.E.LEVEL_1_A = [1, 2]", "Assign each element by itself."),

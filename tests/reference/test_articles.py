@@ -189,6 +189,6 @@ def test_misspelt_words_suggest_the_nearest(word: str, near: str) -> None:
 def test_operators_and_cases_share_a_word() -> None:
     """A word with two meanings is explained with both."""
     assert [article.kind.en for article in explain("-")] == [
-        "operator in front of a value",
+        "operator before a value",
         "operator between two values",
     ]

@@ -25,7 +25,7 @@ realtime cycle 17  part.nc:1  PROG
 
 GERMAN = """\
 Echtzeit-Zyklus 17  part.nc:1  PROG
-  angelegt und gestartet in Takt 0 (0 s)
+  definiert und gestartet in Takt 0 (0 s)
   gelaufen: Takte 0 bis 724
   beendet in Takt 725 (0.725 s): das Programm endete
 
@@ -112,7 +112,7 @@ def test_what_is_to_blame_is_followed_outwards() -> None:
         (
             "#RT CYCLE DEF [ID=1]\n#RT CYCLE END\n",
             "de",
-            "nie gelaufen: in Takt 0 (0 s) mit DEF angelegt",
+            "nie gelaufen: in Takt 0 (0 s) mit DEF definiert",
         ),
         (
             "#RT CYCLE [SCOPE=BLOCK]\n#RT CYCLE END\n",

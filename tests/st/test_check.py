@@ -440,7 +440,7 @@ f.Act(i := 5);
 f.i;
 END_PROGRAM
 """
-    assert errors(text) == ["12: an expression alone is no statement (C0020)"]
+    assert errors(text) == ["12: an expression alone is not a statement (C0020)"]
 
 
 def test_a_block_with_an_unknown_base_is_not_blamed() -> None:

@@ -57,17 +57,20 @@ _CODES = (
 
 @described(
     "compare",
-    summary=Text("Lay a machine's log over a run.", "Eine Aufzeichnung über einen Lauf legen."),
+    summary=Text(
+        "Lay a machine's log over a run.", "Das Log einer Maschine mit einem Lauf vergleichen."
+    ),
     text=Text(
-        "Run NC programs and tell how far a log of the machine is from them, and in which block.",
-        "NC-Programme ausführen und sagen, wie weit eine Aufzeichnung der Maschine davon abweicht "
-        "und in welchem Satz.",
+        "Run NC programs and show how far a log of the machine deviates from them, and in "
+        "which block.",
+        "NC-Programme ausführen und zeigen, wie weit ein Log der Maschine davon abweicht und "
+        "in welchem Satz.",
     ),
     codes=_CODES,
     notes=Text(
         "The log is text: an export of TwinCAT Scope, a trace of nctakt, or a table with names and "
         f"times. {TIMES_NOTE.en}",
-        "Die Aufzeichnung ist Text: ein Export von TwinCAT Scope, eine Aufzeichnung von nctakt "
+        "Das Log ist Text: ein Export von TwinCAT Scope, eine Aufzeichnung von nctakt "
         f"oder eine Tabelle mit Namen und Zeiten. {TIMES_NOTE.de}",
     ),
     examples=(

@@ -53,21 +53,21 @@ class ListedDefinition:
 @described(
     "disassemble",
     summary=Text(
-        "Show realtime cycles as their instructions.",
-        "Echtzeit-Zyklen als ihre Anweisungen zeigen.",
+        "Show the instructions of realtime cycles.",
+        "Die Anweisungen von Echtzeit-Zyklen zeigen.",
     ),
     text=Text(
         "Run NC programs and show each realtime cycle that they define as its elementary "
         "instructions ('-': standard input).",
-        "NC-Programme ausführen und jeden Echtzeit-Zyklus, den sie definieren, als seine "
-        "Elementaranweisungen zeigen ('-': Standardeingabe).",
+        "NC-Programme ausführen und die Elementar-Anweisungen jedes Echtzeit-Zyklus zeigen, "
+        "den sie definieren ('-': Standardeingabe).",
     ),
     codes=RUN_CODES,
     notes=Text(
         "An asynchronous variable is read when the definition is decoded: the listing shows its "
         f"frozen value. Count: elementary instructions. {TIMES_NOTE.en}",
         "Eine asynchrone Variable wird gelesen, wenn die Definition dekodiert wird: Gezeigt wird "
-        f"ihr eingefrorener Wert. Gezählt werden Elementaranweisungen. {TIMES_NOTE.de}",
+        f"ihr eingefrorener Wert. Gezählt werden Elementar-Anweisungen. {TIMES_NOTE.de}",
     ),
     examples=(
         "nctakt disassemble part.nc",

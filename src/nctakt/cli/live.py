@@ -96,7 +96,7 @@ _LONGEST = "24 h"
     metavar="FILE",
     text=Text(
         "Lay a machine's log over the run, as nctakt compare does.",
-        "Eine Aufzeichnung der Maschine über den Lauf legen, wie nctakt compare.",
+        "Ein Log der Maschine über den Lauf legen, wie nctakt compare.",
     ),
 )
 @log_options

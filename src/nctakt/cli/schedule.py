@@ -111,11 +111,11 @@ def show(**words: Any) -> int:
 @described(
     "simulate",
     summary=Text(
-        "Simulate the schedule in virtual time.", "Den Ablauf in virtueller Zeit simulieren."
+        "Simulate the schedule in virtual time.", "Den Ablaufplan in virtueller Zeit simulieren."
     ),
     text=Text(
         "Simulate the schedule: tables of threads and of Windows, pictures, traces.",
-        "Den Ablauf simulieren: Tabellen der Threads und von Windows, Bilder, Aufzeichnungen.",
+        "Den Ablaufplan simulieren: Tabellen der Threads und von Windows, Bilder, Aufzeichnungen.",
     ),
     codes=EXIT_CODES,
     notes=NOTE,

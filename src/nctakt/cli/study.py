@@ -49,13 +49,14 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     "study",
     summary=Text(
         "Make many runs of a program and check each.",
-        "Viele Läufe eines Programms machen und jeden prüfen.",
+        "Viele Läufe eines Programms ausführen und prüfen.",
     ),
     text=Text(
         "Make the runs of a plan, or inject a value at each tick of a program. "
         '"report PLAN RESULTS" makes the page of --report of runs that are finished.',
-        "Die Läufe eines Plans machen oder in jedem Takt eines Programms einen Wert einspielen. "
-        '"report PLAN ERGEBNISSE" macht die Seite von --report aus fertigen Läufen.',
+        "Die Läufe eines Plans ausführen oder in jedem Takt eines Programms einen Wert "
+        'einspielen. "report PLAN ERGEBNISSE" erzeugt die Seite von --report aus fertigen '
+        "Läufen.",
     ),
     codes=(
         Text("all runs met all expectations", "alle Läufe erfüllten alle Erwartungen"),
@@ -83,7 +84,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     "--expect",
     multiple=True,
     metavar="TEXT",
-    text=Text("Expect this of each run.", "Das von jedem Lauf erwarten."),
+    text=Text("Expect this of each run.", "Dies von jedem Lauf erwarten."),
 )
 @table_options("study")
 @TRUST_OPTION
@@ -111,7 +112,7 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     group="files",
     text=Text(
         "Make only the runs that --out does not have yet.",
-        "Nur die Läufe machen, die --out noch nicht hat.",
+        "Nur die Läufe ausführen, die --out noch nicht hat.",
     ),
 )
 @option(
@@ -121,14 +122,15 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     metavar="N",
     text=Text(
         "How many processes make runs [default: one per core].",
-        "Wie viele Prozesse Läufe machen [Vorgabe: einer je Kern].",
+        "Wie viele Prozesse Läufe ausführen [Vorgabe: einer je Kern].",
     ),
 )
 @option(
     "--scheduler",
     metavar="ADDRESS",
     text=Text(
-        "Make the runs on a Dask cluster: tcp://…", "Die Läufe auf einem Dask-Cluster: tcp://…"
+        "Make the runs on a Dask cluster: tcp://…",
+        "Die Läufe auf einem Dask-Cluster ausführen: tcp://…",
     ),
 )
 @option(
@@ -144,20 +146,20 @@ _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_e
     "--sample",
     type=click.IntRange(1),
     metavar="N",
-    text=Text("Take points by chance.", "Punkte zufällig wählen."),
+    text=Text("Choose points at random.", "Punkte zufällig wählen."),
 )
 @option(
     "--only",
     type=click.IntRange(0),
     metavar="N",
-    text=Text("Make one run, from 0.", "Einen Lauf machen, ab 0."),
+    text=Text("Make only this run, counted from 0.", "Nur diesen Lauf ausführen, ab 0 gezählt."),
 )
 @option(
     "--part",
     metavar="I/N",
     text=Text(
         "Make the runs of part I of N; --out is the folder for its file.",
-        "Die Läufe des Teils I von N machen; --out ist der Ordner für seine Datei.",
+        "Die Läufe von Teil I von N ausführen; --out ist der Ordner für seine Datei.",
     ),
 )
 @option(

@@ -42,7 +42,8 @@ _NO_TESTS = 5
     summary=Text("Run tests of programs and of the PLC.", "Programme und SPS testen."),
     text=Text(
         "Run the tests of a project: expectations in NC files, suites of the PLC, Python tests.",
-        "Tests eines Projekts: Erwartungen in NC-Dateien, Suiten der SPS, Tests in Python.",
+        "Die Tests eines Projekts ausführen: Erwartungen in NC-Dateien, Suiten der SPS, "
+        "Tests in Python.",
     ),
     codes=(
         Text("all tests passed", "alle Tests bestanden"),

@@ -50,10 +50,10 @@ if TYPE_CHECKING:
 
 @described(
     "time",
-    summary=Text("Tell where the machining time goes.", "Sagen, wo die Bearbeitungszeit bleibt."),
+    summary=Text("Show where the machining time goes.", "Zeigen, wo die Bearbeitungszeit bleibt."),
     text=Text(
-        "Run NC programs and tell where their time goes and what limits each block.",
-        "NC-Programme ausführen und sagen, wo ihre Zeit bleibt und was jeden Satz begrenzt.",
+        "Run NC programs and show where their time goes and what limits each block.",
+        "NC-Programme ausführen und zeigen, wo ihre Zeit bleibt und was jeden Satz begrenzt.",
     ),
     codes=RUN_CODES,
     notes=Text(

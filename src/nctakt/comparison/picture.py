@@ -20,8 +20,8 @@ MAX_SIGNALS = 6
 _SIGNAL_HEIGHT_IN = 2.6
 
 _RUN = Text("run", "Lauf")
-_LOG = Text("log", "Aufzeichnung")
-_DIFFERENCE = Text("log − run", "Aufz. − Lauf")
+_LOG = Text("log", "Log")
+_DIFFERENCE = Text("log − run", "Log − Lauf")
 _TIME = Text("time of the run in s", "Zeit des Laufs in s")
 
 

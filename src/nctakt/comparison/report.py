@@ -15,7 +15,7 @@ from nctakt.results.summary import Table, plain_table
 
 _HEADS = (
     Text("signal", "Signal"),
-    Text("in the log", "in der Aufzeichnung"),
+    Text("in the log", "im Log"),
     Text("samples", "Werte"),
     Text("greatest", "größte"),
     Text("at", "bei"),
@@ -23,32 +23,30 @@ _HEADS = (
     Text("RMS", "RMS"),
     Text("99 %", "99 %"),
 )
-_TITLE = Text(
-    "{program} beside {log}: log minus run", "{program} neben {log}: Aufzeichnung minus Lauf"
-)
+_TITLE = Text("{program} and {log}: log minus run", "{program} und {log}: Log minus Lauf")
 _FOUND = Text(
     "the run begins {offset} s after the log's zero, drift {drift} ppm "
     "(by {names}, correlation {quality})",
-    "der Lauf beginnt {offset} s nach der Null der Aufzeichnung, Drift {drift} ppm "
-    "(über {names}, Korrelation {quality})",
+    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs, Drift {drift} ppm (über "
+    "{names}, Korrelation {quality})",
 )
 _GIVEN = Text(
     "the run begins {offset} s after the log's zero, as given",
-    "der Lauf beginnt {offset} s nach der Null der Aufzeichnung, wie angegeben",
+    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs, wie angegeben",
 )
 _BY_EVENT = Text(
     "the run begins {offset} s after the log's zero "
     "(by {event}: {time} s in the log, ± {apart} ms)",
-    "der Lauf beginnt {offset} s nach der Null der Aufzeichnung (über {event}: {time} s in der "
-    "Aufzeichnung, ± {apart} ms)",
+    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs (über {event}: {time} s im "
+    "Log, ± {apart} ms)",
 )
 _GAIN = Text(
     "the log is {gain} times the run, {bias} beside it",
-    "die Aufzeichnung ist {gain}-mal der Lauf, {bias} daneben",
+    "das Log ist {gain}-mal der Lauf, um {bias} versetzt",
 )
 _OR_SLOWER = Text(
-    "or slower than it: at a constant speed these are one",
-    "oder langsamer als er: Bei gleichbleibender Geschwindigkeit ist das eins",
+    "or slower than it: at a constant speed nobody can tell which",
+    "oder langsamer als er: bei konstanter Geschwindigkeit ist das nicht zu unterscheiden",
 )
 _LEAVES = Text(
     "{signal} leaves its tolerance first at {time} s, with {count} of {samples} samples beyond",
@@ -60,11 +58,11 @@ _AT_BLOCK = Text("block in {file}:{line}", "Satz in {file}:{line}")
 _REACTION = Text("{event} {since} ms before", "{event} {since} ms davor")
 _LATER = Text(
     "from the block in {file}:{line} on ({time} s) the log is {jump} ms later than before",
-    "vom Satz in {file}:{line} an ({time} s) ist die Aufzeichnung {jump} ms später als davor",
+    "vom Satz in {file}:{line} an ({time} s) ist das Log {jump} ms später als davor",
 )
 _EARLIER = Text(
     "from the block in {file}:{line} on ({time} s) the log is {jump} ms earlier than before",
-    "vom Satz in {file}:{line} an ({time} s) ist die Aufzeichnung {jump} ms früher als davor",
+    "vom Satz in {file}:{line} an ({time} s) ist das Log {jump} ms früher als davor",
 )
 _SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
 _WITHIN = Text("within the tolerances", "innerhalb der Toleranzen")

@@ -28,8 +28,8 @@ DEBUGGER = "debugger"
 Value = float | bool | str
 
 _NOT_IN_THE_DECODER = Text(
-    "the decoder, which is ahead of the path, knows none of this name",
-    "der Dekoder, der der Bahn voraus ist, kennt keinen dieses Namens",
+    "the decoder, which is ahead of the path, does not know this name",
+    "der Dekoder, der der Bahn voraus ist, kennt diesen Namen nicht",
 )
 
 _DECODER = re.compile(r"(?:V\.(?:P|L|S|CYC)\.|@?P\d+$)", re.IGNORECASE)

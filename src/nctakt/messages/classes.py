@@ -26,11 +26,11 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
         ),
         4: Text(
             "the axes of the channel brake as for a feed hold; error state",
-            "die Achsen des Kanals bremsen wie bei Vorschub-Halt; Fehlerzustand",
+            "die Achsen des Kanals bremsen wie bei Vorschubhalt; Fehlerzustand",
         ),
         5: Text(
             "the axis at fault stops at once, the others brake as for a feed hold",
-            "die fehlerhafte Achse hält sofort an, die anderen bremsen wie bei Vorschub-Halt",
+            "die fehlerhafte Achse hält sofort an, die anderen bremsen wie bei Vorschubhalt",
         ),
         6: Text("all axes stop; error state", "alle Achsen halten an; Fehlerzustand"),
     }

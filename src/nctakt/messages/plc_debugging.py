@@ -25,8 +25,9 @@ UNKNOWN_PLC_VARIABLE = error(
     902812,
     en="the PLC knows no variable {name} here",
     de="die SPS kennt hier keine Variable {name}",
-    remedy_en="Name what the statement sees, or a global path: MAIN.fbGate.bOpen.",
-    remedy_de="Nennen, was die Anweisung sieht, oder einen globalen Pfad: MAIN.fbGate.bOpen.",
+    remedy_en="Name a variable that this statement sees, or a global path: MAIN.fbGate.bOpen.",
+    remedy_de="Eine Variable nennen, die diese Anweisung sieht, oder einen globalen Pfad: "
+    "MAIN.fbGate.bOpen.",
 )
 REFERS_TO_NOTHING = error(
     902813,
@@ -37,38 +38,40 @@ REFERS_TO_NOTHING = error(
 )
 NOT_EVALUATED = error(
     902814,
-    en="a debugger does not evaluate this: {what}",
-    de="das wertet ein Debugger nicht aus: {what}",
+    en="the debugger does not evaluate this: {what}",
+    de="das wertet der Debugger nicht aus: {what}",
     remedy_en="Use variables, operators, conversions and functions that only compute.",
-    remedy_de="Variablen, Operatoren, Konvertierungen und Funktionen nehmen, die nur rechnen.",
+    remedy_de="Variablen, Operatoren, Konvertierungen und Funktionen verwenden, die nur rechnen.",
     what=("the part of the expression", "der Teil des Ausdrucks"),
 )
 POINTER_FROM_OUTSIDE = error(
     902815,
-    en="{name} is of the type {type}: from outside it can only become 0",
-    de="{name} ist vom Typ {type}: von außen kann es nur 0 werden",
+    en="{name} is of the type {type}: from outside it can only be set to 0",
+    de="{name} ist vom Typ {type}: von außen lässt es sich nur auf 0 setzen",
     remedy_en="Let the code of the PLC set it.",
-    remedy_de="Den Code der SPS es setzen lassen.",
+    remedy_de="Es vom Code der SPS setzen lassen.",
 )
 LIVES_IN_A_CALL = error(
     902816,
-    en="{name} cannot be set: it lives in a call, and the call ends with this cycle",
-    de="{name} lässt sich nicht setzen: es lebt in einem Aufruf, und der endet mit dem Zyklus",
-    remedy_en="Set a variable of an instance, a program or a list: it counts from the next tick.",
-    remedy_de="Eine Variable einer Instanz, eines Programms oder einer Liste setzen.",
+    en="{name} cannot be set: it is local to a call, which ends with this cycle",
+    de="{name} lässt sich nicht setzen: es ist lokal in einem Aufruf, der mit diesem Zyklus endet",
+    remedy_en="Set a variable of an instance, a program or a global list; it takes effect in the "
+    "next tick.",
+    remedy_de="Eine Variable einer Instanz, eines Programms oder einer Liste setzen; sie wirkt ab "
+    "dem nächsten Takt.",
 )
 CONDITION_IS_NO_TRUTH = error(
     902817,
-    en="{text} is of the type {type}; a condition is BOOL",
-    de="{text} ist vom Typ {type}; eine Bedingung ist BOOL",
-    remedy_en="Compare it: n > 0.",
-    remedy_de="Vergleichen: n > 0.",
+    en="a condition must be BOOL, but {text} is of the type {type}",
+    de="eine Bedingung muss BOOL sein, {text} ist aber vom Typ {type}",
+    remedy_en="Compare the value: n > 0.",
+    remedy_de="Den Wert vergleichen: n > 0.",
     text=("the condition", "die Bedingung"),
 )
 PLC_HAS_STOPPED = error(
     902818,
-    en="the PLC has stopped by a fault: no statement follows",
-    de="die SPS steht nach einem Fehler: keine Anweisung folgt",
-    remedy_en="Go back, or begin anew.",
+    en="a fault has stopped the PLC: there is no next statement",
+    de="ein Fehler hat die SPS angehalten: es gibt keine nächste Anweisung",
+    remedy_en="Go back, or start again.",
     remedy_de="Zurückgehen oder neu beginnen.",
 )

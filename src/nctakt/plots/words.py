@@ -25,7 +25,7 @@ _KINDS: dict[TrackKind, Text] = {
     "spindle": Text("spindle", "Spindel"),
     "message": Text("message", "Meldung"),
     "error": Text("error", "Fehler"),
-    "starved": Text("no commands", "keine Kommandos"),
+    "starved": Text("no commands", "keine Befehle"),
     "overflow": Text("overflow", "Überlauf"),
     "paused": Text("stopped", "angehalten"),
     "end": Text("program end", "Programmende"),
@@ -34,7 +34,7 @@ _STATES = {
     "defined": Text("defined", "definiert"),
     "active": Text("active", "aktiv"),
     "held": Text("held", "angehalten"),
-    "starved": Text("no commands", "keine Kommandos"),
+    "starved": Text("no commands", "keine Befehle"),
 }
 
 

@@ -13,12 +13,12 @@ from nctakt.results.summary import Table, plain_table
 _TITLE = Text(
     "Single changes that come nearer to the log ({runs} runs; RMS in % of the curves' spans, "
     "without a change {before})",
-    "Einzelne Änderungen, die der Aufzeichnung näher kommen ({runs} Läufe; RMS in % der Spannen "
+    "Einzelne Änderungen, die dem Log näher kommen ({runs} Läufe; RMS in % der Spannen "
     "der Kurven, ohne Änderung {before})",
 )
 _NONE = Text(
     "No single change comes nearer to the log ({runs} runs; RMS {before} % of the curves' spans)",
-    "Keine einzelne Änderung kommt der Aufzeichnung näher ({runs} Läufe; RMS {before} % der "
+    "Keine einzelne Änderung kommt dem Log näher ({runs} Läufe; RMS {before} % der "
     "Spannen der Kurven)",
 )
 _HEADS = (
@@ -29,7 +29,7 @@ _HEADS = (
 )
 _EQUAL = Text(
     "The first {count} come equally near: the log does not say which one of them it is.",
-    "Die ersten {count} kommen gleich nahe: Welche davon es ist, sagt die Aufzeichnung nicht.",
+    "Die ersten {count} kommen gleich nahe: welche davon es ist, sagt das Log nicht.",
 )
 _OF = Text("{target} of {owners}", "{target} von {owners}")
 _LATE = Text("{target} acknowledged later", "{target} später quittiert")

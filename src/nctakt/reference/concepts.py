@@ -91,7 +91,7 @@ _CONCEPTS = (
             "M3 and M4 turn the main spindle with the speed S, M5 stops it, M19 positions it; "
             "S[…] commands any spindle by its name",
             "M3 und M4 drehen die Hauptspindel mit der Drehzahl S, M5 hält sie an, M19 "
-            "positioniert sie; S[…] gibt einer Spindel Aufträge mit ihrem Namen",
+            "positioniert sie; S[…] gibt jeder Spindel unter ihrem Namen Aufträge",
         ),
         fact(*_EXAMPLES, "M3 S1000\nS[M3 REV1000]\nM19 S.POS90"),
         fact(*_FURTHER, "S, M3, M4, M5, M19, G96, G97, G63, G33"),
@@ -225,10 +225,10 @@ _CONCEPTS = (
     _concept(
         "feed hold, feedhold, hold, Vorschub-Halt, Vorschubhalt, anhalten",
         Text(
-            "The operator stops the path: it brakes to a standstill and goes on where it stands "
-            "once the hold has gone",
+            "The operator stops the path: it brakes to a standstill and goes on from there once "
+            "the hold is lifted",
             "Der Bediener hält die Bahn an: Sie bremst bis zum Stillstand und geht von dort "
-            "weiter, sobald der Halt fort ist",
+            "weiter, sobald der Halt aufgehoben ist",
         ),
         fact(
             *_EXAMPLES, "nctakt run part.nc --at 200ms HLI.FEED_HOLD=1 --at 500ms HLI.FEED_HOLD=0"
@@ -250,28 +250,28 @@ _CONCEPTS = (
         "subprogram, subprograms, call, Unterprogramm, Unterprogramme, aufrufen",
         Text(
             "L calls a program in another file, LL a part of this file; M17 or M29 ends it",
-            "L ruft ein Programm in einer anderen Datei, LL einen Teil dieser Datei; M17 oder M29 "
-            "beendet es",
+            "L ruft ein Programm in einer anderen Datei auf, LL einen Teil dieser Datei; M17 "
+            "oder M29 beendet es",
         ),
         fact(*_FURTHER, "L, LL, M17, M29, L CYCLE"),
     ),
     _concept(
         "tools, tool, radius, Werkzeug, Werkzeuge, Werkzeugradius, Radiuskorrektur",
         Text(
-            "T names a tool of the tool list, D takes its offsets; G41 and G42 lead the path past "
-            "the contour by its radius",
-            "T nennt ein Werkzeug der Werkzeugliste, D nimmt seine Korrekturen; G41 und G42 führen "
-            "die Bahn um seinen Radius an der Kontur vorbei",
+            "T names a tool of the tool list, D selects its offsets; G41 and G42 lead the path "
+            "beside the contour, by its radius",
+            "T nennt ein Werkzeug der Werkzeugliste, D wählt seine Korrekturen an; G41 und G42 "
+            "führen die Bahn um seinen Radius versetzt an der Kontur entlang",
         ),
         fact(*_FURTHER, "T, D, G40, G41, G42; docs/tools.md"),
     ),
     _concept(
         "zero offset, zero offsets, Nullpunkt, Nullpunktverschiebung, Nullpunkte",
         Text(
-            "G54 … G59 and G159 move the zero point of the program by a group of the list of zero "
-            "offsets; G53 takes it away",
+            "G54 … G59 and G159 move the zero point of the program by a group of the list of "
+            "zero offsets; G53 deselects it",
             "G54 … G59 und G159 verschieben den Nullpunkt des Programms um eine Gruppe der "
-            "Nullpunktliste; G53 nimmt das fort",
+            "Nullpunktliste; G53 wählt sie ab",
         ),
         fact(*_FURTHER, "G53, G54, G159, G92"),
     ),

@@ -50,7 +50,7 @@ _CONSTANTS = {
     "PI": Text("3.141592653589793", "3.141592653589793"),
 }
 _KEYWORD = Text("keyword of realtime cycles", "Schlüsselwort der Echtzeit-Zyklen")
-_PREFIX = Text("operator in front of a value", "Operator vor einem Wert")
+_PREFIX = Text("operator before a value", "Operator vor einem Wert")
 _INFIX = Text("operator between two values", "Operator zwischen zwei Werten")
 _CONSTANT = Text("constant of expressions", "Konstante in Ausdrücken")
 _COUNTS = Text("one elementary instruction", "eine Elementar-Anweisung")

@@ -28,10 +28,10 @@ _NO_NAME = Text("realtime cycle", "Echtzeit-Zyklus")
 _RAN = Text("{count} of {all} branches ran", "{count} von {all} Zweigen ausgeführt")
 _ONCE = Text("run once", "einmal gelaufen")
 _TIMES = Text("run {runs} times", "{runs}-mal gelaufen")
-_DEFINED = Text("defined {instances} times", "{instances}-mal angelegt")
-_NEVER = Text("never defined", "nie angelegt")
+_DEFINED = Text("defined {instances} times", "{instances}-mal definiert")
+_NEVER = Text("never defined", "nie definiert")
 _UNCALLED = Text("never called", "nie aufgerufen")
-_IDLE = Text("defined, never run", "angelegt, nie gelaufen")
+_IDLE = Text("defined, never run", "definiert, nie gelaufen")
 _COLUMNS = (
     Text("line", "Zeile"),
     Text("evaluated", "ausgewertet"),

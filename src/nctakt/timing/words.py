@@ -18,7 +18,7 @@ KINDS: dict[TimeKind, Text] = {
 
 PHASES: dict[Phase, Text] = {
     "accelerating": Text("accelerating", "Beschleunigen"),
-    "constant": Text("constant speed", "gleiche Geschwindigkeit"),
+    "constant": Text("constant speed", "konstante Geschwindigkeit"),
     "braking": Text("braking", "Bremsen"),
     "standing": Text("standing", "Stillstand"),
 }
@@ -33,12 +33,12 @@ _CAUSES: dict[Cause, Text] = {
     "acceleration": Text("acceleration of axis", "Beschleunigung der Achse"),
     "jerk": Text("jerk of axis", "Ruck der Achse"),
     "curvature": Text("radius or limit on the path", "Radius oder Grenze der Bahn"),
-    "rounding": Text("rounded corner", "verrundete Ecke"),
+    "rounding": Text("rounded corner", "verschliffene Ecke"),
     "corner": Text("corner before", "Ecke vor"),
     "next feed": Text("lower F from", "kleineres F ab"),
     "next limit": Text("slower axes from", "langsamere Achsen ab"),
     "exact stop": Text("exact stop at the end of", "Genauhalt am Ende von"),
-    "standstill": Text("nothing continues the path behind", "nichts setzt die Bahn fort hinter"),
+    "standstill": Text("nothing continues the path after", "nichts setzt die Bahn fort nach"),
     "horizon": Text("end of the look-ahead", "Ende der Vorausschau"),
     "spindle": Text("speed of the spindle", "Drehzahl der Spindel"),
     "hold": Text("feed hold", "Vorschubhalt"),

@@ -48,7 +48,7 @@ _OFFSET = option(
     metavar="TIME",
     text=Text(
         "When the run begins in the log [default: found by correlation].",
-        "Wann der Lauf in der Aufzeichnung beginnt [Vorgabe: über Korrelation gesucht].",
+        "Wann der Lauf im Log beginnt [Vorgabe: über Korrelation gesucht].",
     ),
 )
 
@@ -58,7 +58,7 @@ _ALIGN = option(
     text=Text(
         "An event that run and log have: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
         "'M10 @ COLUMN rises', 'part.nc:4 @ COLUMN > 1'.",
-        "Ein Ereignis, das Lauf und Aufzeichnung haben: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
+        "Ein Ereignis, das in Lauf und Log vorkommt: 'X.ACS.ACT_POS > 10', 'V.E.GATE rises', "
         "'M10 @ SPALTE rises', 'part.nc:4 @ SPALTE > 1'.",
     ),
 )

@@ -150,8 +150,9 @@ MODE_OPTION = option(
     default=None,
     group="general",
     text=Text(
-        "The realtime part compiled or as plain Python [default: compiled if it is built].",
-        "Der Echtzeitteil übersetzt oder als reines Python [Vorgabe: übersetzt, wenn er es ist].",
+        "Run the realtime part compiled or as plain Python [default: compiled if it is built].",
+        "Den Echtzeit-Teil übersetzt oder als reines Python ausführen [Vorgabe: übersetzt, "
+        "falls vorhanden].",
     ),
 )
 FORMAT_OPTION = option(

@@ -47,8 +47,8 @@ RUN_CODES = (
         "Erfolg (auch an einer Grenze, außer mit --limit-fails)",
     ),
     Text(
-        "an NC error, a program that stands where no limit was set, or Ctrl-C",
-        "ein NC-Fehler, ein Programm, das ohne gesetzte Grenze steht, oder Strg-C",
+        "an NC error, a program that waits for ever where no limit is set, or Ctrl-C",
+        "ein NC-Fehler, ein Programm, das ohne gesetzte Grenze endlos wartet, oder Strg-C",
     ),
 )
 
@@ -56,8 +56,8 @@ RUN_CODES = (
 TIMES_NOTE = Text(
     "Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number means "
     "seconds.",
-    "Zeiten sind Zahlen mit us, ms, s, min, h oder ticks ('300 ticks'); eine bloße Zahl meint "
-    "Sekunden.",
+    "Zeiten sind Zahlen mit us, ms, s, min, h oder ticks ('300 ticks'); eine Zahl allein "
+    "bedeutet Sekunden.",
 )
 
 

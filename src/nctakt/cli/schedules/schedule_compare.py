@@ -66,7 +66,8 @@ if TYPE_CHECKING:
     "--plot",
     metavar="FILE",
     text=Text(
-        "Draw both schedules: .html, .svg or .png.", "Beide Abläufe zeichnen: .html, .svg, .png."
+        "Draw both schedules: .html, .svg or .png.",
+        "Beide Ablaufpläne zeichnen: .html, .svg, .png.",
     ),
     group="files",
 )
@@ -74,7 +75,7 @@ if TYPE_CHECKING:
     "--drawn",
     type=click.IntRange(min=1, max=100_000),
     metavar="N",
-    text=Text("NC cycles in pictures.", "NC-Zyklen in Bildern."),
+    text=Text("NC cycles in pictures.", "NC-Takte in Bildern."),
     group="files",
 )
 def compare(**words: Any) -> int:

@@ -86,14 +86,14 @@ EXIT_CODES = (
     Text("no errors", "keine Fehler"),
     Text(
         "the schedule has errors (or warnings with --strict)",
-        "der Ablauf hat Fehler (oder mit --strict Warnungen)",
+        "der Ablaufplan hat Fehler (oder mit --strict Warnungen)",
     ),
 )
 NOTE = Text(
     "Times are numbers with us, ms, s, min, h or ticks ('300 ticks'); a plain number means "
     "seconds. A list with errors is unusable input.",
-    "Zeiten sind Zahlen mit us, ms, s, min, h oder ticks ('300 ticks'); eine bloße Zahl meint "
-    "Sekunden. Eine Liste mit Fehlern ist eine unbrauchbare Eingabe.",
+    "Zeiten sind Zahlen mit us, ms, s, min, h oder ticks ('300 ticks'); eine Zahl allein "
+    "bedeutet Sekunden. Eine Liste mit Fehlern ist eine unbrauchbare Eingabe.",
 )
 
 
@@ -105,7 +105,7 @@ LIST_OPTIONS = (
         metavar="TIME",
         text=Text(
             "The timer period of RTX; a plain number means µs.",
-            "Die Timerperiode von RTX; eine bloße Zahl meint µs.",
+            "Die Timerperiode von RTX; eine Zahl allein bedeutet µs.",
         ),
     ),
     option(
@@ -168,7 +168,8 @@ MODEL_OPTIONS = (
         default="ticks",
         text=Text(
             "Suspend by counted timer interrupts, or by the time since the NC interrupt.",
-            "Aussetzen nach gezählten Timerinterrupts oder nach der Zeit seit dem NC-Interrupt.",
+            "Suspendieren nach gezählten Timer-Interrupts oder nach der Zeit seit dem "
+            "NC-Interrupt.",
         ),
     ),
     option(
@@ -185,7 +186,7 @@ MODEL_OPTIONS = (
         "--cycles",
         type=click.IntRange(min=1),
         metavar="N",
-        text=Text("Number of NC cycles.", "Anzahl der NC-Zyklen."),
+        text=Text("Number of NC cycles.", "Anzahl der NC-Takte."),
     ),
 )
 OUTPUT_OPTIONS = (
@@ -202,7 +203,8 @@ OUTPUT_OPTIONS = (
         "--plot",
         metavar="FILE",
         text=Text(
-            "Draw the schedule: .html, .svg or .png.", "Den Ablauf zeichnen: .html, .svg oder .png."
+            "Draw the schedule: .html, .svg or .png.",
+            "Den Ablaufplan zeichnen: .html, .svg oder .png.",
         ),
         group="files",
     ),
@@ -237,7 +239,7 @@ OUTPUT_OPTIONS = (
         text=Text(
             "NC cycles in pictures and traces [default: up to the first repetition, or around "
             "the first overflow; at most 60].",
-            "NC-Zyklen in Bildern und Aufzeichnungen [Vorgabe: bis zur ersten Wiederholung oder "
+            "NC-Takte in Bildern und Aufzeichnungen [Vorgabe: bis zur ersten Wiederholung oder "
             "um den ersten Überlauf; höchstens 60].",
         ),
         group="files",

@@ -100,13 +100,14 @@ _RUN_OPTIONS = (
 @described(
     "run",
     summary=Text(
-        "Run the schedule on this machine (Linux).", "Den Ablauf auf diesem Rechner ausführen."
+        "Run the schedule on this machine (Linux).", "Den Ablaufplan auf diesem Rechner ausführen."
     ),
     text=Text(
         "Run the schedule: a process for each thread, with the execution times of the load. "
         "External threads are other programs, which wait on the named semaphores of the list.",
-        "Den Ablauf ausführen (Linux): ein Prozess je Thread, mit den Ausführungszeiten der Last. "
-        "Externe Threads sind andere Programme, die an den benannten Semaphoren der Liste warten.",
+        "Den Ablaufplan ausführen (Linux): ein Prozess je Thread, mit den Ausführungszeiten "
+        "der Last. Externe Threads sind andere Programme, die an den benannten Semaphoren "
+        "der Liste warten.",
     ),
     codes=EXIT_CODES,
     notes=NOTE,

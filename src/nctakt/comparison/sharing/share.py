@@ -54,7 +54,7 @@ _ASSIGNMENTS = ("set", "at")
 
 _TITLE = Text("What {folder} holds:", "Was {folder} enthält:")
 _CONTENTS: Mapping[str, Text] = {
-    LOG: Text("{count} samples of the log", "{count} Werte der Aufzeichnung"),
+    LOG: Text("{count} samples of the log", "{count} Werte des Logs"),
     FACTS: Text("deviations, delays and options", "Abweichungen, Verzögerungen und Optionen"),
     ".nc": Text(
         "a program: motions and commands, no comments, no texts",

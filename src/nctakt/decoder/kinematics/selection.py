@@ -30,7 +30,7 @@ _PLANES = (13, 14, 15)
 REASONS = {
     map_rows.OUT_OF_REACH: Text(
         "the rotary axes cannot turn the tool into this direction",
-        "die Drehachsen können das Werkzeug nicht in diese Richtung drehen",
+        "die Rundachsen können das Werkzeug nicht in diese Richtung drehen",
     ),
     map_rows.NO_DIRECTION: Text(
         "the vector along the tool is zero", "der Vektor längs des Werkzeugs ist null"
@@ -97,7 +97,7 @@ def _refused_axes(chain: Chain, axes: ChannelAxes) -> Text | None:
             name = axes.names[joint.axis]
             return Text(
                 f"axis {name} at index {joint.axis} is not a rotary axis",
-                f"die Achse {name} am Index {joint.axis} ist keine Drehachse",
+                " ist keine Rundachse",
             )
         if not joint.is_rotary and axes.are_rotary[joint.axis]:
             name = axes.names[joint.axis]

@@ -41,7 +41,7 @@ from nctakt.nc.vocabulary.single_axes.axis_commands import KEYWORDS as AXIS_KEYW
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 _VALUE = re.compile(r"-?\d+(?:\.\d+)?")
-_STEPS = Text("≤ {count} instructions", "≤ {count} Befehle")
+_STEPS = Text("≤ {count} instructions", "≤ {count} Anweisungen")
 _RAN = Text("ran {count} times in the last run", "lief {count}-mal im letzten Lauf")
 _RUN = Text("Run", "Ausführen")
 _DEBUG = Text("Debug", "Debuggen")

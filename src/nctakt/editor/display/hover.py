@@ -37,9 +37,9 @@ _INTERFACE = re.compile(
     re.IGNORECASE,
 )
 _NUMBER = re.compile(r"\d{4,6}")
-_DEFINED = Text("defined in line {line}", "vereinbart in Zeile {line}")
+_DEFINED = Text("defined in line {line}", "definiert in Zeile {line}")
 _ASSIGNED = Text("first assigned in line {line}", "zuerst zugewiesen in Zeile {line}")
-_NEVER = Text("not defined in this program", "in diesem Programm nicht vereinbart")
+_NEVER = Text("not defined in this program", "in diesem Programm nicht definiert")
 #: Articles that are shown of one word.
 _MAX_ARTICLES = 4
 

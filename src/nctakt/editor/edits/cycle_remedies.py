@@ -59,7 +59,7 @@ _EACH_TIME = Text(
 _FIRST_TIME = Text("Output it the first time only: $IF ONCE", "Nur beim ersten Mal: $IF ONCE")
 _ONCE = Text("Output it once: $IF ONCE 1 … $ENDIF", "Einmal ausgeben: $IF ONCE 1 … $ENDIF")
 _INDEPENDENT = Text("Move alone: {new}", "Unabhängig fahren: {new}")
-_AFTER = Text("Move it to after #RT CYCLE END", "Hinter #RT CYCLE END verschieben")
+_AFTER = Text("Move it to after #RT CYCLE END", "Nach #RT CYCLE END verschieben")
 _PARAMETER = Text("Read it before the cycle, into {name}", "Vor dem Zyklus in {name} lesen")
 #: G functions of a motion that an independent axis has, too.
 _OF_MOTIONS = (RAPID, LINE, ABSOLUTE, RELATIVE)

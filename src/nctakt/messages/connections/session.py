@@ -123,7 +123,7 @@ TAPE_NEEDS_SCHEDULE = error(
     "kann",
     remedy_en="Repeat it with `nctakt replay`.",
     remedy_de="Ihn mit `nctakt replay` wiederholen.",
-    list=("the scheduling list", "die Scheduling-Liste"),
+    list=("the scheduling list", "die Liste der Echtzeitkonfiguration"),
 )
 
 NO_BLOCK_COMES = note(

@@ -13,16 +13,16 @@ LISTED_PAIR_WITHOUT_AXIS = warning(
     20438,
     en="paar[{index}] is left out: master {master}, slave {slave}",
     de="paar[{index}] entfällt: Master {master}, Slave {slave}",
-    remedy_en="Give both logical numbers; 0 is none.",
-    remedy_de="Beide logischen Nummern angeben; 0 ist keine.",
+    remedy_en="Give both logical numbers; 0 means none.",
+    remedy_de="Beide logischen Nummern angeben; 0 heißt keine.",
     index=_INDEX,
     slave=_SLAVE,
     master=_MASTER,
 )
 LISTED_PAIR_OF_ONE_AXIS = warning(
     20440,
-    en="paar[{index}] is left out: slave {slave} and master {master} are one axis",
-    de="paar[{index}] entfällt: Slave {slave} und Master {master} sind eine Achse",
+    en="paar[{index}] is left out: slave {slave} and master {master} are the same axis",
+    de="paar[{index}] entfällt: Slave {slave} und Master {master} sind dieselbe Achse",
     remedy_en="Give two different logical numbers.",
     remedy_de="Zwei verschiedene logische Nummern angeben.",
     index=_INDEX,
@@ -31,7 +31,7 @@ LISTED_PAIR_OF_ONE_AXIS = warning(
 )
 LISTED_SLAVE_TWICE = warning(
     20441,
-    en="paar[{index}] is left out: axis {slave} follows another one than {master} already",
+    en="paar[{index}] is left out: axis {slave} already follows another axis than {master}",
     de="paar[{index}] entfällt: Achse {slave} folgt schon einer anderen als {master}",
     remedy_en="Let a slave follow one master only.",
     remedy_de="Einen Slave nur einem Master folgen lassen.",
@@ -42,7 +42,7 @@ LISTED_SLAVE_TWICE = warning(
 LISTED_SLAVE_IS_MASTER = warning(
     20442,
     en="paar[{index}] is left out: an axis is both a slave and a master ({slave} follows {master})",
-    de="paar[{index}] entfällt: eine Achse ist Slave und Master ({slave} hinter {master})",
+    de="paar[{index}] entfällt: eine Achse ist Slave und Master ({slave} folgt {master})",
     remedy_en="Let all slaves follow the first master; chains are not possible.",
     remedy_de="Alle Slaves dem ersten Master folgen lassen; Ketten sind nicht möglich.",
     index=_INDEX,
@@ -60,7 +60,7 @@ GANTRY_MASTER_MISSING = warning(
 )
 GANTRY_SLAVE_IN_CHANNEL = warning(
     901886,
-    en="axis {slave} follows axis {master} (gantry_ax_nr) and does not belong into a channel",
+    en="axis {slave} follows axis {master} (gantry_ax_nr) and must not be in a channel",
     de="Achse {slave} folgt Achse {master} (gantry_ax_nr) und gehört in keinen Kanal",
     remedy_en="Take one of them out: the entry of the channel list, or gantry_ax_nr.",
     remedy_de="Eins davon herausnehmen: den Eintrag der Kanalliste oder gantry_ax_nr.",
@@ -75,8 +75,10 @@ GANTRY_MODULO_DIFFERS = warning(
     70202,
     en="slave {slave} has another modulo mode or range than its master {master}",
     de="Slave {slave} hat eine andere Modulo-Betriebsart oder -Grenze als Master {master}",
-    remedy_en="Give both P-AXIS-00015, P-AXIS-00126 and P-AXIS-00127 alike; the master's count.",
-    remedy_de="P-AXIS-00015, P-AXIS-00126 und P-AXIS-00127 gleich angeben; die des Masters gelten.",
+    remedy_en="Give both the same P-AXIS-00015, P-AXIS-00126 and P-AXIS-00127; those of the "
+    "master count.",
+    remedy_de="Beiden dieselben P-AXIS-00015, P-AXIS-00126 und P-AXIS-00127 geben; die des "
+    "Masters gelten.",
     slave=_SLAVE,
     master=_MASTER,
 )
@@ -93,9 +95,9 @@ GANTRY_ACCELERATION_DIFFERS = warning(
 )
 GANTRY_SLAVE_HAS_NARROWER_LIMIT = warning(
     901890,
-    en="{key} of slave {slave} is narrower than that of its master {master}, and does not count",
-    de="{key} von Slave {slave} ist enger als bei Master {master} und gilt nicht",
-    remedy_en="Give the master limits that the slave keeps, too.",
+    en="{key} of slave {slave} is narrower than that of its master {master}, and has no effect",
+    de="{key} von Slave {slave} ist enger als bei Master {master} und wirkt nicht",
+    remedy_en="Give the master limits that its slave can keep, too.",
     remedy_de="Dem Master Grenzen geben, die auch der Slave einhält.",
     cause_en="No channel knows the slave of a fixed gantry: it follows wherever its master goes.",
     cause_de="Kein Kanal kennt den Slave eines festen Gantryverbunds: er folgt dem Master überall.",

@@ -127,8 +127,8 @@ LISTS_KEPT_IN_ASCII = note(
     900980,
     en="lists that stay in ASCII: {files}",
     de="Listen, die in ASCII bleiben: {files}",
-    remedy_en="They have parameters without a known ID; both formats work beside each other.",
-    remedy_de="Sie haben Parameter ohne bekannte ID; beide Formate vertragen sich.",
+    remedy_en="They have parameters without a known ID; both formats can be used together.",
+    remedy_de="Sie haben Parameter ohne bekannte ID; beide Formate lassen sich zusammen verwenden.",
     files=("the lists", "die Listen"),
 )
 CHANNEL_WITHOUT_AXES = warning(
@@ -149,9 +149,9 @@ PROJECT_WITHOUT_LISTS = error(
 )
 PROJECT_LISTS_AS_THEY_ARE = error(
     902735,
-    en="{option}: the lists of a TwinCAT project are written as they stand in it",
-    de="{option}: Die Listen eines TwinCAT-Projekts werden so geschrieben, wie sie darin stehen",
-    remedy_en="Leave it out; then write them anew: nctakt new mill-xml --from mill --format xml.",
-    remedy_de="Weglassen; danach neu schreiben: nctakt new mill-xml --from mill --format xml.",
+    en="{option}: the lists of a TwinCAT project are written as they are",
+    de="{option}: die Listen eines TwinCAT-Projekts werden unverändert geschrieben",
+    remedy_en="Leave it out; then write them again: nctakt new mill-xml --from mill --format xml.",
+    remedy_de="Weglassen; danach erneut schreiben: nctakt new mill-xml --from mill --format xml.",
     option=("the option", "die Option"),
 )

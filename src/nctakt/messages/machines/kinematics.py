@@ -41,8 +41,8 @@ KINEMATIC_AXIS_COUNT = warning(
 )
 KINEMATIC_CHAIN_INVALID = warning(
     901490,
-    en="{key}: the chain {chain} of kinematic {id} is not made of its {count} axes",
-    de="{key}: die Kette {chain} der Kinematik {id} besteht nicht aus ihren {count} Achsen",
+    en="{key}: the chain {chain} of kinematic {id} does not name each of its {count} axes once",
+    de="{key}: die Kette {chain} der Kinematik {id} nennt nicht jede ihrer {count} Achsen einmal",
     remedy_en="Name each axis index from 0 on once, in the order from workpiece to tool.",
     remedy_de="Jeden Achsindex ab 0 einmal nennen, in der Folge vom Werkstück zum Werkzeug.",
     key=_KEY,
@@ -98,8 +98,8 @@ KINEMATIC_ORIENTATION_AXES = warning(
     de="{key}: die Kinematik {id} kann das Werkzeug nicht ausrichten; sie ist nicht verwendbar",
     remedy_en="A complete one needs two rotary axes that are not parallel, the second not along "
     "the tool.",
-    remedy_de="Eine vollständige braucht zwei nicht parallele Drehachsen, die zweite nicht "
-    "längs des Werkzeugs.",
+    remedy_de="Eine vollständige braucht zwei nicht parallele Rundachsen, die zweite nicht längs "
+    "des Werkzeugs.",
     key=_KEY,
     id=_ID,
 )
@@ -116,9 +116,9 @@ KINEMATIC_VECTOR_AXES = warning(
 ORIENTATION_MODE_WITHOUT_EFFECT = warning(
     901763,
     en="ori.mode {mode} has no effect: words of rotary axes are angles",
-    de="ori.mode {mode} wirkt nicht: Wörter von Drehachsen sind Winkel",
-    remedy_en="Use ANGLE or VECTOR_2DOF; the others are for six axes and not simulated.",
-    remedy_de="ANGLE oder VECTOR_2DOF angeben; die anderen sind für sechs Achsen und nicht "
+    de="ori.mode {mode} wirkt nicht: Wörter von Rundachsen sind Winkel",
+    remedy_en="Use ANGLE or VECTOR_2DOF; the other modes are for six axes and not simulated.",
+    remedy_de="ANGLE oder VECTOR_2DOF angeben; die übrigen sind für sechs Achsen und nicht "
     "simuliert.",
     mode=_VALUE,
 )

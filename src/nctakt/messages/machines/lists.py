@@ -332,7 +332,7 @@ INVALID_SYNCHRONISATION_TYPE = warning(
     20764,
     en="{key}: '{value}' is not a synchronisation type; {default} is used",
     de="{key}: '{value}' ist keine Synchronisationsart; es gilt {default}",
-    remedy_en="Use the constants of P-CHAN-00041, joined by '|', or their hexadecimal value.",
+    remedy_en="Use the constants of P-CHAN-00041, joined with '|', or their hexadecimal value.",
     remedy_de="Die Konstanten von P-CHAN-00041, durch '|' verbunden, oder ihren hexadezimalen Wert "
     "verwenden.",
     cause_en="A function without a valid synchronisation must not be lost, so the safest type is "
@@ -390,7 +390,7 @@ PATH_GIVEN_TWICE = warning(
     20771,
     cases=by_end("key", {".priority": 20707}),
     en="{key} {value} is already used by {other}",
-    de="{key} {value} verwendet schon {other}",
+    de="{key} {value} wird schon von {other} verwendet",
     remedy_en="Give each folder of a type a number and a priority of its own.",
     remedy_de="Jedem Verzeichnis einer Art eine eigene Nummer und Priorität geben.",
     other=("the folder before", "das Verzeichnis davor"),

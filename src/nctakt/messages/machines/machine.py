@@ -232,7 +232,7 @@ GLOBAL_VARIABLE_DECLARED_DIFFERENTLY = error(
 CYCLE_DURATION_ABOVE_TICK = warning(
     900086,
     en="rt_cycles.max_duration is {value} %: realtime cycles may take longer than the whole tick",
-    de="rt_cycles.max_duration ist {value} %: Echtzeit-Zyklen dürfen länger als der ganze CNC-Takt "
+    de="rt_cycles.max_duration ist {value} %: Echtzeit-Zyklen dürfen länger als der ganze Takt "
     "dauern",
     remedy_en="Use at most 100, and leave time for the rest of the tick.",
     remedy_de="Höchstens 100 verwenden und Zeit für den Rest des Takts lassen.",
@@ -241,10 +241,10 @@ CYCLE_DURATION_ABOVE_TICK = warning(
 SLOPE_NOT_SIMULATED = warning(
     900885,
     en="slope {name} (prog_start.slope.profile {value}) is not simulated; TRAPEZ is used instead",
-    de="Profil {name} (prog_start.slope.profile {value}) wird nicht simuliert; stattdessen gilt "
-    "TRAPEZ",
+    de="das Beschleunigungsprofil {name} (prog_start.slope.profile {value}) wird nicht simuliert; "
+    "es gilt TRAPEZ",
     remedy_en="Use 1, the jerk-limited slope TRAPEZ, or 0, the slope STEP.",
-    remedy_de="1, das ruckbegrenzte Profil TRAPEZ, oder 0, das Profil STEP, verwenden.",
+    remedy_de="1, das ruckbegrenzte Beschleunigungsprofil TRAPEZ, oder 0, STEP, verwenden.",
     value=("P-CHAN-00071", "P-CHAN-00071"),
     name=("the slope's name in #SLOPE", "der Name des Profils in #SLOPE"),
 )

@@ -156,7 +156,7 @@ VARIABLE_OUTSIDE_MEMORY = warning(
     remedy_en="Give it a smaller byte_offset, or increase ext_var_max (P-STUP-00037).",
     remedy_de="Einen kleineren byte_offset angeben oder ext_var_max (P-STUP-00037) erhöhen.",
     scope=("P-EXTV-00004", "P-EXTV-00004"),
-    end=("the byte behind it", "das Byte dahinter"),
+    end=("the byte after it", "das Byte danach"),
     available=("P-STUP-00037 in bytes", "P-STUP-00037 in Byte"),
 )
 EXTERNAL_VARIABLES_TOO_LARGE = warning(

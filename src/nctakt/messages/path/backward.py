@@ -78,7 +78,7 @@ NOT_ALLOWED_IN_RT_WHILE = error(
     en="{command} is not allowed in a realtime loop",
     de="{command} ist in einer Echtzeit-Schleife nicht erlaubt",
     remedy_en="Move it before #RT WHILE or after #RT ENDWHILE.",
-    remedy_de="Den Befehl vor #RT WHILE oder hinter #RT ENDWHILE stellen.",
+    remedy_de="Den Befehl vor #RT WHILE oder nach #RT ENDWHILE programmieren.",
     cause_en="The realtime part repeats what was decoded once: motions with G00 to G03, and values "
     "for synchronous V.E variables that do not depend on what happens meanwhile.",
     cause_de="Der Echtzeit-Teil wiederholt, was einmal dekodiert wurde: Bewegungen mit G00 bis G03 "
@@ -152,8 +152,8 @@ EDGE_NOT_FOUND = error(
 )
 OPTIONAL_PART_WORDS = error(
     22132,
-    en="#OPTIONAL EXECUTION has APPROACH and SIMULATE",
-    de="#OPTIONAL EXECUTION hat APPROACH und SIMULATE",
+    en="#OPTIONAL EXECUTION has both APPROACH and SIMULATE",
+    de="#OPTIONAL EXECUTION hat sowohl APPROACH als auch SIMULATE",
     remedy_en="Remove one of them.",
     remedy_de="Eines davon entfernen.",
 )

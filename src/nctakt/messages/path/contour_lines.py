@@ -45,8 +45,8 @@ ANGLE_DURING_ARC = error(
 )
 AXIS_NOT_REACHED_BY_ANGLE = error(
     901834,
-    en="a line at {angle}° does not lead to another place of {axis}",
-    de="eine Gerade unter {angle}° führt zu keiner anderen Stelle von {axis}",
+    en="a line at {angle}° never reaches another position of {axis}",
+    de="eine Gerade unter {angle}° erreicht keine andere Position von {axis}",
     remedy_en="Write the other axis of the plane, or another angle.",
     remedy_de="Die andere Achse der Ebene schreiben oder einen anderen Winkel.",
 )

@@ -64,9 +64,9 @@ TOO_MANY_ACTIVE_SYSTEMS = error(
 )
 EFFECTOR_SYSTEM_WITH_OTHERS = error(
     901893,
-    en="{command} while {other} is active: #ECS goes with no other coordinate system",
-    de="{command}, solange {other} aktiv ist: #ECS verträgt kein anderes Koordinatensystem",
-    remedy_en="Switch off the active system before, with #CS OFF ALL or #ECS OFF.",
+    en="{command} while {other} is active: #ECS excludes every other coordinate system",
+    de="{command}, solange {other} aktiv ist: #ECS schließt jedes andere Koordinatensystem aus",
+    remedy_en="Switch off the active system first, with #CS OFF ALL or #ECS OFF.",
     remedy_de="Das aktive System vorher mit #CS OFF ALL oder #ECS OFF ausschalten.",
     other=("the active system", "das aktive System"),
     classes=(2, 3),
@@ -78,7 +78,7 @@ COORDINATE_SYSTEM_DURING_COMPENSATION = error(
     en="{command} while tool radius compensation is active",
     de="{command} bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Write it before G41 and G42, or after G40 and the motion that leaves the contour.",
-    remedy_de="Vor G41 und G42 schreiben, oder nach G40 und der Bewegung, die die Kontur verlässt.",
+    remedy_de="Vor G41 und G42 schreiben oder nach G40 und der Bewegung, die die Kontur verlässt.",
     classes=(2, 3),
 )
 INVALID_COORDINATE_SYSTEM_NAME = error(
@@ -94,7 +94,7 @@ INVALID_COORDINATE_SYSTEM_NAME = error(
 COORDINATE_SYSTEM_NAME_TAKEN = error(
     21599,
     known_as=(900930,),
-    en="#CS ADD [{name}]: a coordinate system of this name is on the stack already",
+    en="#CS ADD [{name}]: a coordinate system of this name is already on the stack",
     de="#CS ADD [{name}]: ein Koordinatensystem dieses Namens liegt schon auf dem Stapel",
     remedy_en="Choose another name. Present: {known}",
     remedy_de="Einen anderen Namen wählen. Vorhanden: {known}",

@@ -50,15 +50,18 @@ CUTTING_DECIDED = note(
     901533,
     en="G96: the radius is the distance of the face axis from the program's zero at the S word",
     de="G96: der Radius ist der Abstand der Planachse vom Programmnullpunkt beim S-Wort",
-    remedy_en="Program S again after a new offset; rapid motions leave the speed as it is.",
-    remedy_de="Nach einer neuen Verschiebung S noch einmal angeben; im Eilgang ändert sich nichts.",
-    cause_en="The sources name the last position and the offset, not which tick counts.",
+    remedy_en="Program S again after a new offset; rapid motions do not change the speed.",
+    remedy_de="Nach einer neuen Verschiebung S noch einmal angeben; im Eilgang ändert sich die "
+    "Drehzahl nicht.",
+    cause_en="The sources name the last position and the offset, but not the tick that counts.",
     cause_de="Die Quellen nennen letzte Position und Verschiebung, nicht den Takt, der gilt.",
 )
 DIAMETERS_WITHOUT_EFFECT = note(
     901962,
-    en="G51 changes nothing: the list of {axis} makes neither positions nor ways diameters",
-    de="G51 ändert nichts: die Liste von {axis} macht weder Positionen noch Wege zu Durchmessern",
+    en="G51 changes nothing: the list of {axis} has diameters neither for positions nor for "
+    "distances",
+    de="G51 ändert nichts: die Liste von {axis} sieht weder für Positionen noch für Wege "
+    "Durchmesser vor",
     remedy_en="Set kenngr.durchm_prog_abs (P-AXIS-00058) for G90, kenngr.durchm_prog_rel "
     "(P-AXIS-00059) for G91.",
     remedy_de="kenngr.durchm_prog_abs (P-AXIS-00058) für G90, kenngr.durchm_prog_rel "

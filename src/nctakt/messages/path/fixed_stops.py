@@ -38,7 +38,7 @@ FIXED_STOP_NOT_FOUND = error(
 FIXED_STOP_WITHOUT_HISTORY = error(
     50881,
     en="{axis}[FIXED_STOP ON] needs the history of the path, and this channel has none",
-    de="{axis}[FIXED_STOP ON] braucht den Verlauf der Bahn, und dieser Kanal hat keinen",
+    de="{axis}[FIXED_STOP ON] braucht die Historie der Bahn, und dieser Kanal hat keine",
     remedy_en="Give the channel memory for it: fb_storage_size (P-STUP-00033).",
     remedy_de="Dem Kanal Speicher dafür geben: fb_storage_size (P-STUP-00033).",
 )
@@ -47,9 +47,10 @@ FIXED_STOP_ACTIVE = error(
     known_as=(50885,),
     en="{axis} is already monitored for a fixed stop",
     de="{axis} wird schon auf einen Festanschlag überwacht",
-    remedy_en="End it first, with a motion away from the stop: {axis}0 {axis}[FIXED_STOP OFF].",
-    remedy_de="Sie zuerst beenden, mit einer Bewegung vom Anschlag weg: "
-    "{axis}0 {axis}[FIXED_STOP OFF].",
+    remedy_en="End the monitoring first, with a motion away from the stop: {axis}0 "
+    "{axis}[FIXED_STOP OFF].",
+    remedy_de="Die Überwachung zuerst beenden, mit einer Bewegung vom Anschlag weg: {axis}0 "
+    "{axis}[FIXED_STOP OFF].",
 )
 AXIS_AT_FIXED_STOP = error(
     21967,

@@ -23,8 +23,8 @@ ROTATION_ENDED_BY_PLANE = warning(
     901729,
     en="G{plane} ends the rotation of the contour",
     de="G{plane} beendet die Konturdrehung",
-    remedy_en="Switch the rotation off before another plane, and on again in it.",
-    remedy_de="Die Drehung vor der anderen Ebene abwählen und in ihr neu anwählen.",
+    remedy_en="Switch the rotation off before selecting another plane, and on again there.",
+    remedy_de="Die Drehung vor dem Wechsel der Ebene abwählen und danach neu anwählen.",
     plane=("the plane that was selected", "die angewählte Ebene"),
 )
 SCALE_IS_ON = error(
@@ -47,18 +47,18 @@ INVALID_SCALE_FACTOR = error(
 ARC_SCALED_UNEQUALLY = error(
     901727,
     en="an arc in the plane G{plane}, whose axes #SCALE gives different factors",
-    de="ein Kreis in der Ebene G{plane}, deren Achsen #SCALE verschiedene Faktoren gibt",
+    de="ein Kreisbogen in der Ebene G{plane}, deren Achsen #SCALE verschiedene Faktoren gibt",
     remedy_en="Give both axes of the plane the same factor, or write the curve as lines.",
-    remedy_de="Beiden Achsen der Ebene denselben Faktor geben oder die Kurve aus Geraden bilden.",
+    remedy_de="Beiden Achsen der Ebene denselben Faktor geben oder die Kurve mit Geraden annähern.",
     cause_en="The arc would become part of an ellipse.",
-    cause_de="Der Kreis würde zum Teil einer Ellipse.",
+    cause_de="Der Kreisbogen würde zum Teil einer Ellipse.",
     classes=(2, 3),
 )
 FRAME_DURING_COMPENSATION = error(
     901728,
     en="{word} while {compensation} is active",
     de="{word}, während {compensation} aktiv ist",
-    remedy_en="End tool radius compensation with G40 before.",
+    remedy_en="End tool radius compensation with G40 first.",
     remedy_de="Vorher die Werkzeugradiuskorrektur mit G40 beenden.",
     word=("what changes the contour", "was die Kontur ändert"),
     compensation=("`G41` or `G42`", "`G41` oder `G42`"),

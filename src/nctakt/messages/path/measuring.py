@@ -139,6 +139,6 @@ SIMULATED_OFFSET_WITHOUT_MODE = error(
 )
 PROBE_CHOICE_WITHOUT_EFFECT = note(
     901708,
-    en="{word} of #MEAS chooses nothing: all axes measure with HLI.PROBE",
-    de="{word} von #MEAS wählt nichts aus: alle Achsen messen mit HLI.PROBE",
+    en="{word} of #MEAS has no effect: all axes measure with HLI.PROBE",
+    de="{word} von #MEAS hat keine Wirkung: alle Achsen messen mit HLI.PROBE",
 )

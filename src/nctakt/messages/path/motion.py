@@ -44,13 +44,14 @@ ARC_IN_SPACE_DURING_COMPENSATION = error(
     en="G303 while tool radius compensation is active",
     de="G303 bei aktiver Werkzeugradiuskorrektur",
     remedy_en="Program the arc after G40 and the motion that leaves the contour.",
-    remedy_de="Den Kreis hinter G40 und der Bewegung programmieren, die die Kontur verlässt.",
+    remedy_de="Den Kreisbogen nach G40 und der Bewegung programmieren, die die Kontur verlässt.",
 )
 ARC_CENTRE_TOO_FAR_OFF = error(
     20035,
     known_as=(900702, 21758, 120025),
     en="the target is off the circle: its centre would have to move {shift} mm (at most {allowed})",
-    de="Ziel neben dem Kreis: der Mittelpunkt müsste um {shift} mm wandern (höchstens {allowed})",
+    de="das Ziel liegt neben dem Kreis: der Mittelpunkt müsste um {shift} mm wandern (höchstens "
+    "{allowed})",
     remedy_en="Correct the target or the centre; centres are absolute with G161, relative to the "
     "start with G162.",
     remedy_de="Ziel oder Mittelpunkt berichtigen; Mittelpunkte sind mit G161 absolut, mit G162 "
@@ -140,7 +141,7 @@ CONTOUR_MODE_WHILE_ON = error(
     en="{mode} after {before} while contouring is on",
     de="{mode} nach {before} bei eingeschaltetem Überschleifen",
     remedy_en="Write G260 before the change, and G261 after it.",
-    remedy_de="Vor dem Wechsel G260 schreiben und dahinter G261.",
+    remedy_de="Vor dem Wechsel G260 schreiben und danach G261.",
     mode=("the new mode", "der neue Modus"),
     before=("the mode before", "der Modus davor"),
     classes=(2, 6),
@@ -149,8 +150,8 @@ CONTOUR_SHARE_OUT_OF_RANGE = error(
     901870,
     en="{word} {value} of #CONTOUR MODE is not within 0 … {highest}",
     de="{word} {value} von #CONTOUR MODE liegt nicht in 0 … {highest}",
-    remedy_en="REMAIN_PART is a share in per cent, MAX_ANGLE an angle in degrees.",
-    remedy_de="REMAIN_PART ist ein Anteil in Prozent, MAX_ANGLE ein Winkel in Grad.",
+    remedy_en="Give a value in this range: REMAIN_PART in percent, MAX_ANGLE in degrees.",
+    remedy_de="Einen Wert in diesem Bereich angeben: REMAIN_PART in Prozent, MAX_ANGLE in Grad.",
     classes=(2, 3),
 )
 INVALID_VECTOR_LIMIT = error(
@@ -163,10 +164,10 @@ INVALID_VECTOR_LIMIT = error(
 )
 UNKNOWN_SLOPE = error(
     21304,
-    en="there is no slope {value}: 0 … {highest}",
-    de="es gibt kein Beschleunigungsprofil {value}: 0 … {highest}",
-    remedy_en="0 is STEP, 1 TRAPEZ, 2 SIN2, 3 HSC.",
-    remedy_de="0 ist STEP, 1 TRAPEZ, 2 SIN2, 3 HSC.",
+    en="slope {value} does not exist: 0 … {highest}",
+    de="das Beschleunigungsprofil {value} gibt es nicht: 0 … {highest}",
+    remedy_en="Choose 0 (STEP), 1 (TRAPEZ), 2 (SIN2) or 3 (HSC).",
+    remedy_de="0 (STEP), 1 (TRAPEZ), 2 (SIN2) oder 3 (HSC) wählen.",
     value=("the number", "die Nummer"),
 )
 SIMPLIFIED = note(
@@ -175,7 +176,7 @@ SIMPLIFIED = note(
     de="{command} wird so simuliert: {meaning}",
     remedy_en="Nothing to do if that suffices; this is reported once per program.",
     remedy_de="Nichts zu tun, wenn das genügt; das wird einmal je Programm gemeldet.",
-    cause_en="No public source settles what the controller does in detail.",
+    cause_en="No public source says exactly what the controller does.",
     cause_de="Keine öffentliche Quelle sagt genau, was die Steuerung tut.",
     meaning=("what nctakt does", "was nctakt tut"),
 )

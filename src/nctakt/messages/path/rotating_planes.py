@@ -26,7 +26,7 @@ FUNCTION_IN_PLANE = error(
 )
 C_AXIS_NOT_MODULO = warning(
     110565,
-    en="C axis {axis} of {command} is not a modulo axis; its angle counts on here",
+    en="C axis {axis} of {command} is not a modulo axis; its angle keeps counting here",
     de="die C-Achse {axis} von {command} ist keine Moduloachse; ihr Winkel zählt hier weiter",
     remedy_en="Set the bit 4 of P-AXIS-00015 in the list of the axis.",
     remedy_de="Das Bit 4 von P-AXIS-00015 in der Liste der Achse setzen.",
@@ -44,8 +44,10 @@ AXES_OF_PLANE = error(
     901813,
     en="{command} needs {needed}",
     de="{command} braucht {needed}",
-    remedy_en="As in #FACE [X, C] or #CYL [Z, C, X60]: linear axes among the first three.",
-    remedy_de="Wie in #FACE [X, C] oder #CYL [Z, C, X60]: Linearachsen unter den ersten drei.",
+    remedy_en="Write for example #FACE [X, C] or #CYL [Z, C, X60], with linear axes among the "
+    "first three.",
+    remedy_de="Etwa #FACE [X, C] oder #CYL [Z, C, X60] schreiben, mit Linearachsen unter den "
+    "ersten drei.",
     command=_COMMAND,
     needed=("what is missing", "was fehlt"),
     classes=(2, 3),
@@ -54,7 +56,7 @@ PLANE_EXCLUDED = error(
     901814,
     en="{command} is not possible while {other} is active",
     de="{command} ist nicht möglich, solange {other} aktiv ist",
-    remedy_en="Switch the other one off before.",
+    remedy_en="Switch the other one off first.",
     remedy_de="Vorher das andere ausschalten.",
     command=_COMMAND,
     other=("what is active", "was aktiv ist"),
@@ -72,8 +74,10 @@ PLANE_NOT_CONFIGURED = error(
 )
 PLANE_BY_GEOMETRY = note(
     901816,
-    en="{command}: the plane is that of plain geometry; of trafo[…].param only HD2 of 15 counts",
-    de="{command}: Ebene nach einfacher Geometrie; von trafo[…].param zählt nur HD2 von 15",
+    en="{command}: the plane follows plain geometry; of trafo[…].param only HD2 of kinematic 15 "
+    "counts",
+    de="{command}: die Ebene folgt einfacher Geometrie; von trafo[…].param zählt nur HD2 der "
+    "Kinematik 15",
     remedy_en="Nothing to do; docs/conformance/turning.md says how both planes are read.",
     remedy_de="Nichts zu tun; docs/conformance/turning.md sagt, wie beide Ebenen gelesen werden.",
     command=_COMMAND,

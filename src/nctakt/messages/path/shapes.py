@@ -10,9 +10,9 @@ CORNER_SIZE_MISSING = error(
     20012,
     en="{word}: the chamfer or rounding has no size",
     de="{word}: die Fase oder Rundung hat keine Größe",
-    remedy_en="Write I with a size above 0 in the block; a later G301 or G302 may then go without.",
-    remedy_de="I mit einer Größe über 0 in den Satz schreiben; ein späteres G301 oder G302 kommt "
-    "dann ohne aus.",
+    remedy_en="Write I with a size above 0 in the block; later G301 or G302 may leave it out.",
+    remedy_de="I mit einer Größe über 0 in den Satz schreiben; spätere G301 oder G302 brauchen es "
+    "nicht.",
     word=("G301, G302 or a word with a size", "G301, G302 oder ein Wort mit einer Größe"),
 )
 CORNER_SIZE_INVALID = error(
@@ -37,17 +37,17 @@ CORNER_OFF = error(
 CORNER_WITHOUT_MOTION = warning(
     20351,
     en="no motion before the chamfer or rounding; nothing is inserted",
-    de="keine Bewegung vor der Fase oder Rundung; nichts wird eingefügt",
-    remedy_en="Put G301 or G302 between two motions that no waiting separates.",
-    remedy_de="G301 oder G302 zwischen zwei Bewegungen setzen, die kein Warten trennt.",
+    de="vor der Fase oder Rundung fehlt eine Bewegung; nichts wird eingefügt",
+    remedy_en="Put G301 or G302 between two motions without a wait in between.",
+    remedy_de="G301 oder G302 zwischen zwei Bewegungen setzen, ohne Warten dazwischen.",
     classes=(1, 1),
 )
 CORNER_WITHOUT_NEXT_MOTION = warning(
     901610,
     en="no motion after the chamfer or rounding; nothing is inserted",
-    de="keine Bewegung hinter der Fase oder Rundung; nichts wird eingefügt",
-    remedy_en="Program a motion directly after it, without anything that waits in between.",
-    remedy_de="Dahinter eine Bewegung setzen, die kein Warten von der davor trennt.",
+    de="nach der Fase oder Rundung fehlt eine Bewegung; nichts wird eingefügt",
+    remedy_en="Program a motion directly after it, without a wait in between.",
+    remedy_de="Direkt danach eine Bewegung programmieren, ohne Warten dazwischen.",
 )
 CORNER_BESIDE_MOTION = error(
     901611,
@@ -70,7 +70,7 @@ CORNER_FEED_WITHOUT_G94 = error(
     901613,
     en="#FRC needs G94, but G{mode} is active",
     de="#FRC braucht G94, aktiv ist aber G{mode}",
-    remedy_en="Program G94 before, or leave out #FRC.",
+    remedy_en="Program G94 first, or leave out #FRC.",
     remedy_de="Vorher G94 programmieren oder #FRC weglassen.",
     mode=("number of the active G function", "Nummer der aktiven G-Funktion"),
 )
@@ -104,8 +104,8 @@ CORNER_REVERSES = error(
 )
 TWO_CORNERS = error(
     901617,
-    en="{word}: {other} before already inserts something at this corner",
-    de="{word}: {other} davor fügt an dieser Ecke schon etwas ein",
+    en="{word}: the earlier {other} already inserts something at this corner",
+    de="{word}: das frühere {other} fügt an dieser Ecke schon etwas ein",
     remedy_en="Keep one of them, or put a motion between them.",
     remedy_de="Eines davon behalten oder eine Bewegung dazwischen setzen.",
     word=("the later word", "das spätere Wort"),

@@ -36,8 +36,8 @@ INVALID_SPLINE_VECTOR = error(
 )
 NO_MOTION_BEFORE_SPLINE = error(
     120112,
-    en="a spline that begins tangentially has no motion before",
-    de="ein tangential beginnender Spline hat keine Bewegung davor",
+    en="no motion comes before a spline that begins tangentially",
+    de="vor einem tangential beginnenden Spline fehlt eine Bewegung",
     remedy_en="Program a motion before it, after #SPLINE TYPE, or #AKIMA TRANS [START=AUTO].",
     remedy_de="Davor und nach #SPLINE TYPE eine Bewegung oder #AKIMA TRANS [START=AUTO] "
     "programmieren.",
@@ -47,7 +47,7 @@ SPLINE_WITHOUT_MAIN_AXES = error(
     120180,
     en="a block of a spline does not move the main axes",
     de="ein Satz eines Splines bewegt die Hauptachsen nicht",
-    remedy_en="Move tracking axes with a main axis, or program #SPLINE OFF before.",
+    remedy_en="Move tracking axes together with a main axis, or program #SPLINE OFF first.",
     remedy_de="Mitschleppachsen mit einer Hauptachse bewegen oder davor #SPLINE OFF programmieren.",
     classes=(2, 6),
 )
@@ -56,8 +56,8 @@ ARC_IN_BSPLINE = error(
     en="G02 and G03 are not possible in a B-spline",
     de="G02 und G03 sind in einem B-Spline nicht möglich",
     remedy_en="Use an Akima spline (#SPLINE TYPE AKIMA), or #SPLINE OFF before the arc.",
-    remedy_de="Einen Akima-Spline verwenden (#SPLINE TYPE AKIMA) oder vor dem Kreis #SPLINE OFF "
-    "programmieren.",
+    remedy_de="Einen Akima-Spline verwenden (#SPLINE TYPE AKIMA) oder vor dem Kreisbogen #SPLINE "
+    "OFF programmieren.",
     classes=(2, 6),
 )
 SPLINE_WITH_CONTOURING = error(
@@ -70,12 +70,12 @@ SPLINE_WITH_CONTOURING = error(
 )
 NO_MOTION_AFTER_SPLINE = error(
     901620,
-    en="a spline that ends tangentially has no motion after it",
-    de="ein tangential endender Spline hat keine Bewegung dahinter",
-    remedy_en="Program a motion directly after it, without anything that waits in between, or "
-    "#AKIMA TRANS [END=AUTO].",
-    remedy_de="Dahinter eine Bewegung ohne Warten dazwischen oder #AKIMA TRANS [END=AUTO] "
-    "programmieren.",
+    en="no motion follows a spline that ends tangentially",
+    de="nach einem tangential endenden Spline fehlt eine Bewegung",
+    remedy_en="Program a motion directly after it, without a wait in between, or #AKIMA TRANS "
+    "[END=AUTO].",
+    remedy_de="Direkt danach, ohne Warten, eine Bewegung programmieren oder #AKIMA TRANS "
+    "[END=AUTO].",
 )
 SPLINE_TOO_SHORT = error(
     901621,
@@ -91,8 +91,8 @@ SPLINE_TOO_SHORT = error(
 )
 SPLINE_DURING_COMPENSATION = error(
     901622,
-    en="a spline cannot be compensated with the tool's radius",
-    de="ein Spline kann nicht um den Werkzeugradius korrigiert werden",
+    en="tool radius compensation is not possible in a spline",
+    de="in einem Spline ist keine Werkzeugradiuskorrektur möglich",
     remedy_en="Program #SPLINE OFF before G41 or G42, or leave the contour with G40 and a motion.",
     remedy_de="Vor G41 oder G42 #SPLINE OFF programmieren oder die Kontur mit G40 und einer "
     "Bewegung verlassen.",

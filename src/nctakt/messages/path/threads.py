@@ -86,8 +86,9 @@ THREAD_TOO_FAST = error(
 )
 THREAD_LOST = error(
     901510,
-    en="the thread is lost: spindle {spindle} has another speed or angle than at its begin",
-    de="das Gewinde ist verloren: Spindel {spindle} hat Drehzahl oder Winkel gewechselt",
+    en="the thread is lost: spindle {spindle} has another speed or angle than at its start",
+    de="das Gewinde ist verloren: Drehzahl oder Winkel der Spindel {spindle} sind andere als am "
+    "Anfang",
     remedy_en="Keep its speed while the path accelerates; do not turn it before backward motion.",
     remedy_de="Ihre Drehzahl halten, während die Bahn beschleunigt; sie vor Rückwärtsfahrt nicht "
     "drehen.",
@@ -95,10 +96,10 @@ THREAD_LOST = error(
 )
 THREAD_REVERSED = error(
     901511,
-    en="spindle {spindle} has reversed while a thread is cut",
+    en="spindle {spindle} has reversed while a thread was being cut",
     de="Spindel {spindle} hat beim Gewindeschneiden die Richtung gewechselt",
     remedy_en="Reverse the spindle after the thread.",
-    remedy_de="Die Drehrichtung hinter dem Gewinde wechseln.",
+    remedy_de="Die Drehrichtung nach dem Gewinde wechseln.",
     classes=(6, 6),
 )
 THREAD_TOO_SHORT = warning(
@@ -114,7 +115,7 @@ SPINDLE_WORD_IN_TAPPING = error(
     901513,
     en="{word} while {function} is active",
     de="{word}, während {function} aktiv ist",
-    remedy_en="End tapping before, with G00 or G01: it has the spindle to itself.",
+    remedy_en="End tapping first, with G00 or G01: it needs the spindle for itself.",
     remedy_de="Das Gewindebohren vorher mit G00 oder G01 beenden: es hat die Spindel für sich.",
     classes=(2, 3),
 )
@@ -129,18 +130,18 @@ THREAD_DURING_COMPENSATION = error(
     901515,
     en="{function} while tool radius compensation is active",
     de="{function} bei aktiver Werkzeugradiuskorrektur",
-    remedy_en="Program G40 before.",
+    remedy_en="Program G40 first.",
     remedy_de="Vorher G40 programmieren.",
 )
 THREAD_ENTRY_DECIDED = note(
     901516,
     en="G33: the thread starts at the block's start point at the start angle, at any speed",
-    de="G33: das Gewinde beginnt bei jeder Drehzahl im Startpunkt des Satzes mit dem Startwinkel",
+    de="G33: das Gewinde beginnt bei jeder Drehzahl am Startpunkt des Satzes mit dem Startwinkel",
     remedy_en="Keep a run-in: the path is off the thread while it accelerates and brakes.",
     remedy_de="Einen Einlauf lassen: beim Beschleunigen und Bremsen liegt die Bahn daneben.",
     cause_en="Override, feed hold, single block and backward motion wait for the end of the "
     "threads. No source settles this.",
-    cause_de="Override, Vorschub-Halt, Einzelsatz und Rückwärtsfahrt warten auf das Ende der "
+    cause_de="Override, Vorschubhalt, Einzelsatz und Rückwärtsfahrt warten auf das Ende der "
     "Gewinde. Keine Quelle legt das fest.",
 )
 TAPPING_DECIDED = note(

@@ -25,15 +25,15 @@ UNKNOWN_TO_TOOL_MANAGEMENT = error(
     remedy_de="Die SPS antworten lassen (Plc.tool_data, HLI.TOOL_MANAGER) oder wz[{tool}] in die "
     "Liste aufnehmen.",
     cause_en="With ext_wzv_vorhanden (P-CHAN-00016) D asks the tool manager of the PLC for the "
-    "data of a tool; without one the tool list of the channel answers.",
-    cause_de="Mit ext_wzv_vorhanden (P-CHAN-00016) fragt D die Werkzeugverwaltung der SPS nach den "
-    "Daten eines Werkzeugs; ohne eine solche antwortet die Werkzeugliste des Kanals.",
+    "data of a tool; without one the tool list of the channel is used.",
+    cause_de="Mit ext_wzv_vorhanden (P-CHAN-00016) fragt D die Werkzeugverwaltung der SPS nach "
+    "den Daten eines Werkzeugs; ohne eine solche gilt die Werkzeugliste des Kanals.",
 )
 TOOL_MANAGER_SILENT = error(
     902800,
     en="{command}: the PLC has not answered for tool {tool} within {seconds} s",
     de="{command}: die SPS hat für Werkzeug {tool} nicht binnen {seconds} s geantwortet",
-    remedy_en="Let it answer each HLI.TOOL_REQUEST by that number in HLI.TOOL_ANSWER, or clear "
+    remedy_en="Let it answer each HLI.TOOL_REQUEST with its number in HLI.TOOL_ANSWER, or clear "
     "HLI.TOOL_MANAGER.",
     remedy_de="Jede HLI.TOOL_REQUEST mit deren Nummer in HLI.TOOL_ANSWER beantworten "
     "oder HLI.TOOL_MANAGER löschen.",
@@ -47,7 +47,8 @@ TOOL_MANAGER_SILENT = error(
 TOOL_NOT_ASKED_FOR = error(
     902801,
     en="the PLC has the data of tool {tool}, and this program has not asked for them yet",
-    de="die SPS hat die Daten von Werkzeug {tool}, und dieses Programm hat sie noch nicht verlangt",
+    de="die SPS hat die Daten von Werkzeug {tool}, und dieses Programm hat sie noch nicht "
+    "angefordert",
     remedy_en="Read V.G.WZ[{tool}] after a D{tool}, or V.G.WZ_AKT while the tool is active.",
     remedy_de="V.G.WZ[{tool}] nach einem D{tool} lesen oder V.G.WZ_AKT bei aktivem Werkzeug.",
     cause_en="Here only D and #TOOL DATA ask the tool manager of the PLC (HLI.TOOL_MANAGER).",
@@ -65,23 +66,23 @@ TOOL_NOT_VALID = error(
 )
 TOOL_TOO_SHORT = error(
     21426,
-    en="the length of tool {tool} is {length} mm, less than the least one of {minimum} mm",
-    de="die Länge von Werkzeug {tool} ist {length} mm, weniger als die kleinste von {minimum} mm",
+    en="the length of tool {tool} is {length} mm, less than the minimum of {minimum} mm",
+    de="die Länge von Werkzeug {tool} ist {length} mm, weniger als die Mindestlänge {minimum} mm",
     remedy_en="Correct wz[{tool}].laenge (P-TOOL-00003) or tool.minimum_length (P-CHAN-00156).",
     remedy_de="wz[{tool}].laenge (P-TOOL-00003) oder tool.minimum_length (P-CHAN-00156) "
     "korrigieren.",
     length=("the length of the tool in mm", "die Länge des Werkzeugs in mm"),
-    minimum=("the least length in mm", "die kleinste Länge in mm"),
+    minimum=("the minimum length in mm", "die Mindestlänge in mm"),
 )
 TOOL_TOO_THIN = error(
     21427,
-    en="the radius of tool {tool} is {radius} mm, less than the least one of {minimum} mm",
-    de="der Radius von Werkzeug {tool} ist {radius} mm, weniger als der kleinste von {minimum} mm",
+    en="the radius of tool {tool} is {radius} mm, less than the minimum of {minimum} mm",
+    de="der Radius von Werkzeug {tool} ist {radius} mm, weniger als der Mindestradius {minimum} mm",
     remedy_en="Correct wz[{tool}].radius (P-TOOL-00004) or tool.minimum_radius (P-CHAN-00157).",
     remedy_de="wz[{tool}].radius (P-TOOL-00004) oder tool.minimum_radius (P-CHAN-00157) "
     "korrigieren.",
     radius=("the radius of the tool in mm", "der Radius des Werkzeugs in mm"),
-    minimum=("the least radius in mm", "der kleinste Radius in mm"),
+    minimum=("the minimum radius in mm", "der Mindestradius in mm"),
 )
 FLUSH_WITHOUT_TOOL_MANAGEMENT = warning(
     21244,
@@ -128,9 +129,8 @@ INVALID_TOOL_LIFE_FACTOR = error(
 )
 TOOL_LENGTH_WITHOUT_AXIS = error(
     900868,
-    en="no axis for the tool length of {length} mm: the channel has none beside plane G{plane}",
-    de="keine Achse für die Werkzeuglänge {length} mm: der Kanal hat keine neben der Ebene "
-    "G{plane}",
+    en="the channel has no axis across plane G{plane} for the tool length of {length} mm",
+    de="der Kanal hat keine Achse quer zur Ebene G{plane} für die Werkzeuglänge {length} mm",
     remedy_en="Choose a plane whose third axis is in the channel, or a tool without length.",
     remedy_de="Eine Ebene wählen, deren dritte Achse der Kanal hat, oder ein Werkzeug ohne Länge.",
     length=("the length of the tool in mm", "die Länge des Werkzeugs in mm"),
@@ -138,8 +138,8 @@ TOOL_LENGTH_WITHOUT_AXIS = error(
 )
 NO_RADIUS_TO_COMPENSATE = error(
     900869,
-    en="{word}: there is no tool radius to compensate",
-    de="{word}: es gibt keinen Werkzeugradius zu korrigieren",
+    en="{word}: no tool radius to compensate",
+    de="{word}: kein Werkzeugradius zu korrigieren",
     remedy_en="Before {word}, select a tool with a radius by D, or write V.G.WZ_AKT.R.",
     remedy_de="Vor {word} mit D ein Werkzeug mit Radius anwählen oder V.G.WZ_AKT.R beschreiben.",
     word=("G41 or G42", "G41 oder G42"),
@@ -393,8 +393,8 @@ LEAD_CUTS_CONTOUR = warning(
     901964,
     en="the tool cuts into the contour beside line {line}, on its way there or from there",
     de="das Werkzeug verletzt die Kontur neben Zeile {line}, auf dem Weg dorthin oder von dort",
-    remedy_en="Come to the contour, or leave it, where no other part of it is passed.",
-    remedy_de="Zur Kontur hin oder von ihr weg fahren, wo man an keinem anderen Teil vorbeikommt.",
+    remedy_en="Approach or leave the contour where no other part of it is in the way.",
+    remedy_de="Die Kontur dort anfahren oder verlassen, wo kein anderer Teil von ihr im Weg ist.",
     line=("the line of the contour", "die Zeile der Kontur"),
 )
 LEAD_WOULD_CUT_CONTOUR = error(
@@ -403,7 +403,7 @@ LEAD_WOULD_CUT_CONTOUR = error(
     en="the tool would cut into the contour beside line {line}, on its way there or from there",
     de="das Werkzeug würde die Kontur neben Zeile {line} verletzen, auf dem Weg dorthin oder von "
     "dort",
-    remedy_en="Come to the contour, or leave it, where no other part of it is passed.",
-    remedy_de="Zur Kontur hin oder von ihr weg fahren, wo man an keinem anderen Teil vorbeikommt.",
+    remedy_en="Approach or leave the contour where no other part of it is in the way.",
+    remedy_de="Die Kontur dort anfahren oder verlassen, wo kein anderer Teil von ihr im Weg ist.",
     line=("the line of the contour", "die Zeile der Kontur"),
 )

@@ -38,7 +38,7 @@ PARAMETER_DURING_TRANSFORMATION = error(
     en="kinematic parameters of the tool cannot be changed while a transformation is active",
     de="Kinematikparameter des Werkzeugs sind bei aktiver Transformation nicht änderbar",
     remedy_en="Program #TRAFO OFF before it, and #TRAFO ON after it.",
-    remedy_de="Davor #TRAFO OFF programmieren, dahinter wieder #TRAFO ON.",
+    remedy_de="Davor #TRAFO OFF programmieren, danach wieder #TRAFO ON.",
 )
 NO_KINEMATIC_SELECTED = error(
     901601,
@@ -73,7 +73,7 @@ KINEMATIC_NOT_POSSIBLE = error(
 )
 TRANSFORMATION_DURING_COMPENSATION = error(
     901604,
-    en="{command} while the tool's radius is compensated",
+    en="{command} during tool radius compensation",
     de="{command} während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
     remedy_de="Davor G40 und eine Bewegung programmieren.",
@@ -83,26 +83,26 @@ TLC_AND_RTCP = error(
     20669,
     en="{command}: #TLC and #RTCP or #TRAFO exclude each other",
     de="{command}: #TLC und #RTCP oder #TRAFO schließen einander aus",
-    remedy_en="Switch the other one off before.",
+    remedy_en="Switch the other one off first.",
     remedy_de="Vorher das andere ausschalten.",
 )
 TLC_DURING_COMPENSATION = error(
     20671,
-    en="#TLC ON while the tool's radius is compensated",
+    en="#TLC ON during tool radius compensation",
     de="#TLC ON während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
     remedy_de="Davor G40 und eine Bewegung programmieren.",
 )
 PTP_DURING_COMPENSATION = error(
     21525,
-    en="#PTP ON while the tool's radius is compensated",
+    en="#PTP ON during tool radius compensation",
     de="#PTP ON während der Werkzeugradiuskorrektur",
     remedy_en="Program G40 and a motion before it.",
     remedy_de="Davor G40 und eine Bewegung programmieren.",
 )
 MCS_DURING_PTP = error(
     21531,
-    en="{command} takes machine coordinates while #PTP is on",
+    en="{command} switches to machine coordinates while #PTP is on",
     de="{command} schaltet auf Maschinenkoordinaten, während #PTP ein ist",
     remedy_en="Program #PTP OFF before it.",
     remedy_de="Davor #PTP OFF programmieren.",
@@ -146,10 +146,10 @@ PTP_WITHOUT_TRANSFORMATION = error(
 )
 NO_TOOL_ORIENTATION = error(
     292006,
-    en="#TOOL ORI CS is not possible with kinematic {id}: it has no two rotary axes",
-    de="#TOOL ORI CS ist mit der Kinematik {id} nicht möglich: sie hat keine zwei Drehachsen",
+    en="#TOOL ORI CS is not possible with kinematic {id}: it does not have two rotary axes",
+    de="#TOOL ORI CS ist mit der Kinematik {id} nicht möglich: sie hat keine zwei Rundachsen",
     remedy_en="Select a kinematic with two rotary axes.",
-    remedy_de="Eine Kinematik mit zwei Drehachsen wählen.",
+    remedy_de="Eine Kinematik mit zwei Rundachsen wählen.",
     id=("number of the kinematic", "Nummer der Kinematik"),
 )
 TRANSFORMATION_DURING_PTP = error(
@@ -197,8 +197,8 @@ NOT_OF_KINEMATIC = error(
 )
 PARAMETER_NOT_PUBLIC = error(
     901820,
-    en="what parameter {index} of kinematic {id} says is not published",
-    de="was der Parameter {index} der Kinematik {id} bedeutet, ist nicht veröffentlicht",
+    en="the meaning of parameter {index} of kinematic {id} is not published",
+    de="die Bedeutung von Parameter {index} der Kinematik {id} ist nicht veröffentlicht",
     remedy_en="Use its name: V.G.KIN[{id}].CHAIN[0], RTCP, PROGRAMMING_MODE, LINKAGE.",
     remedy_de="Seinen Namen verwenden: V.G.KIN[{id}].CHAIN[0], RTCP, PROGRAMMING_MODE, LINKAGE.",
     index=("index of the parameter", "Index des Parameters"),

@@ -8,14 +8,14 @@ from nctakt.messages.catalogue import error, warning
 FMU_LIBRARY_MISSING = error(
     902600,
     en="an FMU needs the library FMPy, which is not installed",
-    de="eine FMU braucht die Bibliothek FMPy, sie ist nicht installiert",
+    de="eine FMU braucht die Bibliothek FMPy, die nicht installiert ist",
     remedy_en='Install it: .venv/bin/pip install ".[fmi]"',
     remedy_de='Installieren: .venv/bin/pip install ".[fmi]"',
 )
 FMU_NOT_READABLE = error(
     902601,
-    en="{file} is not an FMU that can be read: {reason}",
-    de="{file} ist keine lesbare FMU: {reason}",
+    en="{file} cannot be read as an FMU: {reason}",
+    de="{file} ist nicht als FMU lesbar: {reason}",
     remedy_en="Export the model again; 'fmpy validate {file}' names all faults.",
     remedy_de="Das Modell erneut exportieren; 'fmpy validate {file}' nennt alle Fehler.",
 )
@@ -23,13 +23,13 @@ FMU_PATH_OUTSIDE = error(
     902602,
     en="{file} has an entry {path}, which would be written outside of its folder",
     de="{file} hat einen Eintrag {path}, der außerhalb seines Ordners geschrieben würde",
-    remedy_en="Do not use it: no tool for modelling writes such an FMU.",
+    remedy_en="Do not use it: no modelling tool writes such an FMU.",
     remedy_de="Sie nicht verwenden: Kein Modellierungswerkzeug schreibt eine solche FMU.",
 )
 FMU_KIND_NOT_POSSIBLE = error(
     902603,
-    en="{file} is an FMU for {kind}; FMI 2.0 and 3.0 for co-simulation can run",
-    de="{file} ist eine FMU für {kind}; FMI 2.0 und 3.0 für Co-Simulation können laufen",
+    en="{file} is an FMU for {kind}; nctakt runs FMI 2.0 and 3.0 for co-simulation",
+    de="{file} ist eine FMU für {kind}; nctakt führt FMI 2.0 und 3.0 für Co-Simulation aus",
     remedy_en="Export the model for co-simulation.",
     remedy_de="Das Modell für Co-Simulation exportieren.",
     kind=("version and interfaces", "Version und Schnittstellen"),
@@ -61,7 +61,7 @@ FMU_VARIABLE_NOT_POSSIBLE = error(
 FMU_UNITS_DIFFER = error(
     902607,
     en="{file}: {name} is in {unit}, {signal} in {own}: one cannot be converted into the other",
-    de="{file}: {name} ist in {unit}, {signal} in {own}: Das ist nicht umrechenbar",
+    de="{file}: {name} ist in {unit}, {signal} in {own}: das ist nicht umrechenbar",
     remedy_en="Connect another variable, or correct the unit in the model.",
     remedy_de="Eine andere Variable verbinden oder die Einheit im Modell berichtigen.",
     unit=("the unit of the FMU", "die Einheit der FMU"),
@@ -90,25 +90,25 @@ FMU_FAILED = error(
 )
 FMU_ENDED = error(
     902610,
-    en="{file} wants the simulation to end at {time} of the run",
-    de="{file} will, dass die Simulation bei {time} des Laufs endet",
+    en="{file} asks to end the simulation at {time} of the run",
+    de="{file} verlangt, die Simulation bei {time} des Laufs zu beenden",
     remedy_en="Limit the run (--until {time}), or correct the model.",
     remedy_de="Den Lauf begrenzen (--until {time}) oder das Modell berichtigen.",
     time=("the time", "die Zeit"),
 )
 FMU_STEP_NOT_POSSIBLE = error(
     902611,
-    en="{file} cannot be called every {every}: it has to be a whole multiple of {step}",
-    de="{file} kann nicht alle {every} gerufen werden: nötig ist ein Vielfaches von {step}",
-    remedy_en='In nctakt.toml: [fmu], every = "10 ms"',
-    remedy_de='In nctakt.toml: [fmu], every = "10 ms"',
+    en="{file} cannot be called every {every}: this must be a multiple of {step}",
+    de="{file} kann nicht alle {every} aufgerufen werden: es muss ein Vielfaches von {step} sein",
+    remedy_en='Set it in nctakt.toml: [fmu], every = "10 ms"',
+    remedy_de='In nctakt.toml einstellen: [fmu], every = "10 ms"',
     every=("the communication step", "die Kommunikationsschrittweite"),
-    step=("a tick, or the step inside of the FMU", "ein Takt oder der Schritt in der FMU"),
+    step=("a tick, or the internal step of the FMU", "ein Takt oder der interne Schritt der FMU"),
 )
 FMU_VALUE_REFUSED = error(
     902612,
-    en="{file}: {value} of {origin} is at {time} of the run no value for {target}",
-    de="{file}: {value} von {origin} ist bei {time} des Laufs kein Wert für {target}",
+    en="{file}: at {time} of the run {value} of {origin} is not a valid value for {target}",
+    de="{file}: bei {time} des Laufs ist {value} von {origin} kein gültiger Wert für {target}",
     remedy_en="Limit the value where it comes from, or connect another variable.",
     remedy_de="Den Wert begrenzen, wo er entsteht, oder eine andere Variable verbinden.",
     origin=("the variable that has the value", "die Variable, die den Wert hat"),
@@ -117,10 +117,12 @@ FMU_VALUE_REFUSED = error(
 )
 CELL_NOT_COMPLETE = error(
     902615,
-    en="the FMU would not start from its own files alone",
-    de="die FMU würde aus ihren eigenen Dateien allein nicht starten",
-    remedy_en="Name files in lists and programs relative to the machine's folder, below it.",
-    remedy_de="Dateien in Listen und Programmen relativ zum Ordner der Maschine nennen, darunter.",
+    en="the FMU would not start with its own files alone",
+    de="die FMU würde mit ihren Dateien allein nicht starten",
+    remedy_en="Name files in lists and programs relative to the machine's folder, and keep them "
+    "inside it.",
+    remedy_de="Dateien in Listen und Programmen relativ zum Maschinenordner nennen und darin "
+    "ablegen.",
 )
 CELL_STEP_NOT_POSSIBLE = error(
     902616,
@@ -149,8 +151,8 @@ FMU_CRASHED = error(
     902731,
     en="{file} has ended its process at {time} of the run, {call}: {reason}",
     de="{file} hat seinen Prozess bei {time} des Laufs beendet, {call}: {reason}",
-    remedy_en="Correct the model; what it has written to the error output stands above.",
-    remedy_de="Das Modell berichtigen; was es auf die Fehlerausgabe geschrieben hat, steht oben.",
+    remedy_en="Correct the model; its error output is shown above.",
+    remedy_de="Das Modell berichtigen; seine Fehlerausgabe steht oben.",
     time=("the time", "die Zeit"),
     call=("what was asked of it", "was von ihm verlangt war"),
     reason=("the signal or the exit code", "das Signal oder der Rückgabewert"),
@@ -160,7 +162,7 @@ FMU_HANGS = error(
     en="{file} has not returned for {limit} at {time} of the run, {call}; its process was ended",
     de="{file} kehrt bei {time} des Laufs seit {limit} nicht zurück, {call}; sein Prozess wurde "
     "beendet",
-    remedy_en='Correct the model, or give it longer in nctakt.toml: [fmu], limit = "60 s"',
+    remedy_en='Correct the model, or give it more time in nctakt.toml: [fmu], limit = "60 s"',
     remedy_de='Das Modell berichtigen oder ihm mehr Zeit geben: [fmu], limit = "60 s"',
     limit=("how long a call may last", "wie lange ein Aufruf dauern darf"),
     time=("the time", "die Zeit"),
@@ -170,16 +172,18 @@ FMU_LATE = warning(
     902733,
     en="{file} has not returned from {function} for {limit}, at {time} of the run",
     de="{file} kehrt seit {limit} nicht aus {function} zurück, bei {time} des Laufs",
-    remedy_en='End nctakt, and run again with --isolate; or give it longer: [fmu], limit = "60 s"',
-    remedy_de='nctakt beenden, neu mit --isolate; oder mehr Zeit geben: [fmu], limit = "60 s"',
+    remedy_en='End nctakt and run again with --isolate, or give it more time: [fmu], limit = "60 '
+    's"',
+    remedy_de="nctakt beenden und mit --isolate neu starten, oder mehr Zeit geben: [fmu], limit = "
+    '"60 s"',
     function=("the function of FMI", "die Funktion von FMI"),
     limit=("how long a call may last", "wie lange ein Aufruf dauern darf"),
     time=("the time", "die Zeit"),
 )
 NOTHING_TO_ISOLATE = error(
     902734,
-    en="--isolate, and there is no FMU",
-    de="--isolate, und es gibt keine FMU",
+    en="--isolate needs an FMU, but none is named",
+    de="--isolate braucht eine FMU, aber keine ist angegeben",
     remedy_en="Name one: --fmu plant.fmu",
     remedy_de="Eine nennen: --fmu anlage.fmu",
 )
@@ -194,7 +198,7 @@ CELL_STATE_UNREADABLE = error(
     902841,
     en="these bytes are not a state of an FMU of nctakt: {reason}",
     de="diese Bytes sind kein Zustand einer FMU von nctakt: {reason}",
-    remedy_en="Keep the bytes whole, as the FMU has given them.",
+    remedy_en="Keep the bytes unchanged, as the FMU has given them.",
     remedy_de="Die Bytes unverändert aufheben, wie die FMU sie ausgegeben hat.",
 )
 CELL_STATE_OF_ANOTHER = error(
@@ -206,9 +210,11 @@ CELL_STATE_OF_ANOTHER = error(
 )
 CELL_DOES_OTHERWISE = error(
     902843,
-    en="run again, the FMU is not in the state that it had after {ticks} ticks (PLC: {plc})",
-    de="wieder ausgeführt, hat die FMU nicht den Zustand wie nach {ticks} Takten (SPS: {plc})",
-    remedy_en="Keep the PLC's state in its object; leave out clock, files, chance, other modules.",
-    remedy_de="Den Zustand der SPS in ihrem Objekt halten; keine Uhr, Datei, Zufallszahl, Module.",
+    en="when run again, the FMU is not in the state that it had after {ticks} ticks (PLC: {plc})",
+    de="beim erneuten Ausführen hat die FMU nicht den Zustand wie nach {ticks} Takten (SPS: {plc})",
+    remedy_en="Keep the PLC's state in its object; do not use clocks, files, chance or other "
+    "modules.",
+    remedy_de="Den Zustand der SPS in ihrem Objekt halten; keine Uhren, Dateien, Zufallszahlen, "
+    "anderen Module.",
     plc=("the PLC's file, - without", "die Datei der SPS, - ohne"),
 )

@@ -34,7 +34,7 @@ HLI_VERSION_DIFFERS = error(
 )
 HLI_LAYOUT_DIFFERS = error(
     901433,
-    en="the HLI {name} is laid out in another way: {part} does not fit",
+    en="the HLI {name} is laid out differently: {part} does not fit",
     de="das HLI {name} ist anders aufgebaut: {part} passt nicht",
     remedy_en="Use the same nctakt for the CNC and for the PLC.",
     remedy_de="Für CNC und SPS dasselbe nctakt verwenden.",
@@ -43,7 +43,7 @@ HLI_LAYOUT_DIFFERS = error(
 )
 HLI_HAS_PLC = error(
     901434,
-    en="the HLI {name} has a PLC already: process {process}",
+    en="the HLI {name} already has a PLC: process {process}",
     de="das HLI {name} hat schon eine SPS: Prozess {process}",
     remedy_en="End that program first: only one PLC answers the CNC.",
     remedy_de="Zuerst jenes Programm beenden: nur eine SPS antwortet der CNC.",
@@ -78,10 +78,11 @@ UNKNOWN_HLI_SPINDLE = error(
 )
 HLI_CNC_WRITES_ON = error(
     901438,
-    en="the CNC of the HLI {name} never ends writing",
+    en="the CNC of the HLI {name} never finishes writing",
     de="die CNC des HLI {name} hört nicht auf zu schreiben",
-    remedy_en="It was killed in the middle: remove the shared memory and start it again.",
-    remedy_de="Sie wurde mittendrin beendet: den Speicher entfernen und sie neu starten.",
+    remedy_en="It was killed while writing: remove the shared memory and start it again.",
+    remedy_de="Sie wurde beim Schreiben beendet: den gemeinsamen Speicher entfernen und sie neu "
+    "starten.",
     name=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
 )
 NO_TICK_AT_HLI = error(
@@ -108,14 +109,15 @@ PLC_CONNECTED = note(
     en="a PLC has connected to the HLI {name}: {process}",
     de="eine SPS hat sich mit dem HLI {name} verbunden: {process}",
     name=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
-    process=("its process, if it tells it", "ihr Prozess, falls sie ihn nennt"),
+    process=("its process, if the PLC names it", "ihr Prozess, falls die SPS ihn nennt"),
 )
 PLC_KEEPS_WAITING = warning(
     901442,
     en="after tick {tick} the CNC is waiting for the PLC, for {seconds} s so far",
     de="nach Takt {tick} wartet die CNC auf die SPS, bisher {seconds} s",
     remedy_en="It has {left} s to write turn of hli_link; a debugger may hold it.",
-    remedy_de="Ihr bleiben {left} s, turn in hli_link zu schreiben; hält sie ein Debugger an?",
+    remedy_de="Ihr bleiben {left} s, turn in hli_link zu schreiben; vielleicht hält ein Debugger "
+    "sie an.",
     tick=("the last tick that was run", "der zuletzt gelaufene Takt"),
     seconds=("how long it has been waited for", "wie lange schon gewartet wird"),
     left=("the time that is left", "die Zeit, die noch bleibt"),

@@ -58,7 +58,7 @@ PATH_IS_STRUCTURE = error(
 PATH_READ_ONLY = error(
     902105,
     en="{path} cannot be written: the CNC writes it",
-    de="{path} lässt sich nicht schreiben: das tut die CNC",
+    de="{path} lässt sich nicht schreiben: die CNC schreibt es",
     remedy_en="Write command_w and enable_w of its control unit, if it has one.",
     remedy_de="command_w und enable_w der Control Unit schreiben, wenn es eine hat.",
     path=_PATH,
@@ -71,22 +71,25 @@ PATH_HAS_NO_EFFECT = note(
 )
 UNIT_NOT_ENABLED = note(
     902107,
-    en="the control unit {path} acts with its enable_w and plc_present_w of its area only",
-    de="die Control Unit {path} wirkt nur mit ihrem enable_w und plc_present_w ihres Bereichs",
+    en="the control unit {path} acts only with its enable_w, and with plc_present_w of its area",
+    de="die Control Unit {path} wirkt nur mit ihrem enable_w und mit plc_present_w ihres Bereichs",
     path=("the path of the control unit", "der Pfad der Control Unit"),
 )
 NO_SUCH_TRANSITION = error(
     902108,
-    en="{path}: a number is not finite, or the transition leads to what is not simulated",
-    de="{path}: eine Zahl ist nicht endlich, oder der Übergang führt zu nicht Simuliertem",
+    en="{path}: a number is not finite, or the transition leads to a mode or state that is not "
+    "simulated",
+    de="{path}: eine Zahl ist nicht endlich, oder der Übergang führt zu etwas nicht Simuliertem",
     remedy_en="Go to mode 2 (automatic), state 1 … 5 or 15.",
     remedy_de="In Betriebsart 2 (Automatik) gehen, Zustand 1 … 5 oder 15.",
     path=_PATH,
 )
 NUMBER_NOT_TAKEN = error(
     902850,
-    en="{path} does not take {value}: what this number means on the controller is not simulated",
-    de="{path} nimmt {value} nicht an: was diese Zahl auf der Steuerung heißt, ist nicht simuliert",
+    en="{path} does not take {value}: the meaning of this number on the controller is not "
+    "simulated",
+    de="{path} nimmt {value} nicht an: die Bedeutung dieser Zahl auf der Steuerung ist nicht "
+    "simuliert",
     remedy_en="Write one of these: {known}.",
     remedy_de="Eine von diesen schreiben: {known}.",
     path=_PATH,
@@ -96,15 +99,15 @@ NO_SUCH_BYTES = error(
     902321,
     en="{path}: no element begins and ends there; {size} bytes are behind the pointer",
     de="{path}: dort beginnt und endet kein Element; hinter dem Zeiger sind {size} Byte",
-    remedy_en="nctakt explain elements lists where each element begins.",
-    remedy_de="nctakt explain elements listet auf, wo jedes Element beginnt.",
+    remedy_en="nctakt explain elements shows where each element begins.",
+    remedy_de="nctakt explain elements zeigt, wo jedes Element beginnt.",
     path=_PATH,
     size=("the bytes behind the pointer", "die Bytes hinter dem Zeiger"),
 )
 TRANSITION_DROPPED = note(
     902322,
     en="{path}: a transition to a mode or state that is not simulated stood there, and is dropped",
-    de="{path}: dort stand ein Übergang zu nicht Simuliertem; er ist verworfen",
+    de="{path}: dort stand ein Übergang zu etwas nicht Simuliertem; er wurde verworfen",
     path=_PATH,
 )
 PATH_NOT_SERVED = error(

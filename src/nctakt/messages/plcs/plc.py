@@ -183,8 +183,8 @@ WRONG_PLC_TYPE = error(
     901010,
     en="{name} is {value}, but must be {expected}",
     de="{name} ist {value}, muss aber {expected} sein",
-    remedy_en="docs/plc.md shows an example of each.",
-    remedy_de="docs/plc.md zeigt je ein Beispiel.",
+    remedy_en="Correct the value; docs/plc.md shows an example of each.",
+    remedy_de="Den Wert berichtigen; docs/plc.md zeigt je ein Beispiel.",
     name=("the attribute", "das Attribut"),
     value=("the value as written", "der Wert, wie geschrieben"),
 )
@@ -228,7 +228,7 @@ HANDLER_NOT_CALLED = note(
     remedy_en="Check when it should have been called.",
     remedy_de="Prüfen, wann es hätte aufgerufen werden sollen.",
     name=("the method", "die Methode"),
-    reason=("what did not come to pass", "was nicht eingetreten ist"),
+    reason=("what did not happen", "was nicht eingetreten ist"),
 )
 WRONG_TOOL_DATA = error(
     902804,
@@ -253,14 +253,14 @@ WHEN_CALLED_EACH_TICK = note(
     en="the condition of {name} is a Python function, so the PLC is called after each tick",
     de="die Bedingung von {name} ist eine Python-Funktion, also läuft die SPS nach jedem Takt",
     remedy_en='Write it as a text, which the realtime part evaluates: @when("V.E.VALUE > 5").',
-    remedy_de='Als Text schreiben, den der Echtzeitteil auswertet: @when("V.E.VALUE > 5").',
+    remedy_de='Als Text schreiben, den der Echtzeit-Teil auswertet: @when("V.E.VALUE > 5").',
     name=("the method", "die Methode"),
 )
 SEVERAL_CALLED_PLCS = error(
     902761,
     en="a run has more than one PLC in Python",
     de="ein Lauf hat mehr als eine SPS in Python",
-    remedy_en="Call one of them by the other; projects in Structured Text may be any number.",
-    remedy_de="Eine von der anderen rufen; Projekte in Strukturiertem Text darf es beliebig viele "
-    "geben.",
+    remedy_en="Call one from the other; there may be any number of projects in Structured Text.",
+    remedy_de="Eine von der anderen aufrufen; Projekte in Strukturiertem Text darf es beliebig "
+    "viele geben.",
 )

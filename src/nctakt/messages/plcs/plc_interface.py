@@ -25,7 +25,7 @@ FUNCTION_NOT_ACKNOWLEDGED = warning(
     902363,
     en="the channel list has functions for which no code sets done_w: {functions}",
     de="die Kanalliste hat Funktionen, für die kein Code done_w setzt: {functions}",
-    remedy_en="Add labels for them, or an ELSE; or synchronise them by MOS in the list.",
+    remedy_en="Add labels for them or an ELSE, or synchronise them with MOS in the list.",
     remedy_de="Marken dafür oder ein ELSE ergänzen; oder sie in der Liste mit MOS synchronisieren.",
     functions=("the functions", "die Funktionen"),
 )
@@ -40,19 +40,20 @@ CODE_KNOWS_UNLISTED_FUNCTION = note(
 SEMAPHORE_NEVER_SET = warning(
     902365,
     en="a command is written, and nothing sets command_semaphor_rw of {kind}: it is never taken",
-    de="ein Befehl wird geschrieben, und nichts setzt command_semaphor_rw von {kind}: Er wird nie "
+    de="ein Befehl wird geschrieben, und nichts setzt command_semaphor_rw von {kind}: er wird nie "
     "übernommen",
     remedy_en="Set command_semaphor_rw after the command, when it is FALSE.",
     remedy_de="command_semaphor_rw nach dem Befehl setzen, wenn es FALSE ist.",
-    kind=("the type of the control unit", "der Typ der Steuereinheit"),
+    kind=("the type of the control unit", "der Typ der Control Unit"),
 )
 VARIABLE_DIFFERS = warning(
     902366,
     en="{name} of type {type} is at byte {offset} of {root}; the lists have there: {other}",
     de="{name} vom Typ {type} liegt bei Byte {offset} von {root}; dort haben die Listen: {other}",
-    remedy_en="Lay the structure out as the lists do (P-STUP-00145); arrays of bytes fill gaps.",
-    remedy_de="Die Struktur wie die Listen anordnen (P-STUP-00145); Felder aus Bytes füllen "
-    "Lücken.",
+    remedy_en="Lay the structure out as the lists do (P-STUP-00145); fill gaps with arrays of "
+    "bytes.",
+    remedy_de="Die Struktur wie die Listen anordnen (P-STUP-00145); Lücken mit Byte-Feldern "
+    "füllen.",
     offset=("the number of bytes from the first variable on", "die Bytes ab der ersten Variablen"),
     root=("the pointer of the interface", "der Zeiger der Schnittstelle"),
     other=("the variable that lies there", "die Variable, die dort liegt"),

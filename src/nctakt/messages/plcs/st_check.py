@@ -19,7 +19,7 @@ NAME_UNKNOWN = error(
     en="{name} is not declared (C0046)",
     de="{name} ist nicht deklariert (C0046)",
     remedy_en="Did you mean {nearest}? It may be from a library without sources: {libraries}.",
-    remedy_de="Ist {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
+    remedy_de="War {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
     libraries=_LIBRARIES,
 )
 TYPE_UNKNOWN = error(
@@ -27,7 +27,7 @@ TYPE_UNKNOWN = error(
     en="the type {name} is not known (C0077)",
     de="der Typ {name} ist nicht bekannt (C0077)",
     remedy_en="Did you mean {nearest}? It may be from a library without sources: {libraries}.",
-    remedy_de="Ist {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
+    remedy_de="War {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
     libraries=_LIBRARIES,
 )
 INTERFACE_UNKNOWN = error(
@@ -35,7 +35,7 @@ INTERFACE_UNKNOWN = error(
     en="the interface {name} is not known (C0086)",
     de="die Schnittstelle {name} ist nicht bekannt (C0086)",
     remedy_en="Did you mean {nearest}? It may be from a library without sources: {libraries}.",
-    remedy_de="Ist {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
+    remedy_de="War {nearest} gemeint? Vielleicht aus einer Bibliothek ohne Quellen: {libraries}.",
     libraries=_LIBRARIES,
 )
 NAME_NEEDS_QUALIFIER = error(
@@ -66,7 +66,7 @@ MEMBER_UNKNOWN = error(
     en="{owner} has no member {name} (C0004)",
     de="{owner} hat kein Element {name} (C0004)",
     remedy_en="Did you mean {nearest}?",
-    remedy_de="Ist {nearest} gemeint?",
+    remedy_de="War {nearest} gemeint?",
     owner=_OWNER,
 )
 MEMBER_NOT_ACCESSIBLE = error(
@@ -95,7 +95,7 @@ CONSTANT_TOO_LARGE = error(
 )
 LITERAL_WRONG = error(
     902200,
-    en="{text} is no {kind}",
+    en="{text} is not a valid {kind}",
     de="{text} ist kein gültiger Wert: {kind}",
     remedy_en="Check how it is written.",
     remedy_de="Die Schreibweise prüfen.",
@@ -106,7 +106,7 @@ CHARACTER_NOT_IN_STRING = error(
     en="{character} is not in the character set of STRING",
     de="{character} gehört nicht zum Zeichensatz von STRING",
     remedy_en="Write UTF8#'…', or use WSTRING and double quotes.",
-    remedy_de="UTF8#'…' schreiben oder WSTRING mit doppelten Hochkommas verwenden.",
+    remedy_de="UTF8#'…' schreiben oder WSTRING mit doppelten Anführungszeichen verwenden.",
     character=("the character", "das Zeichen"),
 )
 STRING_CONSTANT_TOO_LONG = warning(
@@ -314,15 +314,15 @@ CALL_OF_ABSTRACT = error(
     902228,
     en="{name} is abstract and has no body (C0511)",
     de="{name} ist abstrakt und hat keinen Rumpf (C0511)",
-    remedy_en="Call the override.",
-    remedy_de="Die Überschreibung aufrufen.",
+    remedy_en="Call the method that overrides it.",
+    remedy_de="Die überschreibende Methode aufrufen.",
 )
 PARAMETER_UNKNOWN = error(
     902229,
     en="{owner} has no input {name} (C0044)",
     de="{owner} hat keinen Eingang {name} (C0044)",
     remedy_en="Did you mean {nearest}?",
-    remedy_de="Ist {nearest} gemeint?",
+    remedy_de="War {nearest} gemeint?",
     owner=_OWNER,
 )
 OUTPUT_UNKNOWN = error(
@@ -330,7 +330,7 @@ OUTPUT_UNKNOWN = error(
     en="{owner} has no output {name} (C0179)",
     de="{owner} hat keinen Ausgang {name} (C0179)",
     remedy_en="Did you mean {nearest}?",
-    remedy_de="Ist {nearest} gemeint?",
+    remedy_de="War {nearest} gemeint?",
     owner=_OWNER,
 )
 ARGUMENT_TWICE = warning(
@@ -342,8 +342,8 @@ ARGUMENT_TWICE = warning(
 )
 ARGUMENTS_COUNT = error(
     902232,
-    en="{name} takes at most {high} arguments, and each that it needs (C0044)",
-    de="{name} nimmt höchstens {high} Argumente, und jedes nötige (C0044)",
+    en="{name} takes at most {high} arguments, and all that it requires (C0044)",
+    de="{name} nimmt höchstens {high} Argumente und braucht alle nötigen (C0044)",
     remedy_en="Check the arguments.",
     remedy_de="Die Argumente prüfen.",
 )
@@ -402,7 +402,7 @@ CASE_OF_WRONG_TYPE = error(
 )
 CASE_LABEL_TWICE = error(
     902240,
-    en="the label {number} is there twice, or its range is empty",
+    en="the label {number} appears twice, or its range is empty",
     de="die Marke {number} gibt es doppelt, oder ihr Bereich ist leer",
     remedy_en="Remove one of the labels.",
     remedy_de="Eine der Marken entfernen.",
@@ -453,7 +453,7 @@ OPEN_ARRAY_MISPLACED = error(
 DATA_TOO_LARGE = error(
     902247,
     en="more than {limit} bytes of data",
-    de="mehr als {limit} Bytes Daten",
+    de="mehr als {limit} Byte Daten",
     remedy_en="Use smaller arrays and strings.",
     remedy_de="Kleinere Felder und Zeichenketten verwenden.",
 )
@@ -480,7 +480,7 @@ BASE_OF_WRONG_KIND = error(
 )
 BLOCK_BY_VALUE = warning(
     902251,
-    en="the block {name} is handed over by value",
+    en="the block {name} is passed by value",
     de="der Baustein {name} wird als Wert übergeben",
     remedy_en="Use VAR_IN_OUT or REFERENCE TO.",
     remedy_de="VAR_IN_OUT oder REFERENCE TO verwenden.",
@@ -516,14 +516,14 @@ OVERRIDE_OF_FINAL = error(
 )
 RECURSION_REFUSED = error(
     902256,
-    en="{name} calls itself, directly or by others",
+    en="{name} calls itself, directly or through others",
     de="{name} ruft sich selbst auf, direkt oder über andere",
     remedy_en="Use a loop.",
     remedy_de="Eine Schleife verwenden.",
 )
 PROGRAM_OF_TASK_UNKNOWN = error(
     902257,
-    en="the task {task} calls {name}, which is no program of the project",
+    en="the task {task} calls {name}, which is not a program of the project",
     de="die Task {task} ruft {name} auf, das kein Programm des Projekts ist",
     remedy_en="Correct the name, or remove the call.",
     remedy_de="Den Namen berichtigen oder den Aufruf entfernen.",
@@ -539,8 +539,8 @@ ADDRESSES_OVERLAP = warning(
 )
 ELEMENT_ARGUMENTS = error(
     902630,
-    en="{name} has {number} elements, and arguments of FB_init for {count}",
-    de="{name} hat {number} Elemente und Argumente von FB_init für {count}",
+    en="{name} has {number} elements, but arguments of FB_init for {count}",
+    de="{name} hat {number} Elemente, aber Argumente von FB_init für {count}",
     remedy_en="Write a pair of brackets for each element, or one pair without [ ] for all.",
     remedy_de="Für jedes Element ein Klammerpaar schreiben, oder eines ohne [ ] für alle.",
     count=("the number of elements with arguments", "die Zahl der Elemente mit Argumenten"),

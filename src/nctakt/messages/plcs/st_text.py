@@ -38,9 +38,9 @@ XML_REFUSED = error(
 )
 PLC_FILE_TOO_LARGE = error(
     902164,
-    en="the file has more than {limit} bytes or nests too deep",
-    de="die Datei hat mehr als {limit} Bytes oder ist zu tief verschachtelt",
-    remedy_en="Divide the object.",
+    en="the file has more than {limit} bytes or is nested too deeply",
+    de="die Datei hat mehr als {limit} Byte oder ist zu tief verschachtelt",
+    remedy_en="Split the object.",
     remedy_de="Das Objekt aufteilen.",
 )
 LANGUAGE_REFUSED = error(
@@ -71,7 +71,8 @@ STRING_NOT_CLOSED = error(
     en="this string is not closed on its line",
     de="diese Zeichenkette ist in ihrer Zeile nicht geschlossen",
     remedy_en="Write the closing quote; a quote in the string is $' or $\".",
-    remedy_de="Das schließende Hochkomma schreiben; im Text selbst steht dafür $' oder $\".",
+    remedy_de="Das schließende Anführungszeichen schreiben; im Text selbst steht dafür $' oder "
+    '$".',
 )
 PRAGMA_NOT_CLOSED = error(
     902169,
@@ -82,7 +83,7 @@ PRAGMA_NOT_CLOSED = error(
 )
 CHARACTER_UNKNOWN = error(
     902170,
-    en="{text} is no part of Structured Text (C0009)",
+    en="{text} is not part of Structured Text (C0009)",
     de="{text} gehört nicht zu Strukturiertem Text (C0009)",
     remedy_en="Remove it.",
     remedy_de="Das Zeichen entfernen.",
@@ -120,15 +121,15 @@ CONDITION_NOT_CLOSED = error(
 )
 TOKEN_EXPECTED = error(
     902177,
-    en="{expected} expected, found {found} (C0009)",
-    de="{expected} erwartet, gefunden: {found} (C0009)",
+    en="{expected} expected, not {found} (C0009)",
+    de="{expected} erwartet, nicht {found} (C0009)",
     remedy_en="Write {expected} before {found}.",
     remedy_de="{expected} vor {found} schreiben.",
 )
 EXPRESSION_EXPECTED = error(
     902178,
-    en="value expected, found {found} (C0009)",
-    de="Wert erwartet, gefunden: {found} (C0009)",
+    en="a value is expected, not {found} (C0009)",
+    de="ein Wert wird erwartet, nicht {found} (C0009)",
     remedy_en="Write a variable, a literal or a call.",
     remedy_de="Eine Variable, ein Literal oder einen Aufruf schreiben.",
 )
@@ -143,7 +144,7 @@ UNEXPECTED_TOKEN = error(
     902180,
     en="{found} is not expected (C0009)",
     de="{found} wird nicht erwartet (C0009)",
-    remedy_en="Check what stands before it.",
+    remedy_en="Check what comes before it.",
     remedy_de="Prüfen, was davor steht.",
 )
 END_KEYWORD_MISSING = error(
@@ -163,7 +164,7 @@ COMPARISON_AS_STATEMENT = error(
 )
 LONE_EXPRESSION = error(
     902183,
-    en="an expression alone is no statement (C0020)",
+    en="an expression alone is not a statement (C0020)",
     de="ein Ausdruck allein ist keine Anweisung (C0020)",
     remedy_en="Assign the value, or call with brackets: name().",
     remedy_de="Den Wert zuweisen oder mit Klammern aufrufen: Name().",
@@ -186,26 +187,26 @@ NESTED_TOO_DEEP = error(
     902186,
     en="nested deeper than {limit} levels",
     de="tiefer als {limit} Ebenen verschachtelt",
-    remedy_en="Divide it, for example by a method.",
+    remedy_en="Split it, for example with a method.",
     remedy_de="Aufteilen, zum Beispiel durch eine Methode.",
 )
 EXPRESSION_TOO_LONG = error(
     902187,
     en="the expression has more than {limit} operators in a row",
     de="der Ausdruck hat mehr als {limit} Operatoren hintereinander",
-    remedy_en="Divide it by an intermediate variable.",
+    remedy_en="Split it with an intermediate variable.",
     remedy_de="Mit einer Zwischenvariablen aufteilen.",
 )
 VARIABLES_EXPECTED = error(
     902188,
-    en="{found} does not belong into a declaration (C0006)",
+    en="{found} does not belong in a declaration (C0006)",
     de="{found} gehört nicht in eine Deklaration (C0006)",
     remedy_en="Declare variables between VAR and END_VAR.",
     remedy_de="Variablen zwischen VAR und END_VAR deklarieren.",
 )
 TASK_TIME_UNKNOWN = error(
     902189,
-    en="{text} is no cycle time of a task",
+    en="{text} is not a cycle time of a task",
     de="{text} ist keine Zykluszeit einer Task",
     remedy_en="Write INTERVAL := T#10MS.",
     remedy_de="INTERVAL := T#10MS schreiben.",

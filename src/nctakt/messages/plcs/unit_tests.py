@@ -13,16 +13,16 @@ TEST_UNFINISHED = error(
     902540,
     en="{name} in {suite} has not ended after {time}",
     de="{name} in {suite} ist nach {time} nicht beendet",
-    remedy_en="Let each path through it come to TEST_FINISHED.",
-    remedy_de="Jeden Weg durch ihn zu TEST_FINISHED führen.",
+    remedy_en="Let each path through the test reach TEST_FINISHED.",
+    remedy_de="Jeden Weg durch den Test bis TEST_FINISHED führen.",
     name=_NAME,
     suite=_SUITE,
     time=_TIME,
 )
 NOTHING_TESTED = error(
     902541,
-    en="no test in {paths}",
-    de="kein Test in {paths}",
+    en="no tests in {paths}",
+    de="keine Tests in {paths}",
     remedy_en="Name files or folders with expectations, suites or Python tests.",
     remedy_de="Dateien oder Ordner mit Erwartungen, Suiten oder Python-Tests nennen.",
     paths=("the files and folders", "die Dateien und Ordner"),
@@ -36,7 +36,7 @@ OUTSIDE_OF_TESTS = error(
 )
 TEST_NAME_TWICE = error(
     902543,
-    en="{suite} opens {name} twice in one cycle: what the second one asserts does not count",
+    en="{suite} opens {name} twice in one cycle: assertions of the second one do not count",
     de="{suite} eröffnet {name} zweimal in einem Zyklus: Prüfungen des zweiten zählen nicht",
     remedy_en="Give each test of the suite a name of its own.",
     remedy_de="Jedem Test der Suite einen eigenen Namen geben.",
@@ -45,7 +45,7 @@ TEST_NAME_TWICE = error(
 )
 UNKNOWN_TEST_FINISHED = error(
     902544,
-    en="{name} is no test of the suite; the suites end here",
+    en="{name} is not a test of the suite; the suites end here",
     de="{name} ist kein Test der Suite; die Suiten enden hier",
     remedy_en="Pass TEST_FINISHED_NAMED the name that TEST has.",
     remedy_de="TEST_FINISHED_NAMED den Namen geben, den TEST hat.",
@@ -55,7 +55,7 @@ TOO_MANY_TESTS = error(
     902545,
     en="more suites or tests than one run holds: 1000 suites, 5000 tests",
     de="mehr Suiten oder Tests, als ein Lauf fasst: 1000 Suiten, 5000 Tests",
-    remedy_en="Divide them among several projects.",
+    remedy_en="Split them among several projects.",
     remedy_de="Auf mehrere Projekte verteilen.",
 )
 SUITE_NOT_CALLED = error(

@@ -7,8 +7,8 @@ from nctakt.messages.catalogue import error, note, warning
 
 START_BLOCK_LOCKED = error(
     21399,
-    en="block search cannot begin here: the part of the program is locked",
-    de="der Satzvorlauf kann hier nicht enden: der Programmteil ist gesperrt",
+    en="block search cannot end here: this part of the program is locked",
+    de="der Satzvorlauf kann hier nicht enden: dieser Programmteil ist gesperrt",
     remedy_en="Choose a block before #BLOCKSEARCH LOCKED, or after #BLOCKSEARCH RELEASED.",
     remedy_de="Einen Satz vor #BLOCKSEARCH LOCKED oder hinter #BLOCKSEARCH RELEASED wählen.",
 )
@@ -47,7 +47,7 @@ BOTH_STARTS_GIVEN = error(
 )
 START_IN_LOOP = error(
     901960,
-    en="block search cannot begin within a realtime loop, which is decoded as a whole",
+    en="block search cannot end within a realtime loop, which is decoded as a whole",
     de="der Satzvorlauf kann nicht in einer Echtzeit-Schleife enden: sie wird als Ganzes dekodiert",
     remedy_en="Begin at #RT WHILE, or after #RT ENDWHILE.",
     remedy_de="Bei #RT WHILE oder nach #RT ENDWHILE beginnen.",
@@ -55,8 +55,9 @@ START_IN_LOOP = error(
 )
 READ_DURING_SEARCH = warning(
     901961,
-    en="{variable} is read before the start block: it has the value of now, not of the program",
-    de="{variable} wird vor dem Startsatz gelesen: der Wert ist der jetzige, nicht der im Programm",
+    en="{variable} is read before the start block: it has its present value, not that of the "
+    "program",
+    de="{variable} wird vor dem Startsatz gelesen: es gilt der jetzige Wert, nicht der im Programm",
     remedy_en="Begin before this block if its value matters.",
     remedy_de="Vor diesem Satz beginnen, wo es auf den Wert ankommt.",
     variable=("the variable as written", "die Variable, wie geschrieben"),

@@ -36,7 +36,7 @@ INDEPENDENT_MOTION_NOT_PERMITTED = error(
     remedy_de="kenngr.enable_single_axis 1 in die Liste dieser Achse schreiben.",
     cause_en="Realtime cycles and the PLC move an axis beside the path only where its list allows "
     "it.",
-    cause_de="Echtzeit-Zyklen und SPS bewegen eine Achse nur neben der Bahn, wenn ihre Liste es "
+    cause_de="Neben der Bahn bewegen Echtzeit-Zyklen und SPS eine Achse nur, wenn ihre Liste es "
     "erlaubt.",
     classes=(6, 6),
 )

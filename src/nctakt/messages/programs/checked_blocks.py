@@ -258,6 +258,6 @@ G163_WITHOUT_RADIUS = error(
     en="G163 without a radius",
     de="G163 ohne Radius",
     remedy_en="Write G163=10: the radius of this arc and of those that follow, as with R10.",
-    remedy_de="G163=10 schreiben: der Radius dieses Kreises und der folgenden, wie bei R10.",
+    remedy_de="G163=10 schreiben: der Radius dieses und der folgenden Kreisbögen, wie bei R10.",
     classes=(2, 3),
 )

@@ -19,7 +19,7 @@ LOOP_CONTROL_OUTSIDE_LOOP = error(
     classes=(0, 0),
     known_as=(900223,),
     cases=by_beginning("word", {"$CONTINUE": 20244}),
-    en="{word} is not inside anything that it could leave or repeat",
+    en="{word} is not inside a loop that it could leave or repeat",
     de="{word} steht nicht in einer Schleife, die es verlassen oder wiederholen könnte",
     remedy_en="Put it in a loop; $BREAK also ends a $CASE.",
     remedy_de="In eine Schleife setzen; $BREAK beendet auch ein $CASE.",
@@ -60,10 +60,11 @@ TEXT_IN_REALTIME_CYCLE = error(
     21981,
     en="{name} is a text, which a realtime cycle can only compare and assign",
     de="{name} ist ein Text; ein Echtzeit-Zyklus kann ihn nur vergleichen und zuweisen",
-    remedy_en="Use ==, != or = with texts, and a variable that holds a number for all else.",
+    remedy_en="Use only ==, != and = with texts; for anything else use a variable that holds a "
+    "number.",
     remedy_de="Texte nur mit ==, != und = verwenden, sonst eine Variable, die eine Zahl enthält.",
-    cause_en="What runs in each tick takes a bounded time; all else about texts is a matter of the "
-    "decoder. The controller knows no texts in realtime cycles at all.",
+    cause_en="What runs in each tick takes a bounded time; everything else with texts is done by "
+    "the decoder. The controller knows no texts in realtime cycles at all.",
     cause_de="Was in jedem Takt läuft, dauert begrenzt lange; alles andere mit Texten ist Sache "
     "des Dekoders. Die Steuerung kennt in Echtzeit-Zyklen gar keine Texte.",
     name=("the variable or text", "die Variable oder der Text"),
@@ -157,7 +158,7 @@ TIMER_WITHOUT_SYN = error(
     remedy_de="#TIMER {action} SYN schreiben.",
     cause_en="Timers of the decoder run when blocks are decoded, ahead of the motion; those of "
     "cycles run with the ticks.",
-    cause_de="Zeitgeber des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
+    cause_de="Timer des Dekoders laufen beim Dekodieren, der Bewegung voraus; die der Zyklen "
     "laufen mit den Takten.",
     action=("START, STOP, READ or CLEAR", "START, STOP, READ oder CLEAR"),
 )

@@ -15,7 +15,7 @@ UNKNOWN_VARIABLE = error(
     de="unbekannte Variable {name}",
     remedy_en="Did you mean {nearest}? Names are case-sensitive. {declared}",
     remedy_de="War {nearest} gemeint? Groß- und Kleinschreibung zählt. {declared}",
-    declared=("where such variables are declared, or –", "wo man sie vereinbart, oder –"),
+    declared=("where such variables are declared, or –", "wo man sie deklariert, oder –"),
 )
 UNKNOWN_AXIS_OF_VARIABLE = error(
     901003,
@@ -140,8 +140,8 @@ INDEX_OUT_OF_RANGE = error(
     de="{variable} hat kein Element {index}; es gibt {count} Elemente, gezählt ab 0",
     remedy_en="Keep it below {count}. The list sizes V.E and V.CH, #VAR V.P, V.S and V.L; all "
     "others are built in.",
-    remedy_de="Unter {count} bleiben. V.E und V.CH bemisst die Liste, V.P, V.S, V.L #VAR; andere "
-    "sind eingebaut.",
+    remedy_de="Unter {count} bleiben. V.E und V.CH bemisst die Liste, V.P, V.S und V.L #VAR; die "
+    "übrigen sind fest.",
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     variable=("the array", "das Feld"),
@@ -154,8 +154,8 @@ CYCLE_INDEX_OUT_OF_RANGE = error(
     de="{variable} hat in diesem Takt kein Element {index}; es gibt {count}, gezählt ab 0",
     remedy_en="Keep it below {count}. The list sizes V.E and V.CH, #VAR V.P, V.S and V.L; all "
     "others are built in.",
-    remedy_de="Unter {count} bleiben. V.E und V.CH bemisst die Liste, V.P, V.S, V.L #VAR; andere "
-    "sind eingebaut.",
+    remedy_de="Unter {count} bleiben. V.E und V.CH bemisst die Liste, V.P, V.S und V.L #VAR; die "
+    "übrigen sind fest.",
     cause_en="Indices count from 0 and are rounded to the nearest whole number.",
     cause_de="Indizes zählen ab 0 und werden auf die nächste ganze Zahl gerundet.",
     variable=("the array", "das Feld"),

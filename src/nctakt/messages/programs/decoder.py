@@ -128,8 +128,8 @@ RETURN_LABEL_NOT_UNIQUE = error(
     en="{name} has no unique label {label} to continue at",
     de="{name} hat keine eindeutige Sprungmarke {label} zum Fortsetzen",
     remedy_en="The label of M17 must appear once in the program that continues, outside loops.",
-    remedy_de="Die Marke von M17 muss in dem Programm, das weiterläuft, genau einmal stehen, in "
-    "keiner Schleife.",
+    remedy_de="Die Marke von M17 muss im weiterlaufenden Programm genau einmal stehen, außerhalb "
+    "von Schleifen.",
     name=("the program", "das Programm"),
 )
 TOO_FEW_OPEN_CALLS = warning(
@@ -223,9 +223,9 @@ UNKNOWN_TIMER = error(
     21167,
     known_as=(900318,),
     en="unknown timer {id}",
-    de="unbekannter Zeitgeber {id}",
+    de="unbekannter Timer {id}",
     remedy_en="Timers are numbered from 0 to {maximum}.",
-    remedy_de="Zeitgeber haben die Nummern 0 bis {maximum}.",
+    remedy_de="Timer haben die Nummern 0 bis {maximum}.",
 )
 UNKNOWN_MACRO = error(
     20619,

@@ -167,7 +167,7 @@ LOG_SPINDLE_REACHED = note(
 LOG_TIMER = note(
     901046,
     en="Cycle {cycle}: #TIMER {action} of timer {timer}",
-    de="Zyklus {cycle}: #TIMER {action} des Zeitgebers {timer}",
+    de="Zyklus {cycle}: #TIMER {action} des Timers {timer}",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
     action=("START, STOP or CLEAR", "START, STOP oder CLEAR"),
@@ -176,7 +176,7 @@ LOG_TIMER = note(
 LOG_TIMER_READ = note(
     901047,
     en="Cycle {cycle}: #TIMER READ of timer {timer}: {value} ms",
-    de="Zyklus {cycle}: #TIMER READ des Zeitgebers {timer}: {value} ms",
+    de="Zyklus {cycle}: #TIMER READ des Timers {timer}: {value} ms",
     remedy_en="V.RTG.CYCLES.DIAG_LEVEL below 4 keeps such lines out of the diagnosis data.",
     remedy_de="V.RTG.CYCLES.DIAG_LEVEL unter 4 hält solche Zeilen aus den Diagnosedaten heraus.",
     timer=("0 … 127", "0 … 127"),

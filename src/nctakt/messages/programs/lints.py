@@ -146,17 +146,18 @@ GLOBAL_CYCLE_NEVER_DELETED = note(
 CYCLE_NEVER_STARTED = warning(
     901986,
     en="realtime cycle {id} is defined, and nothing starts it: it never runs",
-    de="Echtzeit-Zyklus {id} ist vereinbart, und nichts startet ihn: er läuft nie",
+    de="Echtzeit-Zyklus {id} ist definiert, und nichts startet ihn: er läuft nie",
     remedy_en="#RT CYCLE START [ID={id}] starts it; without DEF it starts at once.",
     remedy_de="#RT CYCLE START [ID={id}] startet ihn; ohne DEF startet er sofort.",
     id=("the ID of the cycle", "die ID des Zyklus"),
 )
 STARTED_CYCLE_NOT_DEFINED = warning(
     901987,
-    en="no checked program defines realtime cycle {id}; unless one is left over, START is 50858",
-    de="kein geprüftes Programm vereinbart Echtzeit-Zyklus {id}; lebt keiner von früher: 50858",
+    en="no checked program defines realtime cycle {id}; unless one is left over, START gives 50858",
+    de="kein geprüftes Programm definiert Echtzeit-Zyklus {id}; lebt keiner von früher, meldet "
+    "START 50858",
     remedy_en="Define it first: #RT CYCLE DEF [ID={id} SCOPE=PROG].",
-    remedy_de="Ihn vorher vereinbaren: #RT CYCLE DEF [ID={id} SCOPE=PROG].",
+    remedy_de="Ihn vorher definieren: #RT CYCLE DEF [ID={id} SCOPE=PROG].",
     cause_en="A GLOBAL cycle outlives its program: an earlier one may have left it.",
     cause_de="Ein GLOBAL-Zyklus überlebt sein Programm: ein früheres kann ihn hinterlassen haben.",
     id=("the ID of the cycle", "die ID des Zyklus"),
@@ -208,7 +209,7 @@ EXACT_POSITION_COMPARISON = note(
     900248,
     en="{name} is compared for equality: a moving axis hardly ever has exactly this value in a "
     "tick",
-    de="{name} wird auf Gleichheit verglichen: eine bewegte Achse hat kaum je genau diesen Wert",
+    de="{name} wird auf Gleichheit verglichen: eine bewegte Achse hat fast nie genau diesen Wert",
     remedy_en="Check whether the value is passed: >= or <=",
     remedy_de="Das Überschreiten abfragen: >= oder <=",
     cause_en="Positions have many decimal places; from tick to tick a moving axis skips almost all "
@@ -309,8 +310,8 @@ OVERRIDE_IS_PERCENT = warning(
     en="{word}={value} is an override of {value} %",
     de="{word}={value} ist ein Override von {value} %",
     remedy_en="An override is in percent: write {meant} for that share of the programmed speed.",
-    remedy_de="Ein Override ist in Prozent: {meant} schreiben für diesen Anteil der programmierten "
-    "Geschwindigkeit.",
+    remedy_de="Ein Override ist in Prozent: für diesen Anteil der programmierten Geschwindigkeit "
+    "{meant} schreiben.",
     word=("FEED_FACT, RAPID_FACT or SPEED_FACT", "FEED_FACT, RAPID_FACT oder SPEED_FACT"),
     value=("the constant", "die Konstante"),
     meant=("the constant as a share, in percent", "die Konstante als Anteil, in Prozent"),
@@ -329,7 +330,7 @@ NO_PROGRAM_GIVES_AXIS = warning(
 )
 NO_PROGRAM_SENDS_SIGNAL = warning(
     901811,
-    en="no program of those that are checked sends signal {id}",
+    en="none of the checked programs sends signal {id}",
     de="keines der geprüften Programme sendet Signal {id}",
     remedy_en="Check the number of #WAIT and #SIGNAL; check the programs of all channels together.",
     remedy_de="Nummer von #WAIT und #SIGNAL prüfen; die Programme aller Kanäle gemeinsam prüfen.",

@@ -25,8 +25,8 @@ VALUE_EXPECTED = error(
 )
 EQUALS_BEFORE_CONDITION = error(
     901041,
-    en="there is no '=' before what {word} tests",
-    de="vor dem, was {word} prüft, steht kein '='",
+    en="there must be no '=' between {word} and the condition",
+    de="zwischen {word} und der Bedingung darf kein '=' stehen",
     remedy_en="Leave it out, as in $IF ONCE V.E.COUNT > 5.",
     remedy_de="Weglassen, wie in $IF ONCE V.E.COUNT > 5.",
     cause_en="The syntax line of the manual has '=' between the frequency and the condition; its "

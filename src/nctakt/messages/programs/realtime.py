@@ -15,8 +15,8 @@ CYCLES_EXCEED_STEP_LIMIT = error(
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen.",
     cause_en="Each operator, function, variable, assignment, condition and action counts as one; "
     "nctakt disassemble shows the counts.",
-    cause_de="Operator, Funktion, Variable, Zuweisung, Bedingung und Aktion zählen je eins; nctakt "
-    "list zeigt die Zahlen.",
+    cause_de="Jeder Operator, jede Funktion, Variable, Zuweisung, Bedingung und Aktion zählt als "
+    "eine; nctakt disassemble zeigt die Zahlen.",
     steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
     classes=(6, 6),
 )
@@ -48,7 +48,7 @@ UNKNOWN_CYCLE_ID = error(
     50858,
     en="no realtime cycle has the ID {id}",
     de="kein Echtzeit-Zyklus hat die ID {id}",
-    remedy_en="Define the cycle first, and check its scope: it may have ended already.",
+    remedy_en="Define the cycle first, and check its scope: it may already have ended.",
     remedy_de="Den Zyklus vorher definieren und seine Gültigkeit prüfen: er kann schon beendet "
     "sein.",
     cause_en="PROG cycles end with the main program, BLOCK cycles with their block. A GLOBAL cycle "
@@ -134,11 +134,11 @@ CYCLES_EXCEED_DURATION = error(
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_duration (P-CHAN-00425) "
     "erhöhen.",
     cause_en="All cycles of a tick share the time. In virtual time each elementary instruction "
-    "takes 10 ns. A list of errors calls this 50930; there 50939 is an M function that controls "
-    "programs (M30 …) in a cycle, which is 900207 here.",
+    "takes 10 ns. One published list of errors calls this 50930; there 50939 is an M function "
+    "that controls programs (M30 …) in a cycle, which is 900207 here.",
     cause_de="Alle Zyklen eines Takts teilen sich die Zeit. In virtueller Zeit dauert jede "
-    "Elementar-Anweisung 10 ns. Eine Fehlerliste nennt das 50930; dort steht 50939 für eine "
-    "M-Funktion, die Programme steuert (M30 …), in einem Zyklus: hier 900207.",
+    "Elementar-Anweisung 10 ns. Eine veröffentlichte Fehlerliste nennt das 50930; dort steht "
+    "50939 für eine M-Funktion, die Programme steuert (M30 …), in einem Zyklus: hier 900207.",
     steps=("the number of instructions so far", "die Anzahl der Anweisungen bis dahin"),
     limit=(
         "the instructions for which the share of the tick is enough",
@@ -186,7 +186,7 @@ HOLD_WITHOUT_EFFECT = note(
     900411,
     en="the realtime cycle is not running: HOLD has no effect",
     de="der Echtzeit-Zyklus läuft nicht: HOLD hat keine Wirkung",
-    cause_en="HOLD stops only a running cycle; this one is on hold already, or was not started.",
+    cause_en="HOLD stops only a running cycle; this one is already on hold, or was not started.",
     cause_de="HOLD hält nur einen laufenden Zyklus an; dieser ist schon angehalten oder wurde "
     "nicht gestartet.",
 )
@@ -220,7 +220,7 @@ UNKNOWN_CYCLE_TIMER = error(
     21167,
     known_as=(900421,),
     en="unknown timer {timer}: timers are numbered 0 … 127",
-    de="unbekannter Zeitgeber {timer}: Zeitgeber haben die Nummern 0 … 127",
+    de="unbekannter Timer {timer}: Timer haben die Nummern 0 … 127",
     remedy_en="Give #TIMER an ID from 0 to 127.",
     remedy_de="#TIMER eine ID von 0 bis 127 geben.",
     timer=("the ID", "die ID"),

@@ -23,7 +23,7 @@ SIGNAL_NUMBER_TWICE = error(
 )
 SIGNAL_NUMBER_MISSING = error(
     901500,
-    en="{command} has no number of a signal",
+    en="{command} has no signal number",
     de="{command} hat keine Signalnummer",
     remedy_en="Program ID with a number from 1 on, for example ID=5.",
     remedy_de="ID mit einer Nummer ab 1 programmieren, zum Beispiel ID=5.",
@@ -31,14 +31,14 @@ SIGNAL_NUMBER_MISSING = error(
 )
 INVALID_SIGNAL_NUMBER = error(
     20995,
-    en="{value} is not a number of a signal: 1 … {highest}",
+    en="{value} is not a signal number: 1 … {highest}",
     de="{value} ist keine Signalnummer: 1 … {highest}",
     remedy_en="Choose a whole number in this range.",
     remedy_de="Eine ganze Zahl in diesem Bereich wählen.",
 )
 INVALID_SIGNAL_CHANNEL = error(
     20996,
-    en="{value} is not a number of a channel: 1 … {highest}",
+    en="{value} is not a channel number: 1 … {highest}",
     de="{value} ist keine Kanalnummer: 1 … {highest}",
     remedy_en="Choose a whole number in this range.",
     remedy_de="Eine ganze Zahl in diesem Bereich wählen.",
@@ -56,8 +56,8 @@ SIGNAL_CHANNEL_MISSING = error(
 )
 INVALID_SIGNAL_COUNT = error(
     901501,
-    en="{value} is not a number of times that a signal can be taken: 1 … {highest}",
-    de="{value} ist kein Verbrauchszähler eines Signals: 1 … {highest}",
+    en="{value} is not a valid COUNT of a signal: 1 … {highest}",
+    de="{value} ist kein gültiges COUNT eines Signals: 1 … {highest}",
     remedy_en="Leave COUNT out, or choose a whole number in this range.",
     remedy_de="COUNT weglassen oder eine ganze Zahl in diesem Bereich wählen.",
     value=("the value of COUNT", "der Wert von COUNT"),
@@ -89,8 +89,8 @@ SIGNAL_TARGET = error(
     de="P[…]= bei {command} braucht eine Variable, die den Wert aufnimmt",
     remedy_en="Name a variable or parameter: P[0]=V.P.NAME or P[0]=P1.",
     remedy_de="Eine Variable oder einen Parameter angeben: P[0]=V.P.NAME oder P[0]=P1.",
-    cause_en="The value of the signal goes from left to right, into what follows the =.",
-    cause_de="Der Wert des Signals geht von links nach rechts, in das, was hinter dem = steht.",
+    cause_en="The value of the signal goes from left to right, into the variable after the =.",
+    cause_de="Der Wert des Signals geht von links nach rechts, in die Variable nach dem =.",
     classes=(2, 3),
 )
 WAIT_SYN_WITH_VALUES = error(
@@ -99,8 +99,8 @@ WAIT_SYN_WITH_VALUES = error(
     de="{command} SYN kann keine Signalparameter übernehmen",
     remedy_en="Leave SYN out: the decoder waits then, and has the values.",
     remedy_de="SYN weglassen: dann wartet der Dekoder und hat die Werte.",
-    cause_en="With SYN the interpolator waits; the blocks after it are decoded before that.",
-    cause_de="Mit SYN wartet der Interpolator; die Sätze dahinter sind schon dekodiert.",
+    cause_en="With SYN the interpolator waits; by then the blocks after it are already decoded.",
+    cause_de="Mit SYN wartet der Interpolator; die Sätze danach sind dann schon dekodiert.",
 )
 SIGNAL_VALUE_NOT_SENT = error(
     21549,
@@ -128,7 +128,7 @@ SIGNAL_OUT_OF_ORDER = error(
     remedy_de="In der Reihenfolge des Sendens auf die Signale warten oder AHEAD programmieren.",
     cause_en="Signals of one channel to another are taken in the order of their sending.",
     cause_de="Signale von einem Kanal an einen anderen werden in Sendereihenfolge abgeholt.",
-    id=("number of the signal in front", "Nummer des Signals davor"),
+    id=("number of the earlier signal", "Nummer des früheren Signals"),
     classes=(3, 6),
 )
 AHEAD_TAKES_SIGNAL_EARLY = note(
@@ -137,7 +137,7 @@ AHEAD_TAKES_SIGNAL_EARLY = note(
     de="AHEAD: das Signal wird auch abgeholt, wenn der Sender vorher andere gesendet hat",
     remedy_en="Nothing to do; this is reported once per program.",
     remedy_de="Nichts zu tun; das wird einmal je Programm gemeldet.",
-    cause_en="No public source says what AHEAD does; this is the meaning chosen here.",
+    cause_en="No public source describes AHEAD; this is the meaning chosen here.",
     cause_de="Keine öffentliche Quelle beschreibt AHEAD; das ist die hier gewählte Bedeutung.",
 )
 SIGNAL_NEVER_SENT = warning(

@@ -16,7 +16,9 @@ NEGATIVE_RESOLUTION = error(
     901887,
     en="RESOLUTION of #SINGLE STEP is {value}, below 0",
     de="RESOLUTION von #SINGLE STEP ist {value}, kleiner als 0",
-    remedy_en="0 stops at each block, 1 at those with a number, 10 at N10, N20 and so on.",
-    remedy_de="0 hält an jedem Satz an, 1 an denen mit Nummer, 10 an N10, N20 und so weiter.",
+    remedy_en="Give 0 or more: 0 stops at each block, 1 at those with a number, 10 at N10, N20 "
+    "and so on.",
+    remedy_de="0 oder mehr angeben: 0 hält an jedem Satz, 1 an denen mit Nummer, 10 an N10, N20 "
+    "und so weiter.",
     classes=(2, 3),
 )

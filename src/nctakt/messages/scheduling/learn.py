@@ -17,7 +17,7 @@ INVALID_RECORDING = error(
 )
 NOTHING_LEARNT = error(
     900642,
-    en="{file}: no call of a function of the list was recorded from begin to end",
+    en="{file}: no call of a function of the list was recorded from beginning to end",
     de="{file}: kein Aufruf einer Funktion der Liste ist von Anfang bis Ende aufgezeichnet",
     remedy_en="Set trace_bit in the list as it was during the recording.",
     remedy_de="trace_bit in der Liste so setzen, wie es bei der Aufzeichnung war.",

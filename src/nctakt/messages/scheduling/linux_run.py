@@ -8,7 +8,7 @@ from nctakt.messages.catalogue import error, note, warning
 LINUX_ONLY = error(
     900680,
     en="a schedule can only be run in real time on Linux; this is {system}",
-    de="ein Ablauf lässt sich nur unter Linux in Echtzeit ausführen; dies ist {system}",
+    de="ein Ablaufplan lässt sich nur unter Linux in Echtzeit ausführen; dies ist {system}",
     remedy_en="Simulate it instead, with nctakt schedule simulate.",
     remedy_de="Ihn stattdessen mit nctakt schedule simulate simulieren.",
     system=("the operating system", "das Betriebssystem"),
@@ -16,7 +16,7 @@ LINUX_ONLY = error(
 SCHEDULE_RUNNER_MISSING = error(
     900681,
     en="the part that runs schedules is not installed",
-    de="der Teil, der Abläufe ausführt, ist nicht installiert",
+    de="der Teil, der Ablaufpläne ausführt, ist nicht installiert",
     remedy_en="Reinstall nctakt where a C compiler is available.",
     remedy_de="nctakt dort neu installieren, wo ein C-Compiler vorhanden ist.",
 )

@@ -9,9 +9,10 @@ STEPS_BESIDE_TICKS = note(
     901460,
     en="decoder and PLC work between two ticks: a tick begins after the block or PLC call that "
     "is running",
-    de="Dekoder und SPS arbeiten zwischen zwei Takten: ein Takt beginnt nach ihrem Schritt",
-    remedy_en="The wake-up latency of the interpolation's thread shows what it costs.",
-    remedy_de="Was es kostet, zeigt die Aufwachverzögerung des Interpolations-Threads.",
+    de="Dekoder und SPS arbeiten zwischen zwei Takten: ein Takt beginnt nach dem laufenden Satz "
+    "oder SPS-Aufruf",
+    remedy_en="The wake-up latency of the interpolation's thread shows the cost.",
+    remedy_de="Die Kosten zeigt die Aufwachverzögerung des Interpolations-Threads.",
 )
 ALWAYS_A_TIMER = note(
     901552,
@@ -31,12 +32,12 @@ THREADS_WITHOUT_WORK = note(
     901462,
     en="these threads have no work here and are not run: {threads}",
     de="diese Threads haben hier keine Arbeit und laufen nicht: {threads}",
-    remedy_en="nctakt schedule run plays all threads, by the times of a load.",
+    remedy_en="nctakt schedule run plays all threads, with the times of a load.",
     remedy_de="nctakt schedule run spielt alle Threads, mit den Zeiten einer Last.",
 )
 THREAD_NOT_PLACED = warning(
     901463,
-    en="thread {thread} has not the class or processor of the list: {reason}",
+    en="thread {thread} does not have the class or processor of the list: {reason}",
     de="Thread {thread} hat nicht die Klasse oder den Prozessor der Liste: {reason}",
     remedy_en="Give nctakt the right to use SCHED_FIFO and this processor.",
     remedy_de="nctakt das Recht auf SCHED_FIFO und diesen Prozessor geben.",
@@ -45,9 +46,9 @@ THREAD_NOT_PLACED = warning(
 REAL_SCHEDULE_HAS_NO_PAST = error(
     901464,
     en="a session on a real schedule cannot go back",
-    de="eine Sitzung mit echtem Ablauf kann nicht zurück",
-    remedy_en="Record it, and live through the tape: nctakt replay repeats it.",
-    remedy_de="Sie aufzeichnen und das Band durchleben: nctakt replay wiederholt sie.",
+    de="eine Sitzung mit echtem Ablaufplan kann nicht zurück",
+    remedy_en="Record it and open the tape; nctakt replay repeats the run.",
+    remedy_de="Sie aufzeichnen und das Band öffnen; nctakt replay wiederholt den Lauf.",
 )
 SPEED_OF_REAL_SCHEDULE = error(
     901465,

@@ -132,7 +132,7 @@ EXTERNAL_SCHEDULING = note(
     en="interrupt_source 4, external scheduling: another program calls the tasks",
     de="interrupt_source 4, externes Scheduling: ein anderes Programm ruft die Tasks auf",
     remedy_en="Nothing to do; a schedule treats it as an external interrupt.",
-    remedy_de="Nichts zu tun; ein Ablauf behandelt es als externen Interrupt.",
+    remedy_de="Nichts zu tun; ein Ablaufplan behandelt es als externen Interrupt.",
     cause_en="The manual does not list this value; comments in shipped lists do.",
     cause_de="Das Handbuch kennt diesen Wert nicht; Kommentare ausgelieferter Listen nennen ihn.",
 )

@@ -11,7 +11,7 @@ TICK_MISMATCH = warning(
     de="der Takt beträgt {cycle} µs laut {file}; die Liste der Maschine sagt {other} µs",
     remedy_en="This may be intended; otherwise write the same cycle_time in both lists.",
     remedy_de="Das kann gewollt sein; sonst in beiden Listen dieselbe cycle_time schreiben.",
-    file=("the scheduling list of the run", "die Scheduling-Liste des Laufs"),
+    file=("the scheduling list of the run", "die Liste der Echtzeitkonfiguration des Laufs"),
     cycle=("the length of a tick, in µs", "die Länge eines Takts, in µs"),
     other=(
         "cycle_time of the list named in the start-up list, in µs",
@@ -51,7 +51,7 @@ UNKNOWN_PLC_THREAD = error(
 OPTION_WITHOUT_SCHEDULE = error(
     900734,
     en="{option} needs a schedule, but none is given",
-    de="{option} braucht einen Ablauf, angegeben ist aber keiner",
+    de="{option} braucht einen Ablaufplan, angegeben ist aber keiner",
     remedy_en="Name a scheduling list with --rtconf, or omit the option.",
-    remedy_de="Mit --rtconf eine Scheduling-Liste nennen oder die Option weglassen.",
+    remedy_de="Mit --rtconf eine Liste der Echtzeitkonfiguration nennen oder die Option weglassen.",
 )

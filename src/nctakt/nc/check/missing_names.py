@@ -41,7 +41,7 @@ _DECLARED_IN = {
     family: Text(
         f"V.{family} variables are declared in the machine's list of variables: "
         f"{entry}[0].name and so on.",
-        f"V.{family}-Variablen vereinbart die Variablenliste der Maschine: {entry}[0].name usw.",
+        "-Variablen deklariert die Variablenliste der Maschine: ",
     )
     for family, entry in (("E", "var"), ("CH", "vch"))
 } | {

@@ -18,8 +18,8 @@ NAME = "#OPTIONAL EXECUTION"
 SWITCHES = ("ON", "OFF", "CLEAR")
 _FORM = Form(("SIMULATE", "APPROACH"), ("MASK",))
 _NOT_BEHIND = Text(
-    "backward motion ends behind such a part, and does not leave it out",
-    "die Rückwärtsfahrt endet hinter einem solchen Teil und lässt ihn nicht aus",
+    "backward motion ends after such a part, and does not leave it out",
+    "die Rückwärtsfahrt endet nach einem solchen Teil und lässt ihn nicht aus",
 )
 _NEVER_LEFT_OUT = Text(
     "the part is always executed, for no motion is simulated",

@@ -19,7 +19,7 @@ _TOOL_WORDS = Text(
     "Write D with the number of the tool, as in T1 D1; D0 takes its offsets out.",
     "D mit der Nummer des Werkzeugs schreiben, wie in T1 D1; D0 wählt die Korrektur ab.",
 )
-_REFERENCE = Text("the way to the reference point", "die Fahrt zum Referenzpunkt")
+_REFERENCE = Text("the motion to the reference point", "die Fahrt zum Referenzpunkt")
 _REFERENCE_WORDS = Text(
     "Take the offsets out with G53 and move with G00 to the position itself.",
     "Die Verschiebungen mit G53 abwählen und mit G00 die Position selbst anfahren.",
@@ -32,7 +32,7 @@ _CALL_WORDS = Text(
 _VARIABLE = Text("a variable", "eine Variable")
 _VARIABLE_WORDS = Text(
     "Write a parameter, as in P100, or declare V.P.NAME with #VAR.",
-    "Einen Parameter schreiben, wie P100, oder V.P.NAME mit #VAR vereinbaren.",
+    "Einen Parameter schreiben, wie P100, oder V.P.NAME mit #VAR deklarieren.",
 )
 _JUMP_WORDS = Text(
     "Write $IF condition $GOTO N10 or $GOTO [LABEL].",
@@ -147,7 +147,7 @@ OTHER_CONTROLS: tuple[tuple[re.Pattern[str], str, Text, Text], ...] = tuple(
         (
             r"(?<!\w)(?P<wrong>CC\s+[XYZ][+-]?[\d.]+).*$",
             _HEIDENHAIN,
-            Text("the centre of an arc", "den Mittelpunkt eines Kreises"),
+            Text("the centre of an arc", "den Mittelpunkt eines Kreisbogens"),
             Text("Write G02 or G03 with I, J, K.", "G02 oder G03 mit I, J, K schreiben."),
         ),
         (
@@ -190,7 +190,7 @@ OTHER_CONTROLS: tuple[tuple[re.Pattern[str], str, Text, Text], ...] = tuple(
         (
             r"^\s*(?:N\d+\s*)?(?P<wrong>DEF\s+(?:REAL|INT|BOOL|CHAR|STRING|AXIS)).*$",
             _SINUMERIK,
-            Text("a declaration", "eine Vereinbarung"),
+            Text("a declaration", "eine Deklaration"),
             Text(
                 "Write #VAR, V.P.NAME = 0 and #ENDVAR in lines of their own.",
                 "#VAR, V.P.NAME = 0 und #ENDVAR in eigenen Zeilen schreiben.",

@@ -134,7 +134,7 @@ def _of_independent_axes(form: str) -> tuple[tuple[str, Support, str, str, Text]
             "andere Rampenform für diese Bewegung",
             Text(
                 "Leave it out: the motion has the slope of P-CHAN-00071.",
-                "Weglassen: die Bewegung hat die Rampenform von P-CHAN-00071.",
+                "Weglassen: die Bewegung hat das Beschleunigungsprofil von P-CHAN-00071.",
             ),
         ),
         (
@@ -243,7 +243,7 @@ FORMS = table(
         "Abheben einer Achse über mehrere Sätze endet",
         Text(
             "Write X[INDP_SYN G91 …] after the last of these blocks.",
-            "X[INDP_SYN G91 …] hinter den letzten dieser Sätze schreiben.",
+            "X[INDP_SYN G91 …] nach dem letzten dieser Sätze schreiben.",
         ),
     ),
     (

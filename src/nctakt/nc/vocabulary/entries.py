@@ -51,8 +51,8 @@ _QUIET = Text(
     "Entfernen: Positionen und Zeiten hängen nicht davon ab.",
 )
 _UNKNOWN = Text(
-    "Remove it: without it positions or times may be others than on the machine.",
-    "Entfernen: ohne es sind Positionen oder Zeiten vielleicht andere als an der Maschine.",
+    "Remove it: without it positions or times may differ from those on the machine.",
+    "Entfernen: Positionen oder Zeiten können dann von denen der Maschine abweichen.",
 )
 _NO_VALUE = Text(
     "Leave it out, or write a value in its place: here it has none.",

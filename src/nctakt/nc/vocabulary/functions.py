@@ -411,7 +411,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
     subprograms(800, 839),
     group(
         Group.DECELERATION,
-        plain(900, "deceleration in front of the block's end", "Bremsen vor dem Satzende"),
+        plain(900, "deceleration before the block's end", "Bremsen vor dem Satzende"),
         simplified(
             901, "deceleration behind the block's end", "Bremsen hinter dem Satzende", AS_G900
         ),

@@ -15,7 +15,7 @@ CORNER_FEED = Text(
     "F fällt vor jedem Satzende in bis zu 32 Stufen, nicht mit Ruckbegrenzung und in Konturen",
 )
 AS_G900 = Text(
-    "the path brakes in front of the block's end, as with G900",
+    "the path brakes before the block's end, as with G900",
     "die Bahn bremst wie bei G900 vor dem Satzende",
 )
 TANGENTIAL_ARC = Text(

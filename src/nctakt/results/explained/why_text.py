@@ -35,13 +35,13 @@ _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
 _UNREACHED = Text("realtime cycle", "Echtzeit-Zyklus")
 _LIVING = Text("already existed before the run", "bestand schon vor dem Lauf")
 _STEPS = {
-    "created": Text("defined", "angelegt"),
+    "created": Text("defined", "definiert"),
     "started": Text("started", "gestartet"),
     "held": Text("put on hold", "angehalten"),
     "continued": Text("continued", "fortgesetzt"),
     "ended": Text("ended", "beendet"),
 }
-_AND_STARTED = Text("defined and started", "angelegt und gestartet")
+_AND_STARTED = Text("defined and started", "definiert und gestartet")
 _STEP_AT = Text("{step} at {tick}", "{step} in {tick}")
 _RAN_IN = Text("ran in {times}", "gelaufen: {times}")
 _NEVER_RAN = Text("never ran: {reason}", "nie gelaufen: {reason}")

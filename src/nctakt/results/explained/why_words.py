@@ -49,10 +49,10 @@ _ENDED_BY = {
 }
 
 _CYCLE_REASONS = {
-    "undefined": Text("not defined in this run", "in diesem Lauf nicht angelegt"),
-    "undefined yet": Text("not defined until {tick}", "nicht angelegt bis {tick}"),
+    "undefined": Text("not defined in this run", "in diesem Lauf nicht definiert"),
+    "undefined yet": Text("not defined until {tick}", "nicht definiert bis {tick}"),
     "unstarted": Text(
-        "defined at {tick} with DEF, not started", "in {tick} mit DEF angelegt, nicht gestartet"
+        "defined at {tick} with DEF, not started", "in {tick} mit DEF definiert, nicht gestartet"
     ),
     "waiting": Text(
         "started at {tick}, waiting for its block", "in {tick} gestartet, wartet auf seinen Satz"

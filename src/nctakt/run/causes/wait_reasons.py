@@ -203,7 +203,7 @@ _WHILE_CYCLE_RUNS = Text(
     "Es wird gehalten, solange Zyklus {cycle} läuft: nichts in ihm beendet, was Zeile {line} tut",
 )
 _AXIS_OVERRIDE = Text(
-    "axis {name}, which stands at an override of 0 %{where}",
+    "axis {name}, stopped by an override of 0 %{where}",
     "Achse {name}, die bei einem Override von 0 % steht{where}",
 )
 

@@ -114,7 +114,9 @@ def _without_windows_time(model: Model, responses: list[int], minimum: int) -> I
             yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=reason)
             return
     if minimum == 0:
-        reason = Text("Windows gets no time in some cycles", "Windows bekommt manchmal keine Zeit")
+        reason = Text(
+            "Windows gets no time in some cycles", "Windows bekommt in manchen Takten keine Zeit"
+        )
         yield diagnostic(WINDOWS_WITHOUT_GUARANTEE, what=reason)
 
 

@@ -20,11 +20,12 @@ from nctakt.nc.vocabulary.commands import forms_of
 
 _ROTARY = Form(numbers=("REF",))
 _FACTORS = Text(
-    "F is the speed of the path whose length counts the way of each axis times its factor",
-    "F ist die Geschwindigkeit der Bahn, in deren Länge jeder Achsweg mal seinem Faktor zählt",
+    "F is the speed of the path, whose length includes the distance of each axis times its factor",
+    "F ist die Geschwindigkeit der Bahn, in deren Länge jeder Achsweg mal seinem Faktor eingeht",
 )
 _WEAKEST = Text(
-    "F is the speed of the axis whose way takes the longest at its highest speed (P-AXIS-00212)",
+    "F is the speed of the axis whose distance takes the longest at its highest speed "
+    "(P-AXIS-00212)",
     "F ist die Geschwindigkeit der Achse, deren Weg mit ihrer Höchstgeschwindigkeit am längsten "
     "dauert",
 )

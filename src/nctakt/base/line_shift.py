@@ -22,7 +22,7 @@ class ReplacedLine(Exception):
 
 @dataclass(frozen=True, slots=True)
 class LineShift:
-    """The lines from ``first`` up to before ``behind`` (from 1) became ``by`` more lines.
+    """The lines from ``first`` up to but not ``behind`` (from 1) became ``by`` more lines.
 
     While the number of lines is the same, each line keeps its number, replaced or not.
     """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``nctakt replay``: a recorded run again, from its inputs, without the PLC.
 
-In: a tape of ``nctakt run --record``, files to write. Out: what ``nctakt run`` tells, byte for
+In: a tape of ``nctakt run --record``, files to write. Out: what ``nctakt run`` prints, byte for
 byte, and whether the events were the same. Exit codes as ``nctakt run``; 1 also where they were
 not.
 """

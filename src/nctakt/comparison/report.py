@@ -53,7 +53,7 @@ _LEAVES = Text(
     "{signal} verlässt seine Toleranz zuerst bei {time} s, {count} von {samples} Werten liegen "
     "außerhalb",
 )
-_FARTHEST = Text("{signal} is farthest at {time} s", "{signal} ist am weitesten bei {time} s")
+_FARTHEST = Text("{signal} deviates most at {time} s", "{signal} weicht bei {time} s am meisten ab")
 _AT_BLOCK = Text("block in {file}:{line}", "Satz in {file}:{line}")
 _REACTION = Text("{event} {since} ms before", "{event} {since} ms davor")
 _LATER = Text(

@@ -61,7 +61,7 @@ class Breakpoint:
 
     ``asked``: what the client has sent, and for which ``source``; it is read again where a program
     begins anew. ``hit_condition`` counts ``hits``, the moments in which it has held
-    (``moment_of``); ``log``: the text that it tells instead of stopping.
+    (``moment_of``); ``log``: the text that it prints instead of stopping.
     """
 
     number: int

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a debugger tells beside stops: messages of programs, diagnostics, progress.
+"""What a debugger reports besides stops: messages of programs, diagnostics, progress.
 
 In: parts of a run; what another one's session says while others let it run. Out: events of the
 protocol.

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A PLC of one's own in another process, attached to the HLI of a CNC by its name.
 
-In: the name behind ``nctakt run --hli``. Out: the PLC's side by names (``plc_side.py``), and the
+In: the name after ``nctakt run --hli``. Out: the PLC's side by names (``plc_side.py``), and the
 ticks of the CNC one after another: in lockstep it waits for an answer after each of them.
 """
 

@@ -267,8 +267,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "tour_again": ("Begin again", "Von vorn"),
     "tour_end": ("End the tour", "Rundgang beenden"),
     "tour_lost": (
-        "This run is not the one that the tour tells of: somebody has changed a value or the "
-        "program.",
+        "This is not the run of the tour: somebody has changed a value or the program.",
         "Dieser Lauf ist nicht der des Rundgangs: Jemand hat einen Wert oder das Programm "
         "geändert.",
     ),

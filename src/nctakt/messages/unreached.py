@@ -92,18 +92,17 @@ UNREACHED = (
         50898,
         en="the index of an axis is not valid",
         de="der Index einer Achse ist ungültig",
-        cause_en="The checker resolves names of axes before a cycle runs; an unknown one is "
-        "900213.",
-        cause_de="Der Prüfer löst Achsnamen auf, bevor ein Zyklus läuft; ein unbekannter ist "
-        "900213.",
+        cause_en="The checker resolves names of axes before a cycle runs; an unknown one "
+        "gives 900213.",
+        cause_de="Der Prüfer löst Achsnamen auf, bevor ein Zyklus läuft; ein unbekannter "
+        "ergibt 900213.",
     ),
     _unreached(
         50948,
         en="an axis inside an active transformation cannot be moved separately",
         de="eine Achse in einer aktiven Transformation kann nicht für sich bewegt werden",
-        cause_en="nctakt refuses transformations when a program is checked, so that none is ever "
-        "active.",
-        cause_de="nctakt lehnt Transformationen beim Prüfen ab, sodass nie eine aktiv ist.",
+        cause_en="nctakt refuses such a command of a program with 21071 when it is decoded.",
+        cause_de="nctakt lehnt einen solchen Befehl eines Programms beim Dekodieren mit 21071 ab.",
     ),
     *CYCLE_FAULTS,
 )

@@ -148,7 +148,7 @@ class Endpoint:
                 self._threads.discard(threading.current_thread())
 
     def admit(self, visitor: Visitor, token: str | None, request: str, *, is_open: bool) -> None:
-        """Make a visitor a guest, as ``Visitor.enter`` tells."""
+        """Make a visitor a guest, as ``Visitor.enter`` says."""
         if token is None and not is_open:
             raise Failure(diagnostic(TOKEN_NEEDED, request=request))
         if token is not None and not is_same(token, self.token):

@@ -3,7 +3,7 @@
 
 In: a program, its project. Out: ``MachineChoice``: the machine of the environment, else that of the
 project file, else the one in whose folder the program lies, else the built-in one; and the note
-that tells which.
+that says which.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ class MachineChoice:
         return self.path.name if is_built_in else self.path.as_posix()
 
     def note(self) -> Diagnostic | None:
-        """Return the note that tells the machine (901064, 900816); ``None`` if it is the demo."""
+        """Return the note that names the machine (901064, 900816); ``None`` if it is the demo."""
         if self.setting:
             return diagnostic(MACHINE_OF_SETTING, machine=self.shown, source=self.setting)
         return None if self.is_demo else diagnostic(RUN_ON_MACHINE_OF_FILE, file=self.shown)

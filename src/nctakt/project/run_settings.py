@@ -64,7 +64,7 @@ class Named:
 class RunSettings:
     """What a run takes.
 
-    ``machine`` ``None``: the demo machine, because no one names one; ``machine_note`` tells which
+    ``machine`` ``None``: the demo machine, because no one names one; ``machine_note`` says which
     setting names it. ``plcs`` in the order of a tick; empty: the built-in one, or one that is no
     file. ``values``: those of variables before the first tick, beside those that the run sets
     itself.

@@ -242,7 +242,7 @@ def common_name(cycle: str) -> str:
 
 
 def branch_key(cycle: str, span: Span | None) -> BranchKey:
-    """Return what tells a branch from others."""
+    """Return what distinguishes a branch from others."""
     name = common_name(cycle)
     return (name, "", 0, 0) if span is None else (name, span.file, span.line, span.column)
 

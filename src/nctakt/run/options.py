@@ -376,7 +376,7 @@ OPTIONS: Sequence[RunOption] = (
         name="plc",
         kind=Instances("cycle", Text("a Plc", "eine Plc")),
         help=Text(
-            "A PLC of yours; several run in this order [default: the project's, else built in].",
+            "Your own PLC; several run in this order [default: the project's, else built in].",
             "Eine eigene SPS; mehrere laufen in dieser Folge [Vorgabe: die des Projekts, sonst die "
             "eingebaute].",
         ),

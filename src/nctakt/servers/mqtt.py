@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The endpoint for MQTT: the session tells a broker what changes, and takes writes from it.
+"""The endpoint for MQTT: a broker gets what changes in the session, which takes writes from it.
 
 In: frames and notices of the host; JSON on the topics ``write`` and ``press``. Out: JSON on topics
 below a root: channels, axes, spindles, variables, texts, and an answer to each request. When the

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The endpoint for MTConnect: an adapter, which agents connect to and which tells them what
+"""The endpoint for MTConnect: an adapter, to which agents connect and which sends them what
 changes.
 
 In: frames and notices of the host. Out: lines of the adapter's protocol (SHDR) on a socket:

@@ -495,7 +495,7 @@ class Engine:
         return questions[request](*words)
 
     def evidence(self, stops: Sequence[StopAt]) -> list[Evidence]:
-        """Return for each stop what the record of a session tells of it."""
+        """Return for each stop what the record of a session says about it."""
         return [
             (self._stop_builder.filters(stop), necessary(stop, self._machine, self._columns))
             for stop in stops

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a session tells: frames, which may be skipped, and notices, which may not.
+"""What a session reports: frames, which may be skipped, and notices, which may not.
 
 In: the moments of a session. Out: for each listener the latest frame, at a rate of its own, and all
 notices in their order. No listener can hold the session up.

@@ -267,7 +267,7 @@ class Session:
         return self._ask(lambda: self._run_to(self._core.tick + ticks, []))
 
     def next_block(self) -> StepResult:
-        """Run until a block becomes current, or none can any more by itself, as ``run`` tells."""
+        """Run until a block becomes current, or none can any more by itself, as ``run`` says."""
         return self._ask(lambda: self._run_to(None, [NEXT_BLOCK], rests=True))
 
     def step_statement(self, step: Step = "into") -> PlcPlace | None:
@@ -503,7 +503,7 @@ class Session:
     def evaluate(self, expression: str, channel: int = 1) -> float:
         """Return the value of an expression in the controller's language at this tick.
 
-        It is no number where the expression is not defined; ``undefined`` tells why.
+        It is no number where the expression is not defined; ``undefined`` says why.
         """
         return self._ask(self._core.evaluate, expression, channel)
 

@@ -218,7 +218,7 @@ class _Bounds:
 
 
 class StopBuilder:
-    """Makes the kernel's stops for a machine; ``add_cycle`` tells it of each new cycle."""
+    """Makes the kernel's stops for a machine; ``add_cycle`` makes it know each new cycle."""
 
     def __init__(self, machine: AssembledMachine) -> None:
         self._machine = machine

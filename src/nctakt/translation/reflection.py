@@ -58,7 +58,7 @@ def class_number(found: Type, form: StructType) -> int:
 
 
 def information(expression: Expression, form: StructType) -> bytes:
-    """Return what ``__VARINFO`` tells of a variable: the bytes of its structure."""
+    """Return what ``__VARINFO`` says about a variable: the bytes of its structure."""
     found, target = expression.type, getattr(expression, "target", None)
     assert found is not None
     image = bytearray(form.size)

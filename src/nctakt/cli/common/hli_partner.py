@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The PLC in another process behind ``--hli``: what the CNC waits for is said as it happens.
+"""The PLC in another process at ``--hli``: what the CNC waits for is reported as it happens.
 
 In: a controller, the name of the shared memory. Out: the PLC, once it has connected; notes and
 warnings on standard error while the CNC waits for it.

@@ -55,7 +55,7 @@ _T = TypeVar("_T")
 class Options:
     """The words of the command line with the settings of the project; ``None``: not given.
 
-    ``machine_note`` tells which setting names the machine. ``run``: the words of the options of
+    ``machine_note`` says which setting names the machine. ``run``: the words of the options of
     ``Controller.run`` by name.
     """
 

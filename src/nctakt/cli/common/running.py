@@ -85,7 +85,7 @@ def choose_mode(options: Options) -> None:
 
 
 def start_controller(options: Options, access: FileAccess) -> Controller:
-    """Return a controller of the machine; a note tells which, if no word names it."""
+    """Return a controller of the machine; a note says which, if no word names it."""
     from nctakt.lists.machine.machine import Machine, load_machine  # noqa: PLC0415 - as below
     from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 

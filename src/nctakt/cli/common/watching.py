@@ -2,9 +2,9 @@
 """``--watch``: a command carried out again whenever a file that it reads has changed.
 
 In: the command as a function of a ``FileAccess``, the files and folders that it was given. Out: the
-exit code of the last time, after Ctrl-C or SIGTERM. The library watchfiles (extra ``watch``) tells
-of changes; what changed while the command ran is found by the state of the files when they were
-read.
+exit code of the last time, after Ctrl-C or SIGTERM. The library watchfiles (extra ``watch``)
+reports changes; what changed while the command ran is found by the state of the files when they
+were read.
 """
 
 from __future__ import annotations

@@ -59,8 +59,8 @@ _RUN_OPTIONS = (
         "--stand-in",
         is_flag=True,
         text=Text(
-            "Play the external threads as well, by the load.",
-            "Auch die externen Threads spielen, nach der Last.",
+            "Play the external threads as well, with the times of the load.",
+            "Auch die externen Threads spielen, mit den Zeiten der Last.",
         ),
     ),
     option(

@@ -45,7 +45,7 @@ class DecoderEnvironment:
     findings that do not stop the program. ``subprogram``: returns the text of a called file,
     by name, calling file and span; raises ``DecodeError``. ``skip_levels``: blocks of these
     levels are skipped.
-    ``marks_blocks``: each block is marked. ``controller_data``: data behind V.G and V.S.
+    ``marks_blocks``: each block is marked. ``controller_data``: data of V.G and V.S.
     ``living_cycles``: cycles left by earlier programs. ``moving_axes``: returns the names of
     the axes in independent motion. ``history_size``: the number of blocks in the history of the
     path. ``signals``: those between the channels. ``places``: the axes of the channel and those

@@ -137,7 +137,7 @@ class CompensationState:
 
 
 class LastArc(NamedTuple):
-    """What V.G tells of the last arc: itself, its begin in mm, its words and centre, their unit."""
+    """What V.G says of the last arc: itself, its begin in mm, its words and centre, their unit."""
 
     arc: Arc
     begin: Sequence[float]

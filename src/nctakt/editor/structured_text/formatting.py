@@ -91,7 +91,7 @@ class _State:
         self._in_hidden = False
 
     def line(self, line: str, code: str) -> str:
-        """Return a line in its form, and go on behind it."""
+        """Return a line in its form, and go on after it."""
         stripped = line.strip()
         if not stripped:
             return ""

@@ -45,7 +45,7 @@ class _Unit:
 def declarations(
     names: ProjectNames, file: PlcFile, position: int
 ) -> Iterator[tuple[PieceEdit, str]]:
-    """Yield the edit that declares a name, and its line, where its use tells its type."""
+    """Yield the edit that declares a name, and its line, where its use shows its type."""
     names.of(file)  # lets the expressions of the file have their types
     for unit in _units(file.nodes):
         for node in _all(unit.body.body):

@@ -43,7 +43,7 @@ class ToolSelection:
     is at rest before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
     ``keeps_length_axis``: the length acts along the third main axis in every plane.
     ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life. ``is_external``: an
-    external tool management may have the tools (P-CHAN-00016), and is told of T if
+    external tool management may have the tools (P-CHAN-00016), and is informed of T if
     ``informs_of_t`` (P-CHAN-00087).
     """
 

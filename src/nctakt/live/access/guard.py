@@ -91,7 +91,7 @@ class Access:
         return hmac.compare_digest(given.encode("utf-8", "replace"), self.token.encode())
 
     def headers(self) -> list[tuple[bytes, bytes]]:
-        """Return what each answer tells browsers: the page is material for no other site."""
+        """Return the headers of each answer: no other site may use the page."""
         found = {
             "content-security-policy": "frame-ancestors 'none'",
             "cross-origin-resource-policy": "same-origin",

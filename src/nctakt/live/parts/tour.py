@@ -126,7 +126,7 @@ class Tour:
 def brought(session: Session, file: str, line: int, name: str) -> int | None:
     """Bring a session to a step; return the tick of the question, 0 before it has come up.
 
-    ``None``, where no one has asked, or the answer was another one than the tour tells of.
+    ``None``, where no one has asked, or the answer was another one than the tour describes.
     """
     session.pause()
     first = min(session.branches)

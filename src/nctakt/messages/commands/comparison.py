@@ -262,8 +262,8 @@ EVENT_NOT_IN_RUN = error(
     902846,
     en="{event} does not happen in the run",
     de="{event} kommt im Lauf nicht vor",
-    remedy_en="Name an event that happens in both; --trace shows what the run has.",
-    remedy_de="Ein Ereignis nennen, das beide haben; --trace zeigt, was der Lauf hat.",
+    remedy_en="Name an event that happens in both; --trace shows the events of the run.",
+    remedy_de="Ein Ereignis nennen, das in beiden vorkommt; --trace zeigt die des Laufs.",
     event=("the event", "das Ereignis"),
 )
 EVENT_NOT_IN_LOG = error(

@@ -58,7 +58,7 @@ PROJECT_NOT_TRUSTED = error(
 PLC_NOT_RUN = note(
     902026,
     en="the PLC of the project, {plc}, is not run: this command runs no code of others",
-    de="die SPS des Projekts, {plc}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
+    de="die SPS des Projekts, {plc}, läuft nicht: dieser Befehl führt keinen fremden Code aus",
     remedy_en="Give --plc {plc} to run it.",
     remedy_de="Mit --plc {plc} wird sie ausgeführt.",
     plc=("the file", "die Datei"),
@@ -66,7 +66,7 @@ PLC_NOT_RUN = note(
 FMU_NOT_RUN = note(
     902613,
     en="the FMU of the project, {fmu}, is not run: this command runs no code of others",
-    de="die FMU des Projekts, {fmu}, läuft nicht: Dieser Befehl führt keinen fremden Code aus",
+    de="die FMU des Projekts, {fmu}, läuft nicht: dieser Befehl führt keinen fremden Code aus",
     remedy_en="Give --fmu {fmu} to run it.",
     remedy_de="Mit --fmu {fmu} wird sie ausgeführt.",
     fmu=("the file", "die Datei"),

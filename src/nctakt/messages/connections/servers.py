@@ -87,8 +87,8 @@ ADS_NEEDS_SOURCES = error(
     remedy_de="Adressen oder Netze nennen: --ads-from 192.168.0.0/24; 0.0.0.0/0 sind alle.",
     cause_en="ADS has no passwords: whoever connects commands the machine. A NetId is what a "
     "client states.",
-    cause_de="ADS hat keine Passwörter: Wer sich verbindet, befiehlt der Maschine. Eine NetId ist "
-    "das, was ein Client angibt.",
+    cause_de="ADS hat keine Passwörter: wer sich verbindet, kann der Maschine Befehle geben. Eine "
+    "NetId ist das, was ein Client angibt.",
     host=("the address of the server", "die Adresse des Servers"),
 )
 WHO_COMMANDS = note(

@@ -24,7 +24,7 @@ FMU_PATH_OUTSIDE = error(
     en="{file} has an entry {path}, which would be written outside of its folder",
     de="{file} hat einen Eintrag {path}, der außerhalb seines Ordners geschrieben würde",
     remedy_en="Do not use it: no modelling tool writes such an FMU.",
-    remedy_de="Sie nicht verwenden: Kein Modellierungswerkzeug schreibt eine solche FMU.",
+    remedy_de="Sie nicht verwenden: kein Modellierungswerkzeug schreibt eine solche FMU.",
 )
 FMU_KIND_NOT_POSSIBLE = error(
     902603,

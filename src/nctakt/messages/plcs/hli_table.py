@@ -114,8 +114,8 @@ PATH_NOT_SERVED = error(
     902109,
     en="{path} has no value here: nctakt does not compute it",
     de="{path} hat hier keinen Wert: nctakt berechnet ihn nicht",
-    remedy_en="nctakt explain elements lists what acts and what is shown.",
-    remedy_de="nctakt explain elements listet auf, was wirkt und was angezeigt wird.",
+    remedy_en="See nctakt explain elements for what acts and what is shown.",
+    remedy_de="Was wirkt und was angezeigt wird, zeigt nctakt explain elements.",
     path=_PATH,
 )
 COUNTED_FROM_ONE = error(

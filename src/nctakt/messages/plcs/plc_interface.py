@@ -8,7 +8,7 @@ from nctakt.messages.catalogue import note, warning
 INTERFACE_INDEX_OUTSIDE = warning(
     902361,
     en="{name}[{index}]: the machine has {count} of them, counted from 0",
-    de="{name}[{index}]: Die Maschine hat davon {count}, ab 0 gezählt",
+    de="{name}[{index}]: die Maschine hat davon {count}, ab 0 gezählt",
     remedy_en="Correct the index, or the machine's start-up list.",
     remedy_de="Den Index oder die Hochlaufliste der Maschine berichtigen.",
     index=("the index", "der Index"),
@@ -32,7 +32,7 @@ FUNCTION_NOT_ACKNOWLEDGED = warning(
 CODE_KNOWS_UNLISTED_FUNCTION = note(
     902364,
     en="no channel list has a function M{number} or H{number}: it never comes",
-    de="keine Kanalliste hat eine Funktion M{number} oder H{number}: Sie kommt nie",
+    de="keine Kanalliste hat eine Funktion M{number} oder H{number}: sie kommt nie",
     remedy_en="Add it to the channel list (P-CHAN-00041, P-CHAN-00027), or remove the label.",
     remedy_de="Sie in die Kanalliste aufnehmen (P-CHAN-00041, P-CHAN-00027) oder die Marke "
     "entfernen.",

@@ -155,8 +155,8 @@ LIST_REWRITTEN = note(
     en="{file}: {corrected} entries corrected, {commented} commented out, {added} lines added",
     de="{file}: {corrected} Einträge berichtigt, {commented} auskommentiert, {added} Zeilen "
     "ergänzt",
-    remedy_en="Nothing to do; what is still found needs a decision.",
-    remedy_de="Nichts zu tun; was jetzt noch gemeldet ist, braucht eine Entscheidung.",
+    remedy_en="Nothing to do; the findings that remain need a decision.",
+    remedy_de="Nichts zu tun; die übrigen Befunde brauchen eine Entscheidung.",
     file=("the list", "die Liste"),
     corrected=("entries with another value or name", "Einträge mit anderem Wert oder Namen"),
     commented=("entries that did not count", "Einträge, die nicht galten"),

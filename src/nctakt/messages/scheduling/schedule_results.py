@@ -74,8 +74,8 @@ WINDOWS_TIME_VIOLATED = warning(
     en="CPU {cpu}: Windows got less than {windows} µs in {count} of {cycles} NC cycles ({who})",
     de="CPU {cpu}: Windows bekam in {count} von {cycles} NC-Takten weniger als {windows} µs "
     "({who})",
-    remedy_en="Shorten what runs in the time of Windows, or the threads before it.",
-    remedy_de="Verkürzen, was in der Zeit von Windows läuft, oder die Threads davor.",
+    remedy_en="Shorten the threads that run in the time of Windows, or those before them.",
+    remedy_de="Die Threads kürzen, die in der Zeit von Windows laufen, oder die davor.",
     count=("the number of such cycles", "die Anzahl dieser Takte"),
     who=(
         "what ran in the time of Windows, with the number of cycles",
@@ -94,8 +94,8 @@ LIBRARY_MISSING = error(
     900634,
     en="{what} needs {library}, which is not installed",
     de="{what} braucht {library}, das nicht installiert ist",
-    remedy_en="In the checkout, install what pictures need: pip install '.[plot]'",
-    remedy_de="Im Checkout installieren, was Bilder brauchen: pip install '.[plot]'",
+    remedy_en="In the checkout: pip install '.[plot]'",
+    remedy_de="Im Checkout: pip install '.[plot]'",
     library=("the library", "die Bibliothek"),
     what=("the option", "die Option"),
 )

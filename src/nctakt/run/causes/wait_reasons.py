@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 
 _START = Text("--at TIME {hli}START=1 goes on", "--at ZEIT {hli}START=1 setzt fort")
 _PLC = Text(
-    "The PLC has to acknowledge it: a Plc of yours (--plc) with acknowledge = ALL does, so does "
-    "the built-in one",
+    "The PLC has to acknowledge it: your own Plc (--plc) with acknowledge = ALL does, so "
+    "does the built-in one",
     "Die SPS muss quittieren: das tut eine eigene Plc (--plc) mit acknowledge = ALL und auch die "
     "eingebaute",
 )
@@ -133,7 +133,7 @@ _REASONS = {
             "die Quittung der SPS für den Auftrag der Spindel {name}",
         ),
         Text(
-            "The PLC has to acknowledge it: a Plc of yours (--plc) with spindles = ALL does",
+            "The PLC has to acknowledge it: your own Plc (--plc) with spindles = ALL does",
             "Die SPS muss quittieren: das tut eine eigene Plc (--plc) mit spindles = ALL",
         ),
     ),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is behind the numbers of CNC objects: values shown, asked for, kept (AD-4)."""
+"""The values of CNC objects by their numbers: values shown, asked for, kept (AD-4)."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class Shown(_Value):
 
 
 class Viewed(_Value):
-    """What no signal tells, but the session knows: the feed of a channel, its zero offset."""
+    """What no signal shows, but the session knows: the feed of a channel, its zero offset."""
 
     def __init__(self, word: str, channel: int, type_: str) -> None:
         self.names = (f"{STATE_VIEW}{channel}.{word}",)

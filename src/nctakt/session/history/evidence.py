@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the record of a session tells of a stop, so that fewer ticks have to be run again.
+"""What the record of a session says about a stop, so that fewer ticks have to be run again.
 
 In: a stop, the recorded signals. Out: what one of these signals must do in each tick in which the
 stop holds.

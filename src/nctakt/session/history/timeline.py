@@ -574,7 +574,7 @@ class Timeline:
     def previous(self, stops: Sequence[StopAt]) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 
-        The record tells where there were events and writes. For other stops the past is run again,
+        The record shows where there were events and writes. For other stops the past is run again,
         from the latest parked controller to the earliest: where they depend on a recorded signal,
         only up to the ticks in which it can have been.
         """

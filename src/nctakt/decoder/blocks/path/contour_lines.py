@@ -48,7 +48,7 @@ class FirstLine(NamedTuple):
 
 
 class ContourLines:
-    """The lines of one program; ``first``: the one whose end the next block tells."""
+    """The lines of one program; ``first``: the one whose end follows from the next block."""
 
     def __init__(self, values: Values, targets: Targets, path: PathMotion) -> None:
         self._values = values

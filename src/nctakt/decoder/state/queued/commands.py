@@ -290,7 +290,7 @@ class GiveUp(Command):
 
 @dataclass(frozen=True, slots=True)
 class BlockMark(Command):
-    """A block begins here: tells when it was decoded and when it is carried out.
+    """A block begins here: says when it was decoded and when it is carried out.
 
     ``calls``: the number of the open calls (``CallStack.path``), ``depth``: that of the open
     programs.

@@ -25,7 +25,7 @@ class Subscriptions:
     """The subscriptions of all sessions, by their numbers.
 
     ``make_room``: ends a session whose connection is gone, and returns whether there was one;
-    ``refuse``: tells in the log of a session that something of it was refused.
+    ``refuse``: notes in the log of a session that something of it was refused.
     """
 
     def __init__(

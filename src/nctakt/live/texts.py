@@ -92,7 +92,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "weder die Schnittstelle noch eine V.E-Variable.",
     ),
     "plc_none_after": ("No statement of the PLC follows.", "Es folgt keine Anweisung der SPS."),
-    "plc_none_before": ("No statement of the PLC is before.", "Davor ist keine Anweisung der SPS."),
+    "plc_none_before": (
+        "No statement of the PLC comes before.",
+        "Davor ist keine Anweisung der SPS.",
+    ),
     # Lists.
     "lists": (
         "Findings, messages, events, why, stops, branches",

@@ -56,10 +56,9 @@ NO_GEAR_FOR_SPEED = error(
 )
 GEAR_FUNCTION_SYNCHRONISATION = error(
     901878,
-    en="M{function} changes the gear, but by its synchronisation type the program does not wait "
-    "for it",
-    de="M{function} schaltet das Getriebe, aber mit ihrer Synchronisationsart wartet das Programm "
-    "nicht darauf",
+    en="M{function} changes the gear, but its synchronisation type does not make the program wait",
+    de="M{function} schaltet das Getriebe, aber ihre Synchronisationsart lässt das Programm nicht "
+    "warten",
     remedy_en="Set m_synch[{function}] to MVS_SVS (P-CHAN-00041).",
     remedy_de="m_synch[{function}] auf MVS_SVS setzen (P-CHAN-00041).",
     function=("number of the M function", "Nummer der M-Funktion"),

@@ -342,8 +342,8 @@ ARGUMENT_TWICE = warning(
 )
 ARGUMENTS_COUNT = error(
     902232,
-    en="{name} takes at most {high} arguments, and all that it requires (C0044)",
-    de="{name} nimmt höchstens {high} Argumente und braucht alle nötigen (C0044)",
+    en="{name} takes at most {high} arguments, and no required one may be missing (C0044)",
+    de="{name} nimmt höchstens {high} Argumente, und kein nötiges darf fehlen (C0044)",
     remedy_en="Check the arguments.",
     remedy_de="Die Argumente prüfen.",
 )

@@ -109,6 +109,30 @@ def test_another_tolerance_of_corners_is_found(capsys: pytest.CaptureFixture[str
     assert first["distance"] < 1e-3
 
 
+@pytest.mark.parametrize(
+    ("target", "values"), [("P-CHAN-00059", (500, 90_000)), ("P-CHAN-00060", (1, 900))]
+)
+def test_a_tolerance_of_arcs_changes_no_curve(target: str, values: tuple[float, float]) -> None:
+    """The centre is off by 4 µm: moved by as much with any tolerance, and refused beyond it."""
+    Path("part.nc").write_text("G01 X10 F6000\nG02 X30 I10.004\nM30\n", "utf-8")
+    curves = []
+    for value in (None, *values):
+        machine = load_machine(None)
+        if value is not None:
+            machine = changed_machine(machine, {(target, "1"): float(value)})
+        run = Controller(machine).run("part.nc", signals=SIGNALS)
+        assert not run.errors
+        assert run.trace is not None
+        curves.append([run.trace[name].tobytes() for name in SIGNALS])
+    assert curves[0] == curves[1] == curves[2]
+    machine = changed_machine(
+        load_machine(None), {(target, "1"): 0.0 if target.endswith("59") else 1.0}
+    )
+    Path("part.nc").write_text("G01 X10 F6000\nG02 X30 I10.2\nM30\n", "utf-8")
+    run = Controller(machine).run("part.nc", signals=SIGNALS)
+    assert [one.id for one in run.errors] == [20035]
+
+
 def proposed(target: str, distance: float) -> Proposal:
     """A proposal of 80 instead of 50 for an axis."""
     return Proposal(Change("parameter", target, ("X",), 50.0, 50.0, "µs"), 80.0, distance)

@@ -136,6 +136,15 @@ class Alignment:
         times: Numbers = (stamps - self.offset_us) / (1.0 + self.drift)
         return times
 
+    def between(self, samples: Samples, begin_us: float, end_us: float) -> Samples:
+        """Return the samples from a time of the run to before another one."""
+        run_time = partial(_run_time, samples, self)
+        first, last = (
+            bisect.bisect_left(range(len(samples)), time_us, key=run_time)
+            for time_us in (begin_us, end_us)
+        )
+        return samples.part(first, last)
+
 
 def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
     """Return where a log lies on the time of a run."""
@@ -158,11 +167,7 @@ def aligned_before(
 
     A log that is late from some place on pulls the best offset of all of it to that side.
     """
-    early = []
-    for samples, curve in pairs:
-        run_time = partial(_run_time, samples, alignment)
-        count = bisect.bisect_left(range(len(samples)), time_us, key=run_time)
-        early.append((samples.first(count), curve))
+    early = [(alignment.between(samples, -numpy.inf, time_us), curve) for samples, curve in pairs]
     best = max(early, key=_energy)
     if _energy(best) <= 0.0 or alignment.drift:
         return alignment

@@ -50,19 +50,20 @@ def range_of(column: Column) -> float:
     return float(max(high for _, high in ends) - min(low for low, _ in ends))
 
 
-class Beginning:
-    """The first rows of a column."""
+class Part:
+    """The rows of a column from ``begin`` to before ``end``."""
 
-    def __init__(self, column: Column, length: int) -> None:
+    def __init__(self, column: Column, begin: int, end: int) -> None:
         self._column = column
-        self._length = length
+        self._begin = begin
+        self._length = end - begin
 
     def __len__(self) -> int:
         return self._length
 
     def __getitem__(self, rows: slice, /) -> Numbers:
         begin, end, _ = rows.indices(self._length)
-        return self._column[begin:end]
+        return self._column[self._begin + begin : self._begin + end]
 
 
 class NumberTable:

@@ -11,7 +11,8 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.comparison.aligning_event import EventInLog
-from nctakt.comparison.alignment import Alignment, Curve, align, aligned_before
+from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.delay_search import Delays, DelaySearch
 from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
 from nctakt.comparison.log import Log, Samples
@@ -46,7 +47,7 @@ class Comparison:
     aligned_by: str
     event: EventInLog | None
     deviations: Sequence[Deviation]
-    delays: Sequence[Delay]
+    delays: Delays
     diagnostics: Sequence[Diagnostic]
     blocks: Sequence[Event]
     reactions: Sequence[Event]
@@ -101,12 +102,16 @@ def compare(
         tolerances=tolerances,
         kept=kept,
     )
-    deviations, delays = beside(alignment)
-    if begin is None and alignment.reason is None and delays:
-        nearer = aligned_before(smooth, alignment, delays[0].time_us)
-        if nearer is not alignment:
-            alignment = nearer
-            deviations, delays = beside(alignment)
+    deviations, late = beside(alignment)
+    delays = Delays()
+    search = DelaySearch(smooth, recorded.blocks, recorded.cycle_time_us)
+    if alignment.reason is None and (late or search.is_apart(alignment)):
+        if begin is None:
+            nearer = search.begun(alignment)
+            if nearer is not alignment:
+                alignment = nearer
+                deviations, _ = beside(alignment)
+        delays = search.delays(alignment)
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
     names = [pair.signal.name for pair in pairs if not pair.signal.integral and begin is None]

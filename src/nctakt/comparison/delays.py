@@ -46,12 +46,12 @@ _PRODUCTS = ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2))
 class Delay:
     """From ``block`` on, which begins at ``time_us``, the log is later by ``jump_us`` than before.
 
-    A negative jump: it is earlier.
+    A negative jump: it is earlier; ``None``: by how much is not known.
     """
 
     block: Span | None
     time_us: int
-    jump_us: float
+    jump_us: float | None
 
 
 class BlockDelays:

@@ -82,7 +82,7 @@ def deviation_of(
     ``delays`` gets what it says about the time that the log is late; ``kept``: how many samples of
     both sides are kept at least, at most twice as many.
     """
-    parts = _beside(pair, samples, curve, alignment, delays)
+    parts = beside(samples, curve, alignment, delays, is_whole=pair.signal.integral)
     if pair.signal.integral:
         parts = _without_jitter(parts)
     limit = None if tolerance is None else tolerance.amount
@@ -117,15 +117,19 @@ def deviation_of(
     )
 
 
-def _beside(
-    pair: Pair,
+def beside(
     samples: Samples,
     curve: Curve,
     alignment: Alignment,
     delays: BlockDelays | None,
+    *,
+    is_whole: bool = False,
 ) -> Iterator[_Part]:
-    """Yield times, values, and log minus run, of the samples that lie within the run."""
-    span = 0.0 if pair.signal.integral or delays is None else range_of(curve.values)
+    """Yield times, values, and log minus run, of the samples that lie within the run.
+
+    ``delays`` gets what a signal that is not ``is_whole`` says about the time that it is late.
+    """
+    span = 0.0 if is_whole or delays is None else range_of(curve.values)
     for stamps, logged in samples.stretches():
         known = alignment.run_times(stamps)
         first = int(numpy.searchsorted(known, 0.0))
@@ -133,7 +137,7 @@ def _beside(
         if first == end:
             continue
         times, values = known[first:end], logged[first:end]
-        ours = curve.of_ticks(times) if pair.signal.integral else curve.at(times)
+        ours = curve.of_ticks(times) if is_whole else curve.at(times)
         differences = values - ours
         if span > 0.0 and delays is not None:
             delays.add(times, differences / span, curve.slope_at(times) / span, ours / span)

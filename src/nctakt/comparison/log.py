@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.comparison.columns import Beginning, Column, Numbers, NumberTable, range_of, stretches
+from nctakt.comparison.columns import Column, Numbers, NumberTable, Part, range_of, stretches
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import (
     CELLS_LEFT_OUT,
@@ -80,9 +80,9 @@ class Samples:
         """Return them with another factor and offset."""
         return Samples(self.times, self.values, factor, offset)
 
-    def first(self, count: int) -> Samples:
-        """Return the first ``count`` of them."""
-        times, values = Beginning(self.times, count), Beginning(self.values, count)
+    def part(self, begin: int, end: int) -> Samples:
+        """Return those from the number ``begin`` to before ``end``."""
+        times, values = Part(self.times, begin, end), Part(self.values, begin, end)
         return Samples(times, values, self.factor, self.offset)
 
     @property

@@ -64,12 +64,19 @@ _EARLIER = Text(
     "from the block in {file}:{line} on ({time} s) the log is {jump} ms earlier than before",
     "vom Satz in {file}:{line} an ({time} s) ist das Log {jump} ms früher als davor",
 )
+_LATE = Text(
+    "from the block in {file}:{line} on ({time} s) the log is late or early; by how much, and what "
+    "comes after, the curves do not say",
+    "vom Satz in {file}:{line} an ({time} s) ist die Aufzeichnung später oder früher; um wie viel "
+    "und was danach kommt, sagen die Kurven nicht",
+)
+_MORE = Text(
+    "later delays are not listed",
+    "spätere Verzögerungen sind nicht aufgeführt",
+)
 _SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
 _WITHIN = Text("within the tolerances", "innerhalb der Toleranzen")
 _BEYOND = Text("beyond the tolerances", "außerhalb der Toleranzen")
-
-#: Largest number of blocks that are listed as delays.
-_MAX_DELAYS = 10
 
 
 def comparison_text(comparison: Comparison, program: str, language: Language) -> str:
@@ -109,7 +116,7 @@ def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
         )
         if found.is_scaled:
             scale = _GAIN.get(language).format(gain=f"{found.gain:.5f}", bias=f"{found.bias:.4g}")
-            yield f"{scale}, {_OR_SLOWER.get(language)}" if comparison.delays else scale
+            yield f"{scale}, {_OR_SLOWER.get(language)}" if comparison.delays.found else scale
 
 
 def _row(one: Deviation, language: Language) -> tuple[str, ...]:
@@ -144,18 +151,18 @@ def _remarks(comparison: Comparison, one: Deviation, language: Language) -> Iter
 
 
 def _delays(comparison: Comparison, language: Language) -> Iterator[str]:
-    for one in comparison.delays[:_MAX_DELAYS]:
+    for one in comparison.delays.found:
         if one.block is not None:
-            yield (
-                (_LATER if one.jump_us > 0.0 else _EARLIER)
-                .get(language)
-                .format(
-                    file=one.block.file,
-                    line=one.block.line,
-                    time=f"{one.time_us / 1e6:.6f}",
-                    jump=f"{abs(one.jump_us) / 1e3:.2f}",
-                )
+            jump_us = one.jump_us
+            text = _LATE if jump_us is None else _LATER if jump_us > 0.0 else _EARLIER
+            yield text.get(language).format(
+                file=one.block.file,
+                line=one.block.line,
+                time=f"{one.time_us / 1e6:.6f}",
+                jump=f"{abs(jump_us or 0.0) / 1e3:.2f}",
             )
+    if comparison.delays.is_cut:
+        yield _MORE.get(language)
 
 
 def _where(running: Running, language: Language) -> Iterator[str]:
@@ -182,8 +189,9 @@ def comparison_document(comparison: Comparison) -> dict[str, Any]:
                 "time_us": one.time_us,
                 "jump_us": one.jump_us,
             }
-            for one in comparison.delays
+            for one in comparison.delays.found
         ],
+        "delays_cut": comparison.delays.is_cut,
     }
 
 

@@ -82,7 +82,9 @@ class Search:
         self, comparison: Comparison, pairs: Sequence[Pair], again: Again, begin: Begin = None
     ) -> None:
         self._begin, self._again = begin, again
-        self._jumps = [one.jump_us for one in comparison.delays if one.jump_us > 0.0]
+        jumps = [one.jump_us for one in comparison.delays.found]
+        self._is_late = any(one is None or one > 0.0 for one in jumps)
+        self._jumps = [one for one in jumps if one is not None and one > 0.0]
         self._pairs = [pair for pair in pairs if not pair.signal.integral]
         raw = comparison.log.read([pair.column for pair in self._pairs])
         self._samples = [
@@ -104,7 +106,7 @@ class Search:
             if span > 0.0
         ]
         run = self._run
-        functions = [one.name for one in run.outputs] if self._jumps else []
+        functions = [one.name for one in run.outputs] if self._is_late else []
         groups: dict[tuple[float, ...], list[Change]] = {}
         for change in changes_of(machine, moving, functions, override, run.cycle_time_us):
             for one in (change, *self._parts(machine, change)):
@@ -138,7 +140,7 @@ class Search:
 
     def _first(self, change: Change) -> list[float]:
         if change.kind == "function":
-            return [max(self._jumps)]
+            return self._jumps or list(_DELAYS_US)
         return [_possible(change, factor * change.guess) for factor in _FIRST]
 
     def _values(self, change: Change) -> list[float]:

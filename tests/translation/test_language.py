@@ -443,6 +443,23 @@ def test_an_element_is_changed_in_its_place(tmp_path: Path) -> None:
     assert [plc.read(f"MAIN.fb.{name}") for name in ("b[0]", "b[1]", "n")] == [False, True, 2]
 
 
+def test_a_variable_is_changed_in_its_place(tmp_path: Path) -> None:
+    """ST-302, ST-502: the old value counts before an operand that changes it; sums wrap."""
+    functions = (
+        "FUNCTION F_Set : DINT\nVAR_IN_OUT n : DINT; END_VAR\nn := 100; F_Set := 1;\n"
+        "END_FUNCTION\n"
+        "FUNCTION F_Local : INT\nVAR k : INT := 32767; END_VAR\nk := k + 2; F_Local := k;\n"
+        "END_FUNCTION\n"
+    )
+    declared = "n : DINT := 5; k : INT; u : USINT := 1; b : BOOL := TRUE; a : ARRAY[0..1] OF DINT;"
+    body = "n := n + F_Set(n); k := F_Local(); u := u - 2; b := b AND n = 7; a[1] := a[1] + n;"
+    plc = loaded(tmp_path, f"{functions}PROGRAM MAIN VAR {declared} END_VAR {body} END_PROGRAM")
+    run(plc, 1)
+    names = ("n", "k", "u", "b", "a[1]")
+    # 5 + 1; 32767 + 2 - 65536; 1 - 2 + 256
+    assert [plc.read(f"MAIN.{name}") for name in names] == [6, -32767, 255, False, 6]
+
+
 def test_a_changed_element_outside_of_its_array_stops_the_plc(tmp_path: Path) -> None:
     """ST-311, ST-560: the index is reported, nothing is written."""
     body = "i := 4; a[i] := a[i] + 1;"

@@ -4,14 +4,26 @@
 from __future__ import annotations
 
 import random
+import struct
 from fractions import Fraction
 
 from support.random_seeds import each_seed
 
-from nctakt.kernel.st import kinds
+from nctakt.kernel.st import chains, kinds
 from nctakt.kernel.st.blocks_of_bytes import FillBytes, MoveBytes
 from nctakt.kernel.st.context import PlcContext
-from nctakt.kernel.st.reals import RealConstant, WholeOfReal
+from nctakt.kernel.st.reals import (
+    AddReal,
+    LoadRealFixed,
+    LoadRealFrame,
+    MultiplyReal,
+    NegateReal,
+    Real,
+    RealConstant,
+    RoundToSingle,
+    SubtractReal,
+    WholeOfReal,
+)
 from nctakt.kernel.st.steps import CopyBytes, StoreAt
 from nctakt.kernel.st.text.conversions import RealOfString, StringOfReal
 from nctakt.kernel.st.text.texts import ChangeString, FindString, PartOfString, StringPart
@@ -109,6 +121,57 @@ def test_real_to_whole_rounds_half_away_from_zero() -> None:
         assert node.measure(context) == expected
     assert WholeOfReal(RealConstant(32767.5), kinds.I16, kinds.NEAREST).measure(context) == 0
     assert context.fault == kinds.CONVERSION
+
+
+def both_ways(draw: random.Random, depth: int) -> tuple[Real, Real]:
+    """A random sum or product, as a chain where it can be one and as a tree of its operations."""
+    match draw.randrange(5) if depth == 0 else 5:
+        case 0 | 1:
+            number = draw.choice((0.0, 1.5, -0.25, 1e300, float("inf"), draw.uniform(-9.0, 9.0)))
+            return RealConstant(number), RealConstant(number)
+        case 2:
+            at = FIRST + 8 * draw.randrange(8)
+            return (LoadRealFixed(at, kinds.F64, FIRST + DATA),) * 2
+        case 3 | 4:
+            kind, place = draw.choice((kinds.F32, kinds.F64)), 8 * draw.randrange(4)
+            return (LoadRealFrame(place, kind),) * 2
+    left, other_left = both_ways(draw, draw.randrange(depth))
+    right, other_right = both_ways(draw, draw.randrange(depth))
+    operation, tree = draw.choice(
+        (
+            (kinds.LINK_ADD, AddReal),
+            (kinds.LINK_SUBTRACT, SubtractReal),
+            (kinds.LINK_MULTIPLY, MultiplyReal),
+        )
+    )
+    chain, node = chains.joined(operation, left, right), tree(other_left, other_right)
+    match draw.randrange(6):
+        case 0:
+            return chains.rounded(chain), RoundToSingle(node)
+        case 1:
+            return NegateReal(chain), NegateReal(node)
+    return chain, node
+
+
+@each_seed(compiled=6, plain=3)
+def test_a_chain_is_what_its_operations_are(seed: int) -> None:
+    """ST-304, ST-305: to the bit; what is not a number stops the PLC, wherever it arises."""
+    draw = random.Random(seed)
+    faults = set()
+    for _ in range(200):
+        context, memory = a_context()
+        for at in range(FIRST, FIRST + 64, 8):
+            struct.pack_into("<d", memory, at, draw.uniform(-1e6, 1e6))
+        for at in range(FIRST + DATA, FIRST + DATA + 40, 4):
+            struct.pack_into("<f", memory, at, draw.uniform(-1e6, 1e6))
+        chain, node = both_ways(draw, draw.randint(1, 6))
+        found = struct.pack("<d", chain.measure(context)), context.fault
+        context.fault = 0
+        expected = struct.pack("<d", node.measure(context)), context.fault
+        assert found[1] == expected[1]
+        assert found[1] or found[0] == expected[0]
+        faults.add(context.fault)
+    assert faults == {0, kinds.INVALID}
 
 
 @each_seed(compiled=3, plain=2)

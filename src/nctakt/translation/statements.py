@@ -18,14 +18,15 @@ from nctakt.kernel.st.steps import (
     Leave,
     Step,
     StoreBit,
-    UpdateAt,
     steps_in_order,
 )
 from nctakt.kernel.st.text.texts import AssignString, StringPart
+from nctakt.kernel.st.updates import UpdateAt, UpdateElement
 from nctakt.kernel.st.wholes import (
     AddWhole,
     AndBits,
     BinaryWhole,
+    ElementPlace,
     OrBits,
     SubtractWhole,
     Whole,
@@ -139,7 +140,7 @@ class Statements(Calls):
         location = self.location(target)
         self.written = None
         value = self.checked_range(value, location.type)
-        if location.element is not None and self._is_changed_alone(target, value):
+        if self._is_changed_alone(target, value):
             return self._update(location, value, source)
         return self.assign(location, value, source)
 
@@ -161,9 +162,10 @@ class Statements(Calls):
         operator = _UPDATES.get(type(node))
         if operator is None or not isinstance(node, BinaryWhole):
             return self.store(target, node, source, self.take_cost())
-        return UpdateAt(
-            target.address(), target.kind, operator, node.right, source, self.take_cost()
-        )
+        address, cost = target.address(), self.take_cost()
+        if isinstance(address, ElementPlace):
+            return UpdateElement(address, target.kind, operator, node.right, source, cost)
+        return UpdateAt(address, target.kind, operator, node.right, source, cost)
 
     def store(self, location: Location, value: Whole, source: int, cost: int) -> Step:
         """Return the assignment of a whole number, or of a bit."""

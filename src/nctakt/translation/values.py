@@ -3,22 +3,18 @@
 
 from __future__ import annotations
 
-from nctakt.kernel.st import kinds
+from nctakt.kernel.st import chains, kinds
 from nctakt.kernel.st.kept import RealAfter, WholeAfter
 from nctakt.kernel.st.observing.counting import CountedTruth
 from nctakt.kernel.st.observing.noted import NotedReal, NotedWhole
 from nctakt.kernel.st.reals import (
-    AddReal,
     CompareReal,
     DivideReal,
     FunctionOfTwo,
-    MultiplyReal,
     NegateReal,
     Real,
     RealConstant,
     RealOfWhole,
-    RoundToSingle,
-    SubtractReal,
 )
 from nctakt.kernel.st.steps import Step
 from nctakt.kernel.st.text.texts import CompareStrings, StringPart
@@ -68,10 +64,9 @@ from nctakt.translation.layout import as_word, is_real, is_unsigned, kind_of
 from nctakt.translation.locations import Location
 
 _REAL = {
-    Operator.ADD: AddReal,
-    Operator.SUBTRACT: SubtractReal,
-    Operator.MULTIPLY: MultiplyReal,
-    Operator.DIVIDE: DivideReal,
+    Operator.ADD: kinds.LINK_ADD,
+    Operator.SUBTRACT: kinds.LINK_SUBTRACT,
+    Operator.MULTIPLY: kinds.LINK_MULTIPLY,
 }
 _WHOLE = {
     Operator.ADD: AddWhole,
@@ -156,10 +151,12 @@ class Values(Designators):
                 return NegateReal(node) if operator is Operator.NEGATE else node
             case Binary(operator=Operator.POWER, left=left, right=right):
                 return FunctionOfTwo(kinds.EXPT, self.real(left), self.real(right))
+            case Binary(operator=Operator.DIVIDE, left=left, right=right):
+                right = self.checked_divisor(right, found)
+                return self.rounded(DivideReal(self.real(left), self.real(right)), found)
             case Binary(operator=operator, left=left, right=right) if operator in _REAL:
-                if operator is Operator.DIVIDE:
-                    right = self.checked_divisor(right, found)
-                return self.rounded(_REAL[operator](self.real(left), self.real(right)), found)
+                node = chains.joined(_REAL[operator], self.real(left), self.real(right))
+                return self.rounded(node, found)
             case AssignmentExpression():
                 before, target = self.assigned(expression)
                 return RealAfter(before, target.load_real(self.layout.data_end))
@@ -178,7 +175,7 @@ class Values(Designators):
     @staticmethod
     def rounded(node: Real, found: Type) -> Real:
         """Return a result rounded to REAL, if that is its type (ST-304)."""
-        return RoundToSingle(node) if found.size == 4 else node
+        return chains.rounded(node) if found.size == 4 else node
 
     def text(self, expression: Expression) -> StringPart:
         is_computed = not isinstance(expression.value, bytes)

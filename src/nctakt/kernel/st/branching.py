@@ -192,7 +192,7 @@ class For(Sourced):
         self.bias = -(1 << 63) if kind == kinds.U64 else 0
 
     def run(self, context: PlcContext) -> int:
-        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        at = leaves.target_of(self.address, context)
         value = leaves.value_of(self.start, context)
         limit = leaves.value_of(self.end, context) ^ self.bias
         step = leaves.value_of(self.step, context)

@@ -13,6 +13,7 @@ cdef class PlcContext:
     cdef readonly long long stack_end
     cdef readonly long long end
     cdef readonly long long interface
+    cdef readonly long long plain_end
     cdef public Outside outside
     cdef readonly Notes notes
     cdef readonly bint is_noting
@@ -44,6 +45,7 @@ cdef class PlcContext:
     cdef public bint wraps_conversions
 
     cdef void wrote(self, long long at, int kind, long long source) noexcept nogil
+    cdef void wrote_target(self, long long at, int kind, long long source) noexcept nogil
     cdef void wrote_bytes(self, long long at, long long size, long long source) noexcept nogil
     cdef void count(self, long long number) noexcept nogil
     cpdef void begin(self, long long now) noexcept nogil

@@ -18,7 +18,8 @@ from nctakt.kernel.st.outside import Outside
 class PlcContext:
     """One PLC project at work; ``outside`` is what its calls reach of the machine.
 
-    ``interface`` is where the interface begins, which code may write; literals it may not.
+    ``interface`` is where the interface begins, which code may write; literals it may not. Below
+    ``plain_end`` a write needs no more than its bytes: no check, and nobody is told of it.
 
     ``frame`` is the address of the running routine's variables, ``top`` the first byte of the stack
     that is free, ``instance`` the block that is called, ``passing`` the address where a call's
@@ -45,6 +46,7 @@ class PlcContext:
         self.end = len(memory) - kinds.SLACK
         self.interface = self.end if interface is None else interface
         check_range(self.interface, stack_end, self.end, "interface")
+        self.plain_end = stack_end
         self.outside = Outside()
         self.notes = Notes(0)
         self.is_noting = False
@@ -84,6 +86,7 @@ class PlcContext:
         """Note what leads to changes from now on; return where."""
         self.notes = Notes(len(self.memory))
         self.is_noting = True
+        self.plain_end = 0
         return self.notes
 
     def wrote(self, at: int, kind: int, source: int) -> None:
@@ -91,6 +94,13 @@ class PlcContext:
         if at >= self.interface and self.notes.watched[at] == 0:
             self.notes.discover(self.memory, at, kind)
         self.notes.note(self.memory, at, notes.width(kind), source, self.now)
+
+    def wrote_target(self, at: int, kind: int, source: int) -> None:
+        """Note that a statement has written a value at ``plain_end`` or above."""
+        if at >= self.interface:
+            self.note_writer(at, source)
+        if self.is_noting:
+            self.wrote(at, kind, source)
 
     def wrote_bytes(self, at: int, size: int, source: int) -> None:
         """Note that a statement has written bytes."""

@@ -10,12 +10,20 @@ GOES_ON, STOPS, EXITS, CONTINUES, RETURNS = range(5)
 #: What a branch answers that is not taken.
 NOT_TAKEN = -1
 
-#: What parents evaluate in place instead of calling it: constants, and variables and places by
-#: where their offsets count from; all else is computed.
-COMPUTED, CONSTANT, IN_DATA, IN_FRAME, IN_INSTANCE, FRAME_PLACE, INSTANCE_PLACE = range(7)
+#: What parents evaluate in place instead of calling it: constants, variables by where their offsets
+#: count from, and, where an address is wanted, places; all else is computed.
+INSTANCE_PLACE, FRAME_PLACE, COMPUTED, CONSTANT, IN_DATA, IN_FRAME, IN_INSTANCE = range(-2, 5)
 
 #: Operators of assignments that change a variable: ``a[i] := a[i] + x``.
 ADD, SUBTRACT, AND, OR = range(4)
+
+#: What a link of a chain of real numbers does with its operand; subtract the number from it; round
+#: the number to REAL. Of operands that are REAL, the numbers are twice these and one.
+LINK_ADD, LINK_SUBTRACT, LINK_SUBTRACT_FROM, LINK_MULTIPLY, LINK_ROUND = range(5)
+#: Words of a link: where the offset of its operand counts from (0: it is the link's constant), the
+#: offset, what the link does, the constant.
+LINK_SOURCE, LINK_OFFSET, LINK_OPERATION, LINK_CONSTANT = range(4)
+LINK_WIDTH = 4
 
 #: Relations of two values.
 EQUAL, NOT_EQUAL, LESS, LESS_EQUAL, GREATER, GREATER_EQUAL = range(6)

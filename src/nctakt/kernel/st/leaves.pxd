@@ -8,16 +8,45 @@ from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.wholes cimport Whole
 
 cdef inline long long value_of(Whole node, PlcContext context) noexcept nogil:
-    cdef long long at
-    if node.leaf == kinds.COMPUTED:
-        return node.value(context)
-    at = node.offset
-    if node.leaf == kinds.CONSTANT:
-        return at
-    if node.leaf == kinds.IN_FRAME or node.leaf == kinds.FRAME_PLACE:
-        at += context.frame
-    elif node.leaf != kinds.IN_DATA:
-        at += context.instance
-    if node.leaf >= kinds.FRAME_PLACE:
-        return at
+    cdef long long at = node.offset
+    if node.leaf != kinds.IN_DATA:
+        if node.leaf <= kinds.COMPUTED:
+            return node.value(context)
+        if node.leaf == kinds.CONSTANT:
+            return at
+        at += context.frame if node.leaf == kinds.IN_FRAME else context.instance
     return words.load(context.memory, at, node.kind)
+
+cdef inline long long place_of(Whole node, PlcContext context) noexcept nogil:
+    if node.leaf == kinds.CONSTANT:
+        return node.offset
+    if node.leaf == kinds.INSTANCE_PLACE:
+        return node.offset + context.instance
+    if node.leaf == kinds.FRAME_PLACE:
+        return node.offset + context.frame
+    return node.value(context)
+
+cdef inline bint is_near(Whole node) noexcept nogil:
+    return node.leaf > kinds.COMPUTED
+
+cdef inline long long near_value(Whole node, PlcContext context) noexcept nogil:
+    cdef long long at = node.offset
+    if node.leaf != kinds.IN_DATA:
+        if node.leaf == kinds.CONSTANT:
+            return at
+        at += context.frame if node.leaf == kinds.IN_FRAME else context.instance
+    return words.load(context.memory, at, node.kind)
+
+cdef inline bint is_near_place(Whole node) noexcept nogil:
+    return node.leaf == kinds.CONSTANT or node.leaf < kinds.COMPUTED
+
+cdef inline long long near_place(Whole node, PlcContext context) noexcept nogil:
+    if node.leaf == kinds.CONSTANT:
+        return node.offset
+    return node.offset + (context.instance if node.leaf < kinds.FRAME_PLACE else context.frame)
+
+cdef inline long long target_of(Whole node, PlcContext context) noexcept nogil:
+    cdef long long at = place_of(node, context)
+    if at < kinds.NULL_BYTES or at >= context.plain_end:
+        return context.checked_target(at, 1)
+    return at

@@ -21,5 +21,35 @@ class WholeNode(Protocol):
 
 
 def value_of(node: WholeNode, context: PlcContext) -> int:
-    """Return the whole number, truth or address that a node has."""
+    """Return the whole number or truth that a node has."""
     return node.value(context)
+
+
+def place_of(node: WholeNode, context: PlcContext) -> int:
+    """Return the address that a node has."""
+    return node.value(context)
+
+
+def is_near(node: WholeNode) -> bool:
+    """Return whether a node is evaluated without a call: plain Python does not care."""
+    return True
+
+
+def near_value(node: WholeNode, context: PlcContext) -> int:
+    """Return the number or truth of a node that is evaluated without a call."""
+    return node.value(context)
+
+
+def is_near_place(node: WholeNode) -> bool:
+    """Return whether an address is evaluated without a call: plain Python does not care."""
+    return True
+
+
+def near_place(node: WholeNode, context: PlcContext) -> int:
+    """Return the address of a node that is evaluated without a call."""
+    return node.value(context)
+
+
+def target_of(node: WholeNode, context: PlcContext) -> int:
+    """Return the address that a statement writes; else note a fault."""
+    return context.checked_target(node.value(context), 1)

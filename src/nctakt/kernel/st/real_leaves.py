@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
+from nctakt.kernel.st import kinds, words
+
 if TYPE_CHECKING:
     from nctakt.kernel.st.context import PlcContext
 
@@ -23,3 +25,29 @@ class RealNode(Protocol):
 def number_of(node: RealNode, context: PlcContext) -> float:
     """Return the real number that a node has."""
     return node.number(context)
+
+
+def followed(
+    links: memoryview, constants: memoryview[float], number: float, context: PlcContext
+) -> float:
+    """Return what the links of a chain make of a number (``chains.py``)."""
+    begins = (0, 0, context.frame, context.instance)
+    for at in range(0, len(links), kinds.LINK_WIDTH):
+        source, operation = links[at + kinds.LINK_SOURCE], links[at + kinds.LINK_OPERATION] // 2
+        if operation == kinds.LINK_ROUND:
+            number = words.single(number)
+            continue
+        operand = constants[at + kinds.LINK_CONSTANT]
+        if source:
+            address = begins[source] + links[at + kinds.LINK_OFFSET]
+            kind = kinds.F32 if links[at + kinds.LINK_OPERATION] % 2 else kinds.F64
+            operand = words.load_real(context.memory, address, kind)
+        if operation == kinds.LINK_ADD:
+            number += operand
+        elif operation == kinds.LINK_SUBTRACT:
+            number -= operand
+        elif operation == kinds.LINK_SUBTRACT_FROM:
+            number = operand - number
+        else:
+            number *= operand
+    return number

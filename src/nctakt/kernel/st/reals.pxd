@@ -7,10 +7,10 @@ from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.wholes cimport Whole
 
 cdef class Real:
-    cdef int leaf
-    cdef int kind
-    cdef long long offset
-    cdef double constant
+    cdef readonly int leaf
+    cdef readonly int kind
+    cdef readonly long long offset
+    cdef readonly double constant
     cdef double number(self, PlcContext context) noexcept nogil
 
 cdef class RealConstant(Real):

@@ -86,7 +86,7 @@ class LoadRealAt(Real):
         self.kind = kind
 
     def number(self, context: PlcContext) -> float:
-        at = leaves.value_of(self.address, context) + self.offset
+        at = leaves.place_of(self.address, context) + self.offset
         if at < kinds.NULL_BYTES or at > context.end:
             context.fail(kinds.PLACE, at, 0)
             return 0.0

@@ -51,14 +51,6 @@ cdef class StoreAt(Sourced):
     @cython.locals(at=cython.longlong, value=cython.longlong)
     cdef int run(self, PlcContext context) noexcept nogil
 
-cdef class UpdateAt(Sourced):
-    cdef Whole address
-    cdef int kind
-    cdef int operator
-    cdef Whole operand
-    @cython.locals(at=cython.longlong, left=cython.longlong, right=cython.longlong)
-    cdef int run(self, PlcContext context) noexcept nogil
-
 cdef class StoreReal(Sourced):
     cdef long long target
     cdef int kind

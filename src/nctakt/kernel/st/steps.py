@@ -170,53 +170,13 @@ class StoreAt(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        at = leaves.target_of(self.address, context)
         value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, at, self.kind, value)
-        if at >= context.interface:
-            context.note_writer(at, self.source)
-        if context.is_noting:
-            context.wrote(at, self.kind, self.source)
-        return kinds.GOES_ON
-
-
-class UpdateAt(Sourced):
-    """``x := x + y`` of a variable at a computed address, which is evaluated once."""
-
-    def __init__(
-        self, address: Whole, kind: int, operator: int, operand: Whole, source: int, cost: int
-    ) -> None:
-        check_range(operator, kinds.ADD, kinds.OR, "operator")
-        super().__init__(source, cost)
-        self.address = address
-        self.kind = kind
-        self.operator = operator
-        self.operand = operand
-
-    def run(self, context: PlcContext) -> int:
-        context.steps += self.cost
-        if context.steps > context.max_steps:
-            return context.over_budget(self.source)
-        at = context.checked_target(leaves.value_of(self.address, context), 1)
-        left = words.load(context.memory, at, self.kind)
-        right = leaves.value_of(self.operand, context)
-        if context.fault:
-            return context.stop_at(self.source)
-        if self.operator == kinds.ADD:
-            left = words.add(left, right)
-        elif self.operator == kinds.SUBTRACT:
-            left = words.subtract(left, right)
-        elif self.operator == kinds.AND:
-            left = left & right
-        else:
-            left = left | right
-        words.store(context.memory, at, self.kind, left)
-        if context.is_noting:
-            context.wrote(at, self.kind, self.source)
-        if at >= context.interface:
-            context.note_writer(at, self.source)
+        if at >= context.plain_end:
+            context.wrote_target(at, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -303,15 +263,13 @@ class StoreRealAt(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        at = leaves.target_of(self.address, context)
         number = real_leaves.number_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, at, self.kind, number)
-        if at >= context.interface:
-            context.note_writer(at, self.source)
-        if context.is_noting:
-            context.wrote(at, self.kind, self.source)
+        if at >= context.plain_end:
+            context.wrote_target(at, self.kind, self.source)
         return kinds.GOES_ON
 
 
@@ -332,7 +290,7 @@ class StoreBit(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        at = context.checked_target(leaves.value_of(self.address, context), 1)
+        at = leaves.target_of(self.address, context)
         value = leaves.value_of(self.operand, context)
         if context.fault:
             return context.stop_at(self.source)
@@ -359,8 +317,8 @@ class CopyBytes(Sourced):
         context.steps += self.cost
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
-        to = context.checked_target(leaves.value_of(self.address, context), self.size)
-        origin = context.checked(leaves.value_of(self.origin, context), self.size)
+        to = context.checked_target(leaves.place_of(self.address, context), self.size)
+        origin = context.checked(leaves.place_of(self.origin, context), self.size)
         if context.fault:
             return context.stop_at(self.source)
         words.copy(context.memory, to, origin, self.size)

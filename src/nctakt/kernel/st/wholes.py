@@ -86,7 +86,7 @@ class LoadAt(Whole):
         self.kind = kind
 
     def value(self, context: PlcContext) -> int:
-        at = leaves.value_of(self.address, context) + self.offset
+        at = leaves.place_of(self.address, context) + self.offset
         if at < kinds.NULL_BYTES or at > context.end:
             context.fail(kinds.PLACE, at, 0)
             return 0
@@ -133,7 +133,7 @@ class MemberPlace(Whole):
         self.offset = offset
 
     def value(self, context: PlcContext) -> int:
-        return leaves.value_of(self.address, context) + self.offset
+        return leaves.place_of(self.address, context) + self.offset
 
 
 class PointedPlace(Whole):
@@ -149,7 +149,10 @@ class PointedPlace(Whole):
 
 
 class ElementPlace(Whole):
-    """An element of an array whose first one is ``lowest``; 902266 outside it (ST-311)."""
+    """An element of an array whose first one is ``lowest``; 902266 outside it (ST-311).
+
+    ``is_near``: address and index are evaluated without a call.
+    """
 
     def __init__(self, address: Whole, index: Whole, lowest: int, count: int, stride: int) -> None:
         check_range(count, 0, kinds.MAX_MEMORY, "count")
@@ -159,9 +162,10 @@ class ElementPlace(Whole):
         self.lowest = lowest
         self.count = count
         self.stride = stride
+        self.is_near = leaves.is_near_place(address) and leaves.is_near(index)
 
     def value(self, context: PlcContext) -> int:
-        address = leaves.value_of(self.address, context)
+        address = leaves.place_of(self.address, context)
         index = leaves.value_of(self.index, context)
         number = words.subtract(index, self.lowest)
         if number < 0 or number >= self.count:
@@ -189,7 +193,18 @@ class LoadElement(ElementPlace):
         self.kind = kind
 
     def value(self, context: PlcContext) -> int:
-        at = leaves.value_of(self.address, context) + self.offset
+        if self.is_near:
+            number = words.subtract(leaves.near_value(self.index, context), self.lowest)
+            if 0 <= number < self.count:
+                at = leaves.near_place(self.address, context) + self.offset
+                at += number * self.stride
+                if kinds.NULL_BYTES <= at <= context.end:
+                    return words.load(context.memory, at, self.kind)
+        return self.far_value(context)
+
+    def far_value(self, context: PlcContext) -> int:
+        """Evaluate the node where operands are computed, or note what is wrong."""
+        at = leaves.place_of(self.address, context) + self.offset
         index = leaves.value_of(self.index, context)
         number = words.subtract(index, self.lowest)
         if number < 0 or number >= self.count:
@@ -212,8 +227,8 @@ class OpenElementPlace(Whole):
         self.stride = stride
 
     def value(self, context: PlcContext) -> int:
-        address = leaves.value_of(self.address, context)
-        bounds = context.checked(leaves.value_of(self.bounds, context), 8)
+        address = leaves.place_of(self.address, context)
+        bounds = context.checked(leaves.place_of(self.bounds, context), 8)
         index = leaves.value_of(self.index, context)
         lowest = words.load(context.memory, bounds, kinds.I32)
         if index < lowest or index > words.load(context.memory, bounds + 4, kinds.I32):

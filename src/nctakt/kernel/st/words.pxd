@@ -4,13 +4,20 @@ cdef extern from *:
     """
     #include <string.h>
     #include <math.h>
+    #if defined(__GNUC__)
+    #define NCTAKT_USUAL(x) __builtin_expect(!!(x), 1)
+    #else
+    #define NCTAKT_USUAL(x) (x)
+    #endif
     typedef unsigned long long nctakt_u;
     static inline long long nctakt_load(const unsigned char *p, int kind) {
-        if (kind == 3) { int v; memcpy(&v, p, 4); return v; }
-        if (kind == 0) return *p != 0;
-        if (kind == 2) { short v; memcpy(&v, p, 2); return v; }
+        if (NCTAKT_USUAL(kind == 3)) { int v; memcpy(&v, p, 4); return v; }
+        if (NCTAKT_USUAL(kind <= 2)) {
+            if (NCTAKT_USUAL(kind == 0)) return *p != 0;
+            if (kind == 2) { short v; memcpy(&v, p, 2); return v; }
+            return (signed char)*p;
+        }
         switch (kind) {
-            case 1: return (signed char)*p;
             case 5: return *p;
             case 6: { unsigned short v; memcpy(&v, p, 2); return v; }
             case 7: { unsigned int v; memcpy(&v, p, 4); return v; }
@@ -18,21 +25,28 @@ cdef extern from *:
         }
     }
     static inline void nctakt_store(unsigned char *p, int kind, long long value) {
-        if (kind == 3 || kind == 7) { unsigned int v = (unsigned int)value; memcpy(p, &v, 4); }
-        else if (kind == 0) *p = value != 0;
-        else if (kind == 2 || kind == 6) {
-            unsigned short v = (unsigned short)value; memcpy(p, &v, 2);
+        unsigned int v = (unsigned int)value;
+        unsigned short w = (unsigned short)value;
+        if (NCTAKT_USUAL(kind == 3)) memcpy(p, &v, 4);
+        else if (NCTAKT_USUAL(kind <= 2)) {
+            if (NCTAKT_USUAL(kind == 0)) *p = value != 0;
+            else if (kind == 2) memcpy(p, &w, 2);
+            else *p = (unsigned char)value;
         }
-        else if (kind == 4 || kind == 8) memcpy(p, &value, 8);
-        else *p = (unsigned char)value;
+        else switch (kind) {
+            case 5: *p = (unsigned char)value; break;
+            case 6: memcpy(p, &w, 2); break;
+            case 7: memcpy(p, &v, 4); break;
+            default: memcpy(p, &value, 8);
+        }
     }
     static inline double nctakt_load_real(const unsigned char *p, int kind) {
-        if (kind == 9) { float v; memcpy(&v, p, 4); return v; }
-        double v; memcpy(&v, p, 8); return v;
+        if (NCTAKT_USUAL(kind == 10)) { double v; memcpy(&v, p, 8); return v; }
+        float v; memcpy(&v, p, 4); return v;
     }
     static inline void nctakt_store_real(unsigned char *p, int kind, double value) {
-        if (kind == 9) { float v = (float)value; memcpy(p, &v, 4); }
-        else memcpy(p, &value, 8);
+        if (NCTAKT_USUAL(kind == 10)) memcpy(p, &value, 8);
+        else { float v = (float)value; memcpy(p, &v, 4); }
     }
     static inline long long nctakt_divide(long long l, long long r) {
         return r == -1 ? (long long)(0 - (nctakt_u)l) : l / r;

@@ -110,6 +110,11 @@ class TypedClass(NamedTuple):
             if self.is_kept and found.kind.endswith("[::1]") and name not in unread
         ]
 
+    @property
+    def exchanged(self) -> list[str]:
+        """Return the arrays of these that others may take the place of."""
+        return [name for name in self.arrays if name in REFERENCES.get(self.name, ())]
+
 
 #: What keeps the content of arrays, in the compiled module: one block of memory for all of them.
 ARRAY_COPIES = """
@@ -180,9 +185,10 @@ def typed_classes(kernel: Path) -> Iterator[TypedClass]:
 
 
 def compiled_source(kernel: Path) -> str:
-    """Return the source of the compiled module with ``COPIERS`` and ``ARRAYS`` by class."""
+    """Return the source of the compiled module: ``COPIERS``, ``ARRAYS``, ``SAME`` by class."""
     kept = [found for found in typed_classes(kernel) if found.copied or found.arrays]
     lines = ["# Written by a build from the C types of the realtime part."]
+    lines += ["cimport cython"]
     lines += [f"from {found.module} cimport {found.name}" for found in kept]
     for found in kept:
         lines += [f"def copy_{found.name}({found.name} source, {found.name} target):", "    pass"]
@@ -192,7 +198,14 @@ def compiled_source(kernel: Path) -> str:
             lines.append(f"    target.{name} = {value}")
         items = "".join(f"part.{name}, " for name in found.arrays)
         lines += [f"def arrays_of_{found.name}({found.name} part):", f"    return ({items})"]
+        if found.exchanged:
+            same = " and ".join(f"&one.{name}[0] == &other.{name}[0]" for name in found.exchanged)
+            lines += ["@cython.boundscheck(False)"]
+            lines += [f"def same_{found.name}({found.name} one, {found.name} other):"]
+            lines += [f"    return {same}"]
     copiers = "".join(f"{one.name}: copy_{one.name}, " for one in kept if one.copied)
     arrays = "".join(f"{one.name}: arrays_of_{one.name}, " for one in kept if one.arrays)
-    lines += [f"COPIERS = {{{copiers}}}", f"ARRAYS = {{{arrays}}}", ARRAY_COPIES]
+    same = "".join(f"{one.name}: same_{one.name}, " for one in kept if one.exchanged)
+    lines += [f"COPIERS = {{{copiers}}}", f"ARRAYS = {{{arrays}}}", f"SAME = {{{same}}}"]
+    lines += [ARRAY_COPIES]
     return "\n".join(lines)

@@ -13,21 +13,13 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from nctakt.base.held_objects import held_objects
-from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.cycles import RealtimeCycle
-from nctakt.kernel.kernel import Kernel
-from nctakt.kernel.kinematics.maps import KinematicMaps
 from nctakt.kernel.path.path import Path
-from nctakt.kernel.state import ARRAYS, COPIERS, ArrayCopies
-from nctakt.kernel.tick.command_queue import CommandQueue
-from nctakt.kernel.tick.loop_body import LoopBody
+from nctakt.kernel.state import ARRAYS, COPIERS, SAME, ArrayCopies
 from nctakt.nc.vocabulary.variables.cells import CELL_BYTES
 from nctakt.run.realtime.realtime_part import RealtimePart
 
 _KERNEL = "nctakt.kernel."
-
-#: The classes whose arrays are replaced by larger ones.
-_WITH_GROWING_ARRAYS = (CommandQueue, Kernel, KinematicMaps, LoopBody, Record)
 
 
 class Snapshot:
@@ -39,7 +31,7 @@ class Snapshot:
     def __init__(self, realtime: RealtimePart) -> None:
         self._realtime = realtime
         self._copies: list[tuple[Callable[[Any, Any], None], Any, Any]] = []
-        self._growing: list[tuple[Any, list[bytearray]]] = []
+        self._exchanged: list[tuple[Callable[[Any, Any], bool], Any, Any]] = []
         self._paths: list[Path] = []
         buffers: dict[int, bytearray] = {id(realtime.memory): realtime.memory}
         for part in held_objects(realtime.kernel, _KERNEL):
@@ -47,10 +39,9 @@ class Snapshot:
             for cls in type(part).__mro__:
                 if cls in COPIERS:
                     self._copies.append((COPIERS[cls], part, kept))
-            arrays = list(_buffers_of(part))
-            buffers |= {id(buffer): buffer for buffer in arrays}
-            if isinstance(part, _WITH_GROWING_ARRAYS):
-                self._growing.append((part, arrays))
+                if cls in SAME:
+                    self._exchanged.append((SAME[cls], part, kept))
+            buffers |= {id(buffer): buffer for buffer in _buffers_of(part)}
             if isinstance(part, Path):
                 self._paths.append(part)
         self._arrays = ArrayCopies(list(buffers.values()))
@@ -68,9 +59,7 @@ class Snapshot:
             len(one) == len(other) and all(map(operator.is_, one, other))
             for one, other in zip(cycles, self._cycles, strict=True)
         )
-        if not are_same or not all(
-            all(map(operator.is_, _buffers_of(part), arrays)) for part, arrays in self._growing
-        ):
+        if not are_same or not all([same(part, kept) for same, part, kept in self._exchanged]):
             return False
         self._take()
         return True

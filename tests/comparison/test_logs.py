@@ -10,9 +10,11 @@ import numpy
 import pytest
 
 from nctakt.base.failure import Failure
+from nctakt.cli import main
 from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.log_file import open_log
 from nctakt.files.access import FileAccess
+from nctakt.run.controller import Controller
 
 SCOPE = """Name\tcell_trace
 File\tD:\\log\\cell_trace.csv
@@ -219,3 +221,64 @@ def test_a_part_of_the_samples_does_not_hold_the_others() -> None:
     assert times.tolist() == values.tolist() == [100.0 * number for number in range(10)]
     assert times.base is None
     assert values.base is None
+
+
+def test_names_with_commas(tmp_path: Path) -> None:
+    """LG-108: the separator is in both rows equally often, however many commas the names have."""
+    path = tmp_path / "log.csv"
+    path.write_text("t;Pos, X, act [mm];Pos, Y, act [mm]\n0;1,5;2\n1;2,5;3\n", "utf-8")
+    log = open_log(path, FileAccess())
+    assert [one.name for one in log.columns] == ["Pos, X, act", "Pos, Y, act"]
+    assert log.read(log.columns)[0].values[:].tolist() == [1.5, 2.5]
+
+
+def test_a_late_byte_that_is_no_utf_8(tmp_path: Path) -> None:
+    """It is beyond what is looked at first: told with line and column, not as a number."""
+    path = tmp_path / "log.csv"
+    rows = "".join(f"{at},{at}.5\n" for at in range(200_000))
+    path.write_bytes(b"t,X\n" + rows.encode() + b"200000,2\xff5\n")
+    log = open_log(path, FileAccess())
+    with pytest.raises(Failure) as told:
+        log.read(log.columns)
+    (found,) = told.value.diagnostics
+    assert found.id == 902880
+    assert found.span is not None
+    assert (found.span.line, found.span.column) == (200_002, 9)
+
+
+@pytest.mark.parametrize("length", [30, 100, 300, 800])
+def test_a_damaged_mf4_is_told_and_nothing_else(
+    length: int, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """902510, and no complaint of the library's half-made object."""
+    asammdf = pytest.importorskip("asammdf")
+    whole = tmp_path / "whole.mf4"
+    measured = asammdf.MDF(version="4.10")
+    stamps = numpy.arange(100) / 1000.0
+    measured.append([asammdf.Signal(stamps, stamps, name="X", unit="mm")])
+    measured.save(whole)
+    measured.close()
+    cut = tmp_path / "cut.mf4"
+    cut.write_bytes(whole.read_bytes()[:length])
+    with pytest.raises(Failure) as told:
+        open_log(cut, FileAccess())
+    assert [one.id for one in told.value.diagnostics] == [902510]
+    assert capfd.readouterr().err == ""
+
+
+def test_a_trace_of_a_kernel_by_a_mapping(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """LG-201: a table in 0.1 µm at a period of 2 ms, as docs/logs.md shows it."""
+    monkeypatch.chdir(tmp_path)
+    Path("part.nc").write_text("G01 X10 F6000\nM30\n", "utf-8")
+    trace = Controller().run("part.nc", signals=["X.ACS.ACT_POS"]).trace
+    assert trace is not None
+    rows = "".join(f"{10_000 * x:.0f};0\n" for x in trace["X.ACS.ACT_POS"][::2])
+    text = f"# Sampling period is 2000000 ns\nistw_1;istw_2\n{rows}"
+    Path("trace.txt").write_text(text, "utf-8")
+    mapping = '[signals]\n"X.ACS.ACT_POS" = { log = "istw_1", unit = "0.1µm" }\n'
+    Path("trace.toml").write_text(mapping, "utf-8")
+    words = ["--map", "trace.toml", "--offset", "0s", "--tolerance", "0.0001"]
+    assert main(["compare", "trace.txt", "part.nc", *words]) == 0
+    assert "within the tolerances" in capsys.readouterr().out

@@ -26,7 +26,11 @@ from nctakt.comparison.columns import NumberTable
 from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.comparison import LOG_TEXT_CUT, NO_NUMBER_IN_LOG
+from nctakt.messages.commands.comparison import (
+    BYTE_NOT_OF_ENCODING,
+    LOG_TEXT_CUT,
+    NO_NUMBER_IN_LOG,
+)
 
 #: Stamps of this size and more are FILETIME: 100 ns since 1601 (LG-109); 10^16 are the year 1632.
 _FILETIME = 10**16
@@ -36,6 +40,9 @@ _FILETIME_US = 0.1
 MAX_LINE = 1 << 20
 #: How an export marks its end (LG-106).
 END_MARK = "EOF"
+
+#: What bytes that the encoding does not have become.
+_REPLACED = "\ufffd"
 
 #: Gives the cells of a column of some lines.
 _Texts = Callable[[int], Sequence[str]]
@@ -161,8 +168,17 @@ class Table(Log):
             truth = {"TRUE": 1.0, "FALSE": 0.0}.get(text.upper())
             if truth is not None:
                 return truth
+            if _REPLACED in text:
+                raise self._not_of_encoding(line) from None
             span = Span(self.file, line, 1, 1)
             raise Failure(diagnostic(NO_NUMBER_IN_LOG, span, text=text[:40])) from None
+
+    def _not_of_encoding(self, line: int) -> Failure:
+        """Return the failure of a line with bytes that are no characters."""
+        text = next(text for number, text in self.lines() if number == line)
+        column = text.index(_REPLACED) + 1
+        span = Span(self.file, line, column, column + 1)
+        return Failure(diagnostic(BYTE_NOT_OF_ENCODING, span, encoding=self.encoding.upper()))
 
 
 def _cells(lines: Sequence[str], separator: str) -> _Texts:

@@ -8,7 +8,10 @@ by its name or that of a mapping file, and units in the metadata of its fields o
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import importlib
+import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -35,11 +38,9 @@ class Mf4Log(Log):
 
     def __init__(self, path: Path) -> None:
         super().__init__(str(path))
-        library = load_asammdf()
-        try:
-            self._measured = library.MDF(path)
-        except Exception as error:  # it has no class of its own for faults
-            raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file)) from error
+        self._measured = _opened(load_asammdf(), path)
+        if self._measured is None:
+            raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file))
         self.columns = [
             LogColumn(channel.name, self._unit(number, index), index, number)
             for number, group in enumerate(self._measured.groups)
@@ -69,6 +70,22 @@ class Mf4Log(Log):
                 table.add(numpy.stack([stamps, signal.samples.astype(float)]).T)
             found.append(self.settled(one.name, table.column(0), table.column(1)))
         return found
+
+
+def _opened(library: Any, path: Path) -> Any:
+    """Return an MF4 file, ``None`` for one that is damaged.
+
+    What the library has half made of that fails once more when it is thrown away, which Python
+    would print.
+    """
+    hook, sys.unraisablehook = sys.unraisablehook, lambda _: None
+    try:
+        with contextlib.suppress(Exception):  # it has no class of its own for faults
+            return library.MDF(path)
+        gc.collect()  # it is part of a cycle
+        return None
+    finally:
+        sys.unraisablehook = hook
 
 
 class ParquetLog(Log):

@@ -50,21 +50,28 @@ class PlainTable(Table):
 
     def _read_names(self) -> list[str]:
         """Return the cells of the row of names; find separator and first row."""
-        names: list[str] = []
+        row, names_at = "", 0
         for number, line in self.lines():
             period = _PERIOD.search(line)
             if period is not None:
                 self.period_us = int(period[1]) / 1e3
             if not line.strip() or line.startswith("#"):
                 continue
-            if names:
+            if row:
                 self.begin = number
-                return names
-            self.separator = self._said.get("separator") or _separator_of(line)
-            names = [cell.strip().strip('"') for cell in line.split(self.separator)]
-            if any(map(_is_number, names)):
-                raise Failure(diagnostic(NO_NAMES_IN_LOG, file=self.file, line=number))
+                return self._names(row, line, names_at)
+            row, names_at = line, number
+        if row:
+            self._names(row, "", names_at)
         raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
+
+    def _names(self, row: str, line: str, number: int) -> list[str]:
+        """Return the cells of a row of names, which has a number; ``line``: the next row."""
+        self.separator = self._said.get("separator") or _separator_of(row, line)
+        names = [cell.strip().strip('"') for cell in row.split(self.separator)]
+        if any(map(_is_number, names)):
+            raise Failure(diagnostic(NO_NAMES_IN_LOG, file=self.file, line=number))
+        return names
 
     def _time_column(self, cells: Sequence[tuple[str, str]]) -> int:
         """Return the column of the stamps, -1 for a table with a period."""
@@ -86,9 +93,14 @@ def split_unit(name: str) -> tuple[str, str]:
     return (name, "") if found is None else (name[: found.start()].strip(), found[1].strip())
 
 
-def _separator_of(line: str) -> str:
-    """Return what separates the names: the most frequent of tab, semicolon and comma."""
-    return max("\t;,", key=line.count)
+def _separator_of(names: str, values: str) -> str:
+    """Return what separates names and values: tab, semicolon or comma.
+
+    It is in both rows equally often; names may have commas, values decimal ones. Where none is, it
+    is the most frequent one of the names.
+    """
+    both = [one for one in "\t;," if 0 < names.count(one) == values.count(one)]
+    return both[0] if both else max("\t;,", key=names.count)
 
 
 def _is_number(text: str) -> bool:

@@ -43,6 +43,14 @@ NO_NUMBER_IN_LOG = error(
     "dort weglassen.",
     text=("the text", "der Text"),
 )
+BYTE_NOT_OF_ENCODING = error(
+    902880,
+    en="what is here is no character in {encoding}",
+    de="was hier steht, ist in {encoding} kein Zeichen",
+    remedy_en="Export the log again, or save it as UTF-8.",
+    remedy_de="Die Aufzeichnung noch einmal exportieren oder als UTF-8 speichern.",
+    encoding=("the encoding", "die Kodierung"),
+)
 COMMA_FOR_BOTH = error(
     902515,
     en="{file} has the comma as separator and as decimal mark: its columns cannot be told apart",

@@ -161,6 +161,9 @@ def test_a_shared_session_follows_commands() -> None:
         (state,) = shown.cycles[-1].branches
         assert (state.evaluated_at, str(state.seen)) == (3, "1 > 0.5")
         assert shown.shown_tick == 3
+        end_s = time.monotonic() + 20.0
+        while len(shared.track.rows) < 4 and time.monotonic() < end_s:
+            time.sleep(0.02)  # the curves of the past come after the state
         assert [row[0] for row in shared.track.rows.entries()] == [0, 1, 2, 3]
         shared.reopen()
         assert shared.snapshot.tick == 0

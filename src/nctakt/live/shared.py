@@ -26,7 +26,6 @@ from nctakt.live.plc_files import PlcFiles
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot
-from nctakt.session.engine import StepResult
 from nctakt.session.listening import Frame, Listener
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
@@ -306,8 +305,11 @@ class SharedSession:
                 self._passing = None
                 with contextlib.suppress(Failure):
                     session.set_stops(*self.stops)
-            if frame is not None or was_woken or notices:
+            is_new = frame is not None or was_woken or bool(notices)
+            if is_new:
                 self.snapshot = self.snapshot_of(frame)
+        if is_new and not self.snapshot.is_playing:
+            self._look_back(session)
         if frame is None and not was_woken and not notices and not session.is_playing:
             time.sleep(0.01)
 
@@ -334,14 +336,8 @@ class SharedSession:
         is_known = branch == session.branch
         if is_known:  # what was read is of this branch
             self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
-        if is_playing:
-            if is_known:
+            if is_playing:
                 self._append(state_view.tick - 1, values)
-        else:
-            if self.log.lacks_some:
-                with contextlib.suppress(Failure):  # the next look tries it again
-                    self.log.complete(session.happened)
-            self._look_back(session, latest)
         self._number += 1
         snapshot = Snapshot(
             self._number,
@@ -419,21 +415,37 @@ class SharedSession:
         ticks = [min(first + (row + 1) * every - 1, last) for row in range(len(flat) // width)]
         return every, ticks, [flat[index::width] for index in range(width)]
 
-    def _look_back(self, session: Session, latest: StepResult) -> None:
-        """Take curves, marks and blocks from the past, in detail, unless they are there already."""
-        end = session.branches[session.branch]
-        key = (self._serial, session.branch, end, self.track.shown, self.file)
+    def _look_back(self, session: Session) -> None:
+        """Take lists, curves, marks and blocks from the past, unless they are there already.
+
+        That takes a while, for which nobody waits: the state of the session is shown before.
+        """
+        log = self.log
+        if log.lacks_some:
+            with contextlib.suppress(Failure):  # the next look tries it again
+                log.complete(session.happened)
+                self._wake.set()
+        key, end = self._past_key(session), session.branches[session.branch]
         if key == self._looked_at or end == 0:
             return
         first = max(0, end - SCOPE_TICKS)
         _, ticks, columns = self._past(session, first, end)
         rows = zip(*columns, strict=True) if columns else ((),) * len(ticks)
-        self.track.rows.replace((tick, *row) for tick, row in zip(ticks, rows, strict=True))
         events, left_out = session.events(first, end)
-        if not left_out:
-            self.track.marks.replace(marks_of(events, self.file))
-            self.track.blocks.replace(blocks_of(events, self.channel, self.file))
-        self._looked_at = key
+        with self.lock:
+            if session is not self.session or key != self._past_key(session):
+                return  # something else is shown meanwhile
+            self.track.rows.replace((tick, *row) for tick, row in zip(ticks, rows, strict=True))
+            if not left_out:
+                self.track.marks.replace(marks_of(events, self.file))
+                self.track.blocks.replace(blocks_of(events, self.channel, self.file))
+            self._looked_at = key
+
+    def _past_key(self, session: Session) -> tuple[object, ...]:
+        """Return what the curves of the past depend on."""
+        branch = session.branch
+        end = session.branches[branch]
+        return self._serial, branch, end, self.track.shown, self.channel, self.file
 
     def _append(self, tick: int, values: dict[str, float | bool | str]) -> None:
         """Add a row while the session plays, unless it plays in a past that is known."""

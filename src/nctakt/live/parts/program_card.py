@@ -122,9 +122,9 @@ class ProgramCard:
                 self._load.props("dense flat no-caps size=sm color=warning data-testid=load")
                 self._load.set_visibility(False)
                 ui.space()
-                self._build_search()
                 save = ui.button(texts["save_short"], icon="save", on_click=self.save)
                 save.props("dense flat no-caps size=sm data-testid=save").tooltip(texts["save"])
+            self._build_search()
             self._editor = ui.codemirror(
                 _in_editor(self.document),
                 theme="basicLight",
@@ -142,12 +142,14 @@ class ProgramCard:
     def _build_search(self) -> None:
         """Build the field that finds lines of a long program, which says that it is one."""
         texts = self._texts
-        self._length = ui.label().classes("nc-soft nc-length ellipsis").props("role=status")
-        self._length.props("data-testid=length")
-        self._sought = ui.input(placeholder=texts["find_short"]).classes("nc-find")
-        self._sought.props("dense borderless clearable maxlength=200 data-testid=find")
-        explained(self._sought, texts["find"])
-        self._sought.on("keydown.enter", self._find)
+        self._search = ui.element("div").classes("nc-row")
+        with self._search:
+            self._length = ui.label().classes("nc-soft nc-length").props("role=status")
+            self._length.props("data-testid=length")
+            self._sought = ui.input(placeholder=texts["find_short"]).classes("nc-find")
+            self._sought.props("dense outlined clearable maxlength=200 data-testid=find")
+            explained(self._sought, texts["find"])
+            self._sought.on("keydown.enter", self._find)
 
     def _show_length(self) -> None:
         count = f"{len(self.document.lines):,}"
@@ -155,7 +157,7 @@ class ProgramCard:
             count = count.replace(",", ".")
         is_shown = self._is_long and not self.plc.is_shown
         self._length.set_text(self._texts["long"].format(count=count) if is_shown else "")
-        self._sought.set_visibility(is_shown)
+        self._search.set_visibility(is_shown)
 
     def _choices(self) -> dict[str, str]:
         many = len(self._documents) > 1

@@ -13,7 +13,9 @@ from support.plc_text import pou_file
 
 from nctakt.cli.check import command
 from nctakt.messages import Collector
+from nctakt.plc.error import PlcError
 from nctakt.plc.structured_text import load_structured
+from nctakt.plc.unit_tests import load_suites
 from nctakt.st.check.project import checker_of
 from nctakt.st.reporting import Reporter
 from nctakt.st.sources import Sources
@@ -179,6 +181,23 @@ def test_files_of_a_known_name_add_to_it_and_a_project_replaces_it(folder: Path)
     (standard / "Tc2_Standard.plcproj").write_text(whole, "utf-8")
     (standard / "ton.TcPOU").write_text(pou_file("TON", own, "Q := TRUE;"), "utf-8")
     assert checked(folder / "Cell.plcproj") == [(902191, "MAIN.TcPOU")]
+
+
+def test_suites_of_other_sources_are_refused_by_the_test_command(folder: Path) -> None:
+    """ST-904, 902911: a project of the name TcUnit keeps its results in a way of its own."""
+    (folder / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "TcUnit"), "utf-8")
+    own = folder / "libraries" / "TcUnit"
+    own.mkdir()
+    whole = '<Project><ItemGroup><Compile Include="FB_TestSuite.TcPOU"/></ItemGroup></Project>'
+    (own / "TcUnit.plcproj").write_text(whole, "utf-8")
+    (own / "FB_TestSuite.TcPOU").write_text(
+        pou_file("FB_TestSuite", "FUNCTION_BLOCK FB_TestSuite", ""), "utf-8"
+    )
+    declared = "PROGRAM MAIN\nVAR fb : FB_TestSuite; END_VAR"
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, "fb();"), "utf-8")
+    assert checked(folder / "Cell.plcproj") == []
+    with pytest.raises(PlcError, match="902911"):
+        load_suites(folder / "Cell.plcproj")
 
 
 def test_names_of_libraries_have_the_libraries_they_refer_to(folder: Path) -> None:

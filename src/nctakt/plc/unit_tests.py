@@ -17,6 +17,7 @@ from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.unit_tests import (
+    OTHER_TEST_LIBRARY,
     OUTSIDE_OF_TESTS,
     SUITE_NOT_CALLED,
     TEST_NAME_TWICE,
@@ -24,6 +25,7 @@ from nctakt.messages.plcs.unit_tests import (
     TOO_MANY_TESTS,
     UNKNOWN_TEST_FINISHED,
 )
+from nctakt.plc.error import PlcError
 from nctakt.plc.structured_text import StructuredPlc, inspected, plc_of
 from nctakt.run.controller import Controller, NcText
 from nctakt.st.check.project import DEFAULT_CYCLE_US, DEFAULT_TASK
@@ -101,17 +103,32 @@ def may_hold_suites(path: Path, data: bytes) -> bool:
 def load_suites(path: Path, plc: Path | None = None) -> StructuredPlc:
     """Return the PLC that runs the suites of a file; raises ``PlcError`` with its mistakes.
 
+    Raises it also where the sources of another library declare suites (902911).
+
     ``plc``: the project's own text, which belongs to a single file with suites; of its tasks none
     runs then, but the programs of the file.
     """
     if path.suffix.lower() not in TEXT_SUFFIXES:
         programs, findings, project = inspected(path)
+        _check_library(programs[0])
         return plc_of(programs[0], path, findings, project)
     is_text = plc is not None and plc.suffix.lower() in TEXT_SUFFIXES
     others = [plc] if plc is not None and is_text and plc.resolve() != path.resolve() else []
     programs, findings, project = inspected(path, *others)
+    _check_library(programs[0])
     _choose_tasks(programs[0], path)
     return plc_of(programs[0], path, findings, project)
+
+
+def _check_library(program: Program) -> None:
+    """Raise ``PlcError`` where suites are those of a library that keeps its results otherwise."""
+    if _base_of(program) is not None and not any(one.name == _RUN for one in program.lists):
+        raise PlcError(diagnostic(OTHER_TEST_LIBRARY))
+
+
+def _base_of(program: Program) -> Pou | None:
+    """Return the block of a library that all suites extend."""
+    return next((one for one in program.blocks if one.name.lower() == _SUITE and one.library), None)
 
 
 def _choose_tasks(program: Program, path: Path) -> None:
@@ -136,7 +153,7 @@ def _file_of(program: Program, called: Callable) -> str:
 
 def suites_of(program: Program) -> list[Suite]:
     """Return all suites of a checked program in the order of their paths' declarations."""
-    base = next((one for one in program.blocks if one.name.lower() == _SUITE and one.library), None)
+    base = _base_of(program)
     if base is None:
         return []
     found = [

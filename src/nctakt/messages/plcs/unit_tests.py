@@ -73,3 +73,10 @@ PYTEST_MISSING = error(
     remedy_en='Install it: .venv/bin/pip install ".[test]"',
     remedy_de='Installieren: .venv/bin/pip install ".[test]"',
 )
+OTHER_TEST_LIBRARY = error(
+    902911,
+    en="suites are tested with the TcUnit of nctakt, not with the sources in [plc] libraries",
+    de="Suiten werden mit dem TcUnit von nctakt geprüft, nicht mit den Quellen in [plc] libraries",
+    remedy_en="Remove its project from these folders; nctakt run runs suites with its sources.",
+    remedy_de="Sein Projekt aus diesen Ordnern entfernen; nctakt run führt es mit ihnen aus.",
+)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -60,6 +61,22 @@ def test_a_value_at_a_time_changes_the_report(capsys: pytest.CaptureFixture[str]
     assert "ONCE" not in shown
 
 
+@pytest.mark.parametrize("command", ["run", "why", "time", "coverage"])
+def test_inputs_in_comments_are_those_of_tests(
+    command: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A run without them says with which options it would be that of the test (902930)."""
+    given = "; given: V.E.VALUE = 2; given: V.E.TRIGGER = 1 at 20ms\n"
+    (folder / "part.nc").write_text(given + PART, encoding="utf-8")
+    assert main([command, "part.nc"]) == 0
+    told = capsys.readouterr().err
+    assert "902930: part.nc gives 2 values in comments" in told
+    options = "--set V.E.VALUE=2 --at '0.02 s' V.E.TRIGGER=1"
+    assert options in told
+    assert main([command, "part.nc", *shlex.split(options)]) == 0
+    assert "902930" not in capsys.readouterr().err
+
+
 def test_how_everything_stood_at_a_time(capsys: pytest.CaptureFixture[str]) -> None:
     """``--state``: tick 463 holds 463.9 ms; the run goes no further, whatever ``--ticks`` says."""
     assert main(["why", "part.nc", "--state", "463.9ms", "--ticks", "9999", "--line", "2"]) == 0
@@ -90,7 +107,7 @@ def test_several_programs_and_a_limit(capsys: pytest.CaptureFixture[str]) -> Non
     assert main(["why", "part.nc", "next.nc", "--until", "0.5"]) == 0
     shown = capsys.readouterr().out
     assert "stopped at the limit" in shown
-    assert "realtime cycle  next.nc:1\n  never ran: not defined in this run" in shown
+    assert "realtime cycle  next.nc:1\n  never ran: not defined up to here" in shown
 
 
 def test_an_error_of_the_program_is_told_with_the_report(

@@ -125,7 +125,7 @@ def test_what_is_to_blame_is_followed_outwards() -> None:
             "de",
             "im Zyklus: Fehler 50879, Zeile 2",
         ),
-        ("$IF 0\n#RT CYCLE\n#RT CYCLE END\n$ENDIF\n", "en", "never ran: not defined in this run"),
+        ("$IF 0\n#RT CYCLE\n#RT CYCLE END\n$ENDIF\n", "en", "never ran: not defined up to here"),
         ("G00 X1\n", "en", "no realtime cycles\n"),
         ("G00 X1\n", "de", "keine Echtzeit-Zyklen\n"),
         (

@@ -142,8 +142,10 @@ def run_programs(
 
     ``is_drawn``: it records all that pictures show; ``blocks``: the events of blocks.
     """
+    from nctakt.cli.common.comment_inputs import tell_unused_inputs  # noqa: PLC0415 - as below
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
 
+    tell_unused_inputs(options, request)
     bar = ProgressBar()
     given = request.options
 

@@ -182,3 +182,12 @@ STIMULUS_NOT_REACHED = warning(
     time=("the time of the value", "die Zeit des Wertes"),
     end=("how long the run lasted", "die Dauer des Laufs"),
 )
+GIVEN_IN_TESTS_ONLY = note(
+    902930,
+    en="{file} gives {count} values in comments (given:), which count in tests only",
+    de="{file} gibt {count} Werte in Kommentaren vor (given:), die nur in Tests gelten",
+    remedy_en="For the same run as in the test: {options}",
+    remedy_de="Für denselben Lauf wie im Test: {options}",
+    count=("the number of values", "die Zahl der Werte"),
+    options=("the options that give the same values", "die Optionen für dieselben Werte"),
+)

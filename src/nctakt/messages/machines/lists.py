@@ -11,8 +11,9 @@ TEXT_NOT_UTF8 = note(
     900000,
     en="the text is not UTF-8; it is read as {encoding}",
     de="der Text ist kein UTF-8; er wird als {encoding} gelesen",
-    remedy_en="Save the file as UTF-8.",
-    remedy_de="Die Datei als UTF-8 speichern.",
+    remedy_en="If letters beyond ASCII look right, nothing is to be done; otherwise save the file "
+    "as UTF-8.",
+    remedy_de="Stimmen die Umlaute, ist nichts zu tun; sonst die Datei als UTF-8 speichern.",
     encoding=("the assumed encoding", "die angenommene Kodierung"),
 )
 BLANK_MISSING_AFTER_HASH = note(

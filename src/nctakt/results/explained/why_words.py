@@ -49,7 +49,7 @@ _ENDED_BY = {
 }
 
 _CYCLE_REASONS = {
-    "undefined": Text("not defined in this run", "in diesem Lauf nicht definiert"),
+    "undefined": Text("not defined up to here", "bis hierher nicht definiert"),
     "undefined yet": Text("not defined until {tick}", "nicht definiert bis {tick}"),
     "unstarted": Text(
         "defined at {tick} with DEF, not started", "in {tick} mit DEF definiert, nicht gestartet"

@@ -216,6 +216,52 @@ def test_files_that_are_no_fmu_for_this_computer_are_refused(tmp_path: Path, nam
         Fmu(write_fmu(tmp_path / "p.fmu", change(description(3)), None))
 
 
+LIES: dict[str, tuple[str, str, str]] = {
+    "a reference that no variable has": (
+        'y" valueReference="2',
+        'y" valueReference="47',
+        "902601: .*reference 2,",
+    ),
+    "two of one name": ('name="n"', 'name="y"', '902601: .*"y".* not unique'),
+    "a unit that it does not define": (
+        'start="0" unit="m"',
+        'start="0" unit="ell"',
+        '902601: .*"ell"',
+    ),
+    "a causality that there is not": ('"output"', '"sideways"', "902601: .*sideways"),
+    "a start value that is no number": ('start="1"', 'start="much"', "902601: .*much"),
+    "a start value beyond its limits": (
+        'start="1"',
+        'start="1" max="0.5"',
+        "902601: gain begins with 1|902601: .* gain begins with 1",
+    ),
+    "a library that is not there": (
+        'modelIdentifier="m"',
+        'modelIdentifier="other"',
+        "902609: .*load failed",
+    ),
+    "a variable that the library lacks": ('valueReference="1"', 'valueReference="99"', "902609"),
+}
+
+
+@pytest.mark.parametrize("is_isolated", [False, True])
+@pytest.mark.parametrize("name", LIES)
+def test_an_fmu_that_lies_about_itself_is_told(
+    libraries: dict[int, Path], tmp_path: Path, name: str, is_isolated: bool
+) -> None:
+    """With a number, in this process and in its own."""
+    before, after, number = LIES[name]
+    text = description(3)
+    assert before in text
+    file = write_fmu(tmp_path / "p.fmu", text.replace(before, after, 1), libraries[3])
+    with pytest.raises(FmuError, match=number):
+        run_with(
+            Fmu(
+                file, inputs={"u": "X.ACS.ACT_POS"}, outputs={"y": "V.E.VALUE"}, isolate=is_isolated
+            )
+        )
+
+
 def test_a_description_in_another_encoding_is_refused(tmp_path: Path) -> None:
     """There a document type could not be seen."""
     pytest.importorskip("fmpy", reason="FMUs need FMPy (extra fmi)")

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import Text
 from nctakt.files.access import FileAccess
 from nctakt.fmu.archive import not_readable, platforms_of
 from nctakt.fmu.archive import read_description as read_text
@@ -102,8 +103,12 @@ def read_fmu(file: Path, access: FileAccess) -> FmuDescription:
     text = read_text(file, access)
     try:
         found = library.read_model_description(_Described(text))
+    except KeyError as error:
+        raise not_readable(file, _no_variable(error.args[0])) from error
     except Exception as error:  # it has no class of its own for faults
         raise not_readable(file, " ".join(str(error).split())) from error
+    for one in found.modelVariables:
+        _check_start(file, one)
     version = int(found.fmiVersion.partition(".")[0])
     if version not in _ACCESS or found.coSimulation is None:
         kinds = [
@@ -137,6 +142,28 @@ def read_fmu(file: Path, access: FileAccess) -> FmuDescription:
         {one.name: _variable(one, version) for one in found.modelVariables},
         0.0 if fixed is None else float(fixed) * 1e6,
     )
+
+
+def _no_variable(reference: object) -> Text:
+    return Text(
+        f"its structure names the value reference {reference}, which no variable has",
+        f"ihre Struktur nennt die Wertreferenz {reference}, die keine Variable hat",
+    )
+
+
+def _check_start(file: Path, found: Any) -> None:
+    """Raise ``FmuError`` (902601) for a start value beyond the limits of its variable."""
+    try:
+        start = float(found.start)
+        low, high = float(found.min or -math.inf), float(found.max or math.inf)
+    except (TypeError, ValueError):  # none, an array, a truth, a text
+        return
+    if not low <= start <= high:
+        reason = Text(
+            f"{found.name} begins with {start:g}, which is not within {low:g} … {high:g}",
+            f"{found.name} beginnt mit {start:g}, was nicht in {low:g} … {high:g} liegt",
+        )
+        raise not_readable(file, reason)
 
 
 class _Described(io.BytesIO):

@@ -93,3 +93,29 @@ def test_a_folder_without_anything(tmp_path: Path, capsys: Captured) -> None:
     assert main(["init", str(tmp_path)]) == 2
     assert "error 902383: " in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
+
+
+def test_the_next_commands_say_what_they_lack(
+    cell: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What installs pytest and the page's library comes before the command that needs it."""
+    monkeypatch.setattr("nctakt.cli.init.find_spec", lambda name: None)
+    assert main(["init"]) == 0
+    lines = [line.strip() for line in capsys.readouterr().out.splitlines()]
+    assert lines[-4:] == [
+        'pip install "lsprotocol>=2025" "markdown2>=2.4" "nicegui>=3.18"',
+        "nctakt live programs/part.nc --open",
+        'pip install "pytest>=9"',
+        "nctakt test .",
+    ]
+
+
+def test_what_is_installed_is_not_installed_again(
+    cell: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The commands stand alone where their libraries are there."""
+    monkeypatch.setattr("nctakt.cli.init.find_spec", lambda name: "there")
+    assert main(["init"]) == 0
+    captured = capsys.readouterr().out
+    assert "pip install" not in captured
+    assert captured.endswith("  nctakt test .\n")

@@ -11,6 +11,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Sequence
+from importlib.util import find_spec
 from pathlib import Path
 
 import click
@@ -28,6 +29,7 @@ from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.project import FILE_KEPT, NO_LISTS_OR_PROGRAMS
+from nctakt.messages.extras import install_command
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_WRITABLE
 from nctakt.project.project_file import OWN_NAME
 from nctakt.run.options import BY_NAME
@@ -236,13 +238,19 @@ def _write(path: Path, text: str) -> bool:
 
 
 def _next_commands(folder: Path, content: _Content) -> Iterator[str]:
-    """Yield the commands from here on, with the folder's files."""
+    """Yield the commands from here on, with the folder's files; what they lack comes before."""
     yield f"nctakt check {folder.as_posix()}"
-    if content.main_program:
-        program = (folder / content.main_program).as_posix()
-        yield f"nctakt run {program}"
-        yield f"nctakt live {program} --open"
-        yield f"pytest {folder.as_posix()}"
+    if not content.main_program:
+        return
+    program = (folder / content.main_program).as_posix()
+    yield f"nctakt run {program}"
+    for line, extra, library in (
+        (f"nctakt live {program} --open", "live", "nicegui"),
+        (f"nctakt test {folder.as_posix()}", "test", "pytest"),
+    ):
+        if find_spec(library) is None:
+            yield install_command(extra)
+        yield line
 
 
 def _shown(names: Sequence[str], language: Language) -> str:

@@ -15,6 +15,7 @@ from typing import Any
 from nctakt.base.failure import Failure
 from nctakt.files.vcd import FIRST_VALUES, Value, VcdVariable, in_order, named
 from nctakt.messages import diagnostic
+from nctakt.messages.extras import install_command
 from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING
 
 #: The size of whole numbers in bits.
@@ -24,7 +25,14 @@ _INTEGER_BITS = 64
 def check_fst() -> None:
     """Raise ``Failure`` (900634) where no FST file can be written."""
     if importlib.util.find_spec("pylibfst") is None:
-        raise Failure(diagnostic(LIBRARY_MISSING, library="pylibfst", what="--fst"))
+        raise Failure(
+            diagnostic(
+                LIBRARY_MISSING,
+                library="pylibfst",
+                what="--fst",
+                install=install_command("measure"),
+            )
+        )
 
 
 def write_fst_file(

@@ -17,6 +17,7 @@ from typing import Literal
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.extras import install_command
 from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING
 
 Value = int | float | str
@@ -50,7 +51,11 @@ class VcdVariable:
 def check_vcd() -> None:
     """Raise ``Failure`` (900634) where no VCD file can be written."""
     if importlib.util.find_spec("vcd") is None:
-        raise Failure(diagnostic(LIBRARY_MISSING, library="pyvcd", what="--vcd"))
+        raise Failure(
+            diagnostic(
+                LIBRARY_MISSING, library="pyvcd", what="--vcd", install=install_command("plot")
+            )
+        )
 
 
 def write_vcd_file(

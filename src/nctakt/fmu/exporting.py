@@ -26,6 +26,7 @@ from nctakt.fmu.cell import CONTENT, FILES, Cell
 from nctakt.fmu.model_description import CellVariable, model_description
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
+from nctakt.messages.extras import install_command
 from nctakt.messages.plcs.fmu import CELL_NOT_COMPLETE, NOT_AN_INPUT
 from nctakt.plc.loading import input_file_of
 from nctakt.run.plcs.realtime_plc import is_structured
@@ -211,7 +212,9 @@ def _libraries(version: int, identifier: str) -> Iterator[tuple[str, bytes]]:
     try:
         package = importlib.import_module(name)
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package=name, extra="fmi")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package=name, install=install_command("fmi"))
+        ) from error
     folder = Path(str(package.__file__)).parent / "resources" / "binaries"
     for file in sorted(folder.rglob("*")):
         if file.is_file():

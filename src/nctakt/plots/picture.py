@@ -22,6 +22,7 @@ from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.pictures import WRONG_SUFFIX
+from nctakt.messages.extras import install_command
 from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
 from nctakt.plots.lanes import Lane, joined
 from nctakt.plots.motion import thinned
@@ -66,7 +67,14 @@ def check_picture(path: str) -> None:
     if suffix not in ENDINGS:
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
     if suffix != ".html" and not has_matplotlib():
-        raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot"))
+        raise Failure(
+            diagnostic(
+                LIBRARY_MISSING,
+                library="matplotlib",
+                what="--plot",
+                install=install_command("plot"),
+            )
+        )
 
 
 def has_matplotlib() -> bool:

@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
+from nctakt.messages.extras import install_command
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import Trace
 from nctakt.trace.sinks import Signal, TraceHeader
@@ -36,7 +37,9 @@ def load_pyarrow(module: str = "") -> Any:
     try:
         return importlib.import_module(f"pyarrow.{module}" if module else "pyarrow")
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="pyarrow", extra="data")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package="pyarrow", install=install_command("data"))
+        ) from error
 
 
 def trace_table(trace: Trace) -> pyarrow.Table:

@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
+from nctakt.messages.extras import install_command
 from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 from nctakt.trace.texts import by_tick, join_events
@@ -37,7 +38,9 @@ def load_asammdf() -> Any:
     try:
         return importlib.import_module("asammdf")
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="asammdf", extra="measure")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package="asammdf", install=install_command("measure"))
+        ) from error
 
 
 class Mf4Sink:

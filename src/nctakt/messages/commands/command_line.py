@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error, note
+from nctakt.messages.extras import install_command
 
 COMPILED_PART_MISSING = error(
     900530,
@@ -125,8 +126,8 @@ WATCH_LIBRARY_MISSING = error(
     901067,
     en="--watch needs the library watchfiles, which is not installed",
     de="--watch braucht die Bibliothek watchfiles, die nicht installiert ist",
-    remedy_en="In the checkout: pip install '.[watch]'",
-    remedy_de="Im Checkout: pip install '.[watch]'",
+    remedy_en=f"Install it: {install_command('watch')}",
+    remedy_de=f"Installieren: {install_command('watch')}",
 )
 WATCH_OF_STDIN = error(
     901068,

@@ -114,10 +114,10 @@ EXTRA_MISSING = error(
     901311,
     en="this needs the package {package}, which is not installed",
     de="dafür fehlt das Paket {package}",
-    remedy_en='Install it: pip install "nctakt[{extra}]"',
-    remedy_de='Es installieren: pip install "nctakt[{extra}]"',
+    remedy_en="Install it: {install}",
+    remedy_de="Installieren: {install}",
     package=("the package", "das Paket"),
-    extra=("the extra", "das Extra"),
+    install=("the command that installs it", "der Befehl, der es installiert"),
 )
 UNKNOWN_PARAMETER_OF_STUDY = error(
     901312,

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error
+from nctakt.messages.extras import install_command
 
 EDITOR_LIBRARY_MISSING = error(
     901290,
     en="nctakt lsp needs the library pygls, which is not installed",
     de="nctakt lsp braucht die Bibliothek pygls, die nicht installiert ist",
-    remedy_en='Install it: .venv/bin/pip install ".[editor]"',
-    remedy_de='Installieren: .venv/bin/pip install ".[editor]"',
+    remedy_en=f"Install it: {install_command('editor')}",
+    remedy_de=f"Installieren: {install_command('editor')}",
 )
 NEW_NAME_INVALID = error(
     901980,

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error, note, warning
+from nctakt.messages.extras import install_command
 
 LIVE_LIBRARY_MISSING = error(
     901160,
     en="nctakt live needs the library NiceGUI, which is not installed",
     de="nctakt live braucht die Bibliothek NiceGUI, die nicht installiert ist",
-    remedy_en='Install it: .venv/bin/pip install ".[live]"',
-    remedy_de='Installieren: .venv/bin/pip install ".[live]"',
+    remedy_en=f"Install it: {install_command('live')}",
+    remedy_de=f"Installieren: {install_command('live')}",
 )
 ADDRESS_NOT_USABLE = error(
     901161,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error
+from nctakt.messages.extras import install_command
 
 SECURITY_FOLDER_NOT_USABLE = error(
     901472,
@@ -16,6 +17,6 @@ OPCUA_LIBRARY_MISSING = error(
     901473,
     en="nctakt serve --opcua needs the library asyncua, which is not installed",
     de="nctakt serve --opcua braucht die Bibliothek asyncua, die nicht installiert ist",
-    remedy_en='Install it: .venv/bin/pip install ".[opcua]"',
-    remedy_de='Installieren: .venv/bin/pip install ".[opcua]"',
+    remedy_en=f"Install it: {install_command('opcua')}",
+    remedy_de=f"Installieren: {install_command('opcua')}",
 )

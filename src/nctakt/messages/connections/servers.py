@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error, note
+from nctakt.messages.extras import install_command
 
 DOOR_ADDRESS_NOT_USABLE = error(
     901351,
@@ -67,8 +68,8 @@ MQTT_NOT_INSTALLED = error(
     901452,
     en="MQTT needs the package aiomqtt, which is not installed",
     de="MQTT braucht das Paket aiomqtt, das nicht installiert ist",
-    remedy_en='Install it: pip install "nctakt[mqtt]"',
-    remedy_de='Installieren: pip install "nctakt[mqtt]"',
+    remedy_en=f"Install it: {install_command('mqtt')}",
+    remedy_de=f"Installieren: {install_command('mqtt')}",
 )
 INVALID_NETWORK = error(
     902020,

@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error, warning
+from nctakt.messages.extras import install_command
 
 FMU_LIBRARY_MISSING = error(
     902600,
     en="an FMU needs the library FMPy, which is not installed",
     de="eine FMU braucht die Bibliothek FMPy, die nicht installiert ist",
-    remedy_en='Install it: .venv/bin/pip install ".[fmi]"',
-    remedy_de='Installieren: .venv/bin/pip install ".[fmi]"',
+    remedy_en=f"Install it: {install_command('fmi')}",
+    remedy_de=f"Installieren: {install_command('fmi')}",
 )
 FMU_NOT_READABLE = error(
     902601,

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from nctakt.messages.catalogue import error
+from nctakt.messages.extras import install_command
 
 _NAME = ("name of the test", "Name des Tests")
 _SUITE = ("path of the suite", "Pfad der Suite")
@@ -70,8 +71,8 @@ PYTEST_MISSING = error(
     902547,
     en="pytest, which runs the tests, is not installed",
     de="pytest, das die Tests ausführt, ist nicht installiert",
-    remedy_en='Install it: .venv/bin/pip install ".[test]"',
-    remedy_de='Installieren: .venv/bin/pip install ".[test]"',
+    remedy_en=f"Install it: {install_command('test')}",
+    remedy_de=f"Installieren: {install_command('test')}",
 )
 OTHER_TEST_LIBRARY = error(
     902911,

@@ -94,8 +94,9 @@ LIBRARY_MISSING = error(
     900634,
     en="{what} needs {library}, which is not installed",
     de="{what} braucht {library}, das nicht installiert ist",
-    remedy_en="In the checkout: pip install '.[plot]'",
-    remedy_de="Im Checkout: pip install '.[plot]'",
+    remedy_en="Install it: {install}",
+    remedy_de="Installieren: {install}",
+    install=("the command that installs it", "der Befehl, der sie installiert"),
     library=("the library", "die Bibliothek"),
     what=("the option", "die Option"),
 )

@@ -14,6 +14,7 @@ from pathlib import Path
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
+from nctakt.messages.extras import install_command
 from nctakt.messages.scheduling.schedule_results import LIBRARY_MISSING, UNKNOWN_PICTURE_FORMAT
 from nctakt.schedule.pictures.figure import Figure, svg
 
@@ -37,7 +38,14 @@ def check_picture(path: str) -> None:
     if ending not in (".svg", ".png", ".html"):
         raise Failure(diagnostic(UNKNOWN_PICTURE_FORMAT, file=path))
     if ending == ".png" and importlib.util.find_spec("matplotlib") is None:
-        raise Failure(diagnostic(LIBRARY_MISSING, library="matplotlib", what="--plot FILE.png"))
+        raise Failure(
+            diagnostic(
+                LIBRARY_MISSING,
+                library="matplotlib",
+                what="--plot FILE.png",
+                install=install_command("plot"),
+            )
+        )
 
 
 def write_picture(figure: Figure, path: Path, language: Language, report: str) -> None:

@@ -19,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
+from nctakt.messages.extras import install_command
 from nctakt.run.options import ProgramOptions
 from nctakt.studies.measuring.measures import Expectation, Measure
 from nctakt.studies.measuring.python_measure import PythonMeasure
@@ -206,7 +207,9 @@ def _design(method: Method, count: int, width: int, seed: int) -> list[tuple[flo
     try:
         from scipy.stats import qmc  # noqa: PLC0415 - an extra that few plans need
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="scipy", extra="studies")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package="scipy", install=install_command("studies"))
+        ) from error
     if method == "latin":
         return [tuple(map(float, row)) for row in qmc.LatinHypercube(width, rng=seed).random(count)]
     power = max(count - 1, 0).bit_length()

@@ -21,6 +21,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING, FOLDER_HAS_RESULTS, OTHER_PLAN
+from nctakt.messages.extras import install_command
 from nctakt.messages.files import FILE_NOT_READABLE, FILE_NOT_WRITABLE
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.rows.results import StreamedRows, checked_row, parquet_bytes, text_columns
@@ -74,7 +75,9 @@ class PartFolder:
         try:
             from fsspec.core import url_to_fs  # noqa: PLC0415 - an extra
         except ImportError as error:
-            raise Failure(diagnostic(EXTRA_MISSING, package="fsspec", extra="data")) from error
+            raise Failure(
+                diagnostic(EXTRA_MISSING, package="fsspec", install=install_command("data"))
+            ) from error
         with _Reported(self.address):
             self._files, self._root = url_to_fs(self.address)
         self.is_local = "file" in self._files.protocol

@@ -23,6 +23,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING, UPLOAD_TOO_LARGE
+from nctakt.messages.extras import install_command
 from nctakt.messages.files import FILE_NOT_READABLE
 from nctakt.studies.measuring.python_measure import PythonMeasure
 from nctakt.studies.plans.plan import Plan
@@ -128,7 +129,9 @@ def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
     try:
         import cloudpickle  # noqa: PLC0415 - comes with the extra
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package="distributed", install=install_command("cluster"))
+        ) from error
     needed = files_of(plan)
     modules = needed.modules
     files = [*needed.files, *modules.files]

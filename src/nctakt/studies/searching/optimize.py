@@ -15,6 +15,7 @@ from collections.abc import Callable, Sequence
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
+from nctakt.messages.extras import install_command
 from nctakt.studies.plans.dimension import Dimension, Value
 from nctakt.studies.plans.plan import Goal, Plan
 from nctakt.studies.runs.study_runner import PASSED, Row
@@ -80,7 +81,9 @@ def _by_optuna(
     try:
         import optuna  # noqa: PLC0415 - an extra that few plans need
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="optuna", extra="studies")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package="optuna", install=install_command("studies"))
+        ) from error
     optuna.logging.set_verbosity(optuna.logging.ERROR)
     found: list[tuple[Rank, Sequence[float]]] = []
 

@@ -27,6 +27,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import CLUSTER_LOST, EXTRA_MISSING, WORKER_UNFIT
+from nctakt.messages.extras import install_command
 from nctakt.results.coverage_files import as_json, from_json
 from nctakt.studies.plans.dimension import Value
 from nctakt.studies.plans.plan import COVERAGE, Plan
@@ -268,7 +269,9 @@ def _connected(address: str | Any) -> Iterator[Any]:
     try:
         import distributed  # noqa: PLC0415 - an extra
     except ImportError as error:
-        raise Failure(diagnostic(EXTRA_MISSING, package="distributed", extra="cluster")) from error
+        raise Failure(
+            diagnostic(EXTRA_MISSING, package="distributed", install=install_command("cluster"))
+        ) from error
     is_own = not isinstance(address, distributed.Client)
     with _quiet() if is_own else contextlib.nullcontext():
         try:

@@ -245,3 +245,22 @@ def test_ctrl_c_ends_a_run_with_its_summary_and_trace() -> None:
     assert b"Traceback" not in err
     ticks = int(out.split(b"interrupted, ")[1].split()[0])
     assert read_trace("out.csv").ticks == ticks
+
+
+@pytest.mark.skipif(os.name != "posix", reason="a folder in use cannot be removed there")
+@pytest.mark.parametrize("words", [["check", "."], ["run", "part.nc"], ["study", "plan.toml"]])
+def test_a_working_directory_that_somebody_has_removed_is_told(
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """902925, and nothing false of standard output."""
+    folder = tmp_path / "removed"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    folder.rmdir()
+    assert main(words) == 2
+    told = capsys.readouterr().err
+    assert "error 902925: " in told
+    assert "900507" not in told

@@ -8,7 +8,7 @@ import pytest
 from support.random_seeds import seeds_in_parts
 
 from nctakt import NcText, Session
-from nctakt.live.run_log import MAX_LOG, RunLog
+from nctakt.live.run_log import ENOUGH, MAX_LOG, RunLog
 from nctakt.live.view import LogRow
 from nctakt.results.run import ProgramMessage
 from nctakt.session.listening import Listener
@@ -48,8 +48,10 @@ def look(log: RunLog, session: Session, listener: Listener) -> None:
     if log.lacks_some:
         log.complete(session.happened)
     truth = session.happened(0, session.tick)
-    assert log.events == tuple(truth.events)[-MAX_LOG:]
-    assert log.left_out == truth.left_out + max(0, len(truth.events) - MAX_LOG)
+    older = len(truth.events) - len(log.events)
+    assert log.events == tuple(truth.events)[older:]
+    assert log.left_out == truth.left_out + older
+    assert min(ENOUGH, len(truth.events)) <= len(log.events) <= MAX_LOG
     assert log.messages == tuple(truth.messages)
     assert list(map(str, log.diagnostics)) == list(map(str, truth.diagnostics))
 

@@ -23,6 +23,7 @@ from nctakt.servers.host import Host
 from nctakt.servers.log import ServerLog
 from nctakt.servers.mqtt import MqttEndpoint
 from nctakt.servers.mqtt_requests import MAX_WAITING, Broker, read_broker
+from nctakt.servers.serving import CLOSING_S
 from nctakt.session.session import Session
 
 pytestmark = pytest.mark.slow
@@ -337,7 +338,7 @@ def with_a_broker(
         await endpoint.open()
         while not until(session, lines):
             await asyncio.sleep(0.05)
-        await endpoint.close()
+        await asyncio.wait_for(endpoint.close(), CLOSING_S)
         await host.close()
         server.close()
 
@@ -389,3 +390,18 @@ def test_requests_beyond_a_number_are_dropped_and_told() -> None:
     inputs, reasons = with_a_broker(then, is_told)
     assert inputs == []
     assert f"more than {MAX_WAITING} requests wait" in reasons
+
+
+def test_a_broker_that_hangs_is_left_in_time() -> None:
+    """It takes nothing any more: the endpoint closes before its time is over, without it."""
+
+    async def then(writer: asyncio.StreamWriter) -> None:
+        writer.write(message(b"cell/press", b'{"key": "hold"}'))
+        try:
+            await asyncio.sleep(60.0)
+        finally:
+            writer.close()
+
+    inputs, reasons = with_a_broker(then, lambda session, _: bool(session.tape()))
+    assert inputs == [("HLI.FEED_HOLD", 1.0)]
+    assert not [one for one in reasons if one and "internal" in one]

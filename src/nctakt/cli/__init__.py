@@ -220,17 +220,29 @@ def _open_streams() -> None:
 
 
 def _refused(error: OSError) -> int:
-    """Report that the system refuses output, and return exit code 2."""
+    """Report that the system refuses output, or has no working directory; return exit code 2."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - only a mistake needs it
-    from nctakt.messages.files import FILE_NOT_WRITABLE  # noqa: PLC0415
+    from nctakt.messages.files import FILE_NOT_WRITABLE, NO_WORKING_DIRECTORY  # noqa: PLC0415
 
     _trace_if_debugging(error)
     silence(sys.stdout)
     complain_notes(error)
+    if _is_nowhere():
+        print_diagnostics([diagnostic(NO_WORKING_DIRECTORY)], "en")
+        return EXIT_USAGE
     name = "standard output" if error.filename is None else str(error.filename)
     reason = error.strerror or str(error)
     print_diagnostics([diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)], "en")
     return EXIT_USAGE
+
+
+def _is_nowhere() -> bool:
+    """Return whether somebody has removed the working directory."""
+    try:
+        Path.cwd()
+    except FileNotFoundError:
+        return True
+    return False
 
 
 def _never_fail_at_a_character() -> None:

@@ -17,7 +17,7 @@ from nctakt.session.listening import Frame
 from nctakt.trace.events import Event
 
 #: Rows of the lists of messages and events, and as many as are wanted after a travel.
-MAX_LOG, _ENOUGH = 200, 80
+MAX_LOG, ENOUGH = 200, 80
 
 #: Findings of a run that are kept.
 MAX_DIAGNOSTICS = 500
@@ -87,7 +87,7 @@ class RunLog:
         # of a finding is known in which frame it came: it may be of a tick before this one
         is_unsure = any(first < tick < end for first, end, _ in self._found)
         self._found = tuple(one for one in self._found if one[1] <= tick)
-        is_short = len(self.events) < min(_ENOUGH, count) and bool(self.left_out or self.begin)
+        is_short = len(self.events) < min(ENOUGH, count) and bool(self.left_out or self.begin)
         self.lacks_some = self.lacks_some or is_unsure or is_short
 
     def _add(self, done: Frame | StepResult) -> None:

@@ -74,6 +74,13 @@ FILE_NOT_WRITABLE = error(
     remedy_en="Choose an existing folder with write permission and free space.",
     remedy_de="Einen vorhandenen Ordner mit Schreibrecht und freiem Platz wählen.",
 )
+NO_WORKING_DIRECTORY = error(
+    902925,
+    en="the folder in which nctakt was started does not exist any more",
+    de="der Ordner, in dem nctakt gestartet wurde, existiert nicht mehr",
+    remedy_en="Change to a folder that exists.",
+    remedy_de="In einen vorhandenen Ordner wechseln.",
+)
 NOT_A_TRACE = error(
     900508,
     en="{file} is not a trace written by nctakt",

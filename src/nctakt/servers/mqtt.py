@@ -46,6 +46,9 @@ _RATE_S = 0.1
 #: The shortest and the longest time until the next attempt to connect, in seconds.
 _FIRST_RETRY_S, _LAST_RETRY_S = 1.0, 30.0
 
+#: How long each of the two farewells to a broker may take, in seconds: it may hang.
+_FAREWELL_S = 1.0
+
 _DOOR = "mqtt"
 _AT_LEAST_ONCE = 1
 
@@ -170,6 +173,7 @@ class MqttEndpoint:
         except BaseExceptionGroup as several:
             raise several.exceptions[0] from None
         except asyncio.CancelledError:
+            client.timeout = _FAREWELL_S
             await self._publish(client, "status", _json(online=False), retain=True)
             raise
         finally:

@@ -71,7 +71,7 @@ def test_inputs_in_comments_are_those_of_tests(
     assert main([command, "part.nc"]) == 0
     told = capsys.readouterr().err
     assert "902930: part.nc gives 2 values in comments" in told
-    options = "--set V.E.VALUE=2 --at '0.02 s' V.E.TRIGGER=1"
+    options = "--set V.E.VALUE=2 --at 0.02s V.E.TRIGGER=1"
     assert options in told
     assert main([command, "part.nc", *shlex.split(options)]) == 0
     assert "902930" not in capsys.readouterr().err

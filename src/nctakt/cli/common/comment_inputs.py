@@ -59,5 +59,6 @@ def _options(script: Script) -> list[str]:
     for name, value in script.assignments.items():
         words += ["--set", assignment_text(name, value)]
     for stimulus in script.stimuli:
-        words += ["--at", str(stimulus.time), assignment_text(stimulus.name, stimulus.value)]
+        time = str(stimulus.time).replace(" ", "")
+        words += ["--at", time, assignment_text(stimulus.name, stimulus.value)]
     return words

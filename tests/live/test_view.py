@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the live page shows, without a browser: marks of the program, curves, lists, fields."""
 
+import shutil
 import time
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from support.insides import audience_of, processes_of
 from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
+from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.live import track, view
 from nctakt.live.conditions import conditions_of
 from nctakt.live.document import Checker, Document
@@ -19,6 +21,7 @@ from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.live.view import LogRow, Snapshot
 from nctakt.messages import diagnostic
+from nctakt.messages.machines.lists import TEXT_NOT_UTF8
 from nctakt.messages.programs.decoder import NO_FEED_ACTIVE
 from nctakt.results.compared import Compared
 from nctakt.session.engine import BranchState, CycleState
@@ -142,6 +145,28 @@ def test_fields_by_types() -> None:
     ]
 
 
+def test_a_finding_of_the_lists_is_shown_once(tmp_path: Path) -> None:
+    """The machine has it before the run, and the run's first ticks report it again."""
+    folder = tmp_path / "machine"
+    shutil.copytree(DEMO_FOLDER, folder)
+    axis = folder / "achs_mds1.lis"
+    axis.write_bytes("# für X\n".encode("cp1252") + axis.read_bytes())
+
+    def opener(program: str | None, acknowledges: bool) -> Session:
+        return Session(NcText(FILE, "G01 X9 F6000\nM30"), machine=folder, acknowledges=acknowledges)
+
+    shared = SharedSession(opener, FILE, acknowledges=True)
+    try:
+        shared.do(lambda session: session.step(3))
+        with shared.lock:
+            assert shared.snapshot_of(None).tick == 3
+        of_axis = [one for one in shared.diagnostics if one.id == TEXT_NOT_UTF8.id]
+        (row,) = view.finding_rows(of_axis, FILE, "en")
+        assert row.outside == f"{axis.as_posix()}:1"
+    finally:
+        shared.close()
+
+
 def test_a_shared_session_follows_commands() -> None:
     """What a command has done is in the next look; a run anew begins at tick 0."""
     text = "\n".join([*LINES[:2], "V.E.COUNT += 1", "$ENDIF", *LINES[2:], "M30"])
@@ -227,6 +252,31 @@ def test_stops_of_lines() -> None:
     stops = ["fires part.nc:2", "line 4", "line other.nc:1", "V.E.COUNT > 3"]
     assert view.stop_lines(stops, FILE) == [2, 4]
     assert [one.line for one in conditions_of(["$IF 1", *LINES])] == [3]
+
+
+def test_rows_name_the_file_that_is_not_the_program_that_is_shown() -> None:
+    """A line without a file is one of the program; a line of a list cannot be clicked."""
+    found = [
+        diagnostic(NO_FEED_ACTIVE, Span("listen/hochlauf.lis", 3, 1, 2)),
+        diagnostic(NO_FEED_ACTIVE, Span("plc/cell.st", 55, 1, 2)),
+        diagnostic(NO_FEED_ACTIVE, Span(FILE, 4, 1, 4)),
+        diagnostic(NO_FEED_ACTIVE, Span("listen/sda_mds1.lis", 0, 0, 0)),
+        diagnostic(NO_FEED_ACTIVE),
+    ]
+    rows = view.finding_rows(found, FILE, "en", ["plc/cell.st"])
+    assert [(row.line, row.file, row.outside) for row in rows] == [
+        (0, "", ""),
+        (4, "", ""),
+        (0, "", "listen/hochlauf.lis:3"),
+        (0, "", "listen/sda_mds1.lis"),
+        (55, "plc/cell.st", "plc/cell.st:55"),
+    ]
+    answered = Event(3, 3000, "acknowledged", "M 100 0 2000", Span("plc/cell.st", 55, 1, 2))
+    row = view.event_row(answered, "de", FILE, ["plc/cell.st"])
+    assert (row.text, row.outside) == ("3  quittiert M100", "plc/cell.st:55")
+    assert view.event_row(answered, "de", FILE).outside == "plc/cell.st:55"
+    of_program = Event(3, 3000, "fired", "17 line 2", Span(FILE, 2, 1, 4))
+    assert (view.event_row(of_program, "de", FILE).line, row.line) == (2, 55)
 
 
 def test_events_in_words() -> None:

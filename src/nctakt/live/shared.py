@@ -135,8 +135,9 @@ class SharedSession:
 
     @property
     def diagnostics(self) -> list[Diagnostic]:
-        """What was found in the programs, and in the run up to here."""
-        return [*self._refused, *self.log.diagnostics]
+        """What was found in lists and programs, and in the run up to here, each once."""
+        found = [*self._refused, *self.log.diagnostics]
+        return list({str(one): one for one in found}.values())
 
     @property
     def prefix(self) -> str:

@@ -95,9 +95,10 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class LogRow:
-    """A row of the lists of findings, messages and events; ``line`` 0: none.
+    """A row of the lists of findings, messages and events; ``line`` 0: none that can be shown.
 
-    ``file``: the one of the PLC that has the line, empty: the program that is shown.
+    ``file``: the one of the PLC that has the line, empty: the program that is shown. ``outside``:
+    file and line of what is not in this program, empty: ``line`` says it.
     """
 
     kind: str
@@ -105,6 +106,7 @@ class LogRow:
     text: str
     remedy: str = ""
     file: str = ""
+    outside: str = ""
 
 
 # --- signals ------------------------------------------------------------------------------------
@@ -321,12 +323,12 @@ def _compared_text(compared: Compared) -> str:
 def finding_rows(
     found: Sequence[Diagnostic], file: str, language: Language, plc: Collection[str] = ()
 ) -> list[LogRow]:
-    """Return diagnostics of a program as rows: the worst first, then by line.
+    """Return diagnostics of a program as rows: the worst first, then by file and line.
 
-    ``plc``: the files of the PLC, whose lines a row names, too.
+    ``plc``: the files of the PLC, which can be shown, too. Lines of other files are named only.
     """
     rows = [(-one.severity, *_location(one.span, file, plc), one) for one in found]
-    rows.sort(key=lambda row: row[:2])
+    rows.sort(key=lambda row: (row[0], row[3], row[1], row[4].id))
     return [
         LogRow(
             one.severity.name.casefold(),
@@ -334,18 +336,23 @@ def finding_rows(
             f"{one.id}: {one.text(language)}",
             one.remedy(language),
             of_plc,
+            outside,
         )
-        for _, line, of_plc, one in rows
+        for _, line, of_plc, outside, one in rows
     ]
 
 
-def _location(span: Span | None, file: str, plc: Collection[str]) -> tuple[int, str]:
-    """Return the line of a span and its file of the PLC; 0 where neither file is shown."""
+def _location(span: Span | None, file: str, plc: Collection[str]) -> tuple[int, str, str]:
+    """Return the line of a span, 0 where it cannot be shown; its file of the PLC; file and line.
+
+    The last is empty in the program that is shown.
+    """
     if span is None:
-        return 0, ""
-    if span.file in plc:
-        return span.line, span.file
-    return (span.line if span.file == file else 0), ""
+        return 0, "", ""
+    if span.file == file:
+        return span.line, "", ""
+    outside = f"{span.file}:{span.line}" if span.line else span.file
+    return (span.line, span.file, outside) if span.file in plc else (0, "", outside)
 
 
 def message_row(message: ProgramMessage | LogRow) -> LogRow:
@@ -358,10 +365,10 @@ def message_row(message: ProgramMessage | LogRow) -> LogRow:
 def event_row(
     event: Event, language: Language, file: str = "", plc: Collection[str] = ()
 ) -> LogRow:
-    """Return an event as a row, with its line if that is of the program or of the PLC."""
-    line, of_plc = _location(event.span, file, plc)
+    """Return an event as a row, with its line, and its file where that is another one."""
+    line, of_plc, outside = _location(event.span, file, plc)
     text = f"{event.tick}  {event_words(event, language)}"
-    return LogRow(event.kind, line, text, file=of_plc)
+    return LogRow(event.kind, line, text, file=of_plc, outside=outside)
 
 
 def function_text(entry: Entry) -> str:

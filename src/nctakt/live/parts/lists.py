@@ -151,7 +151,7 @@ class Lists:
         if self._shown.get(name) == shown or self._tabs.value != name:
             return
         self._shown[name] = shown
-        cells = [[row.kind, row.line, row.text, row.remedy, row.file] for row in shown]
+        cells = [[row.kind, row.line, row.text, row.remedy, row.file, row.outside] for row in shown]
         self._list_of[name].props["rows"] = cells
         self._list_of[name].update()
 

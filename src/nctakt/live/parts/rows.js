@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Rows of findings, messages and events: kind, line, text, remedy. A click, or Enter, tells the line and the file of the PLC.
+// Rows of findings, messages and events: kind, line, text, remedy, file of the PLC, file and line elsewhere. A click, or Enter, tells the line and the file of the PLC.
 export default {
   template: `
     <div :aria-live="live">
       <div v-for="(row, index) in rows" :key="index" :class="['nc-finding', row[0]]" v-bind="row[1] ? act : {}"
         @click="$emit('line', [row[1], row[4]])" @keydown.enter="$emit('line', [row[1], row[4]])">
-        <div class="nc-rows"><div>{{ row[2] }}</div><div class="nc-soft">{{ row[1] ? (row[4] ? row[4].split("/").pop() + ", " : "") + word + " " + row[1] : "" }}</div></div>
+        <div class="nc-rows"><div>{{ row[2] }}</div><div class="nc-soft">{{ row[5] || (row[1] ? word + " " + row[1] : "") }}</div></div>
         <div v-if="row[3]" class="nc-soft">{{ row[3] }}</div>
       </div>
       <div v-if="!rows.length" class="nc-soft">{{ empty }}</div>

@@ -103,8 +103,85 @@ def test_a_run_warns_of_a_misspelt_keyword() -> None:
 
 
 def test_a_test_names_the_expectation_of_a_line_without_branch() -> None:
-    """900663 stands below the file and line of its comment."""
+    """900663 has the file, line and column of its comment."""
     script = read_script(Path("part.nc"), "M30 ; expect: fired line 99")
     run = run_program(Controller(), PROGRAM, Path())
     (wrong,) = differences(run, script.expectations, "part.nc")
-    assert wrong.startswith("part.nc:1: expect: fired line 99\nerror 900663: ")
+    assert wrong.startswith("part.nc:1:15: error 900663: ")
+    assert "^^^^^^^^^^^^^" in wrong
+
+
+def test_a_misspelt_keyword_is_told_once() -> None:
+    """900662 alone, before or behind another part; the wrong value has its own columns."""
+    text = "G00 X5 ; expect: X = 0 ende; expct: M100; M5\nM30 ; expct: M5; expect: ended"
+    with pytest.raises(Failure) as failure:
+        read_script(Path("part.nc"), text)
+    found = [(one.id, one.span) for one in failure.value.diagnostics]
+    assert [
+        (number, span.line, span.column, span.end_column) for number, span in found if span
+    ] == [
+        (900660, 1, 18, 28),
+        (900662, 1, 30, 35),
+        (900662, 2, 7, 12),
+    ]
+    assert "at end" in failure.value.diagnostics[0].remedy()
+
+
+def places(folder: Path, text: str, **files: str) -> list[tuple[int, int, int]]:
+    """Number, line and column of the errors that ``nctakt check`` finds in a program."""
+    for name, content in {"part.nc": text, **files}.items():
+        (folder / name.replace("_", ".")).write_text(content, "utf-8")
+    machine = AssembledMachine(load_machine(None))
+    found = [one.diagnostic for one in check_files([folder / "part.nc"], machine).findings]
+    return [(one.id, one.span.line, one.span.column) for one in found if one.span is not None]
+
+
+def test_check_finds_files_that_are_not_there(tmp_path: Path) -> None:
+    """902940 for a PLC, a machine, a program of a channel and a log; what is there is none."""
+    text = (
+        "; given: plc nix.py; given: machine nix\n; given: channel 2 nix.nc\n"
+        "; expect: X within 0.1 of nix.csv\n; given: plc default\nM30"
+    )
+    assert places(tmp_path, text) == [
+        (902940, 1, 10),
+        (902940, 1, 29),
+        (902940, 2, 10),
+        (902940, 3, 11),
+    ]
+    assert places(tmp_path, "; given: plc a.py; given: machine demo\nM30", a_py="") == []
+
+
+def test_check_knows_the_names_of_the_machine(tmp_path: Path) -> None:
+    """Unknown variables and signals; with a PLC it judges only what the machine alone has."""
+    text = "; given: V.E.NIX = 1\n; expect: gate.bOpen = TRUE\nM30 ; expect: X = 0; V.E.NIX = 1"
+    assert places(tmp_path, text) == [
+        (900540, 1, 10),
+        (900544, 2, 11),
+        (900544, 3, 22),
+    ]
+    with_plc = f"; given: plc a.py\n{text}"
+    assert places(tmp_path, with_plc, a_py="") == [(900540, 2, 10), (900544, 4, 22)]
+    assert places(tmp_path, f"; given: machine demo5\n{text}") == []
+    project = "; given: gate.bOpen = 1\nM30"
+    assert places(tmp_path, project, nctakt_toml='plc = "a.py"\n') == []
+
+
+def test_check_looks_for_branches_in_called_files(tmp_path: Path) -> None:
+    """900663 where all called files are there and none has a branch in the line."""
+    called = 'G00 X5 ; expect: fired line 4\nL "a.nc"\nM30'
+    cycle = "\n\n#RT CYCLE [SCOPE=PROG]\n$IF ONCE V.RTA.ACS.ACT_POS.X > 1\nM100\n$ENDIF\n"
+    assert places(tmp_path, called, a_nc=f"{cycle}#RT CYCLE END\nM29") == []
+    assert places(tmp_path, called, a_nc="G00 X1\nM29") == [(900663, 1, 18)]
+
+
+def test_a_test_names_the_places_of_unknown_names(tmp_path: Path) -> None:
+    """What the run refuses has the place of the comment that says it."""
+    script = read_script(Path("part.nc"), "; given: V.E.NIX = 1\nM30 ; expect: gate.bOpen = TRUE")
+    with pytest.raises(Failure) as failure:
+        Controller().run(NcText("part.nc", "M30"), set=script.assignments)
+    placed = script.placed(failure.value).diagnostics[0]
+    assert placed.headline() == "part.nc:1:10: error 900540: unknown variable V.E.NIX"
+    with pytest.raises(Failure) as failure:
+        Controller().run(NcText("part.nc", "M30"), signals=["gate.bOpen"])
+    placed = script.placed(failure.value).diagnostics[0]
+    assert placed.headline() == "part.nc:2:15: error 900544: unknown signal gate.bOpen"

@@ -309,13 +309,13 @@ def test_comments_that_are_not_understood_are_all_told(sessions: Sessions) -> No
     with pytest.raises(Failure) as caught:
         read_script(Path("p.nc"), text)
     assert [found.id for found in caught.value.diagnostics] == [900660, 900661, 900660]
-    assert "part.nc:1:1: error 900660" in failure(sessions, text)
+    assert "part.nc:1:11: error 900660" in failure(sessions, text)
 
 
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("; given: plc none.py; expect: ended\n", "900500"),
+        ("; given: plc none.py; expect: ended\n", "902940"),
         ("; given: V.E.NOTHING = 1; expect: ended\n", "V.E.NOTHING"),
         ("; expect: V.E.NOTHING = 1\n", "V.E.NOTHING"),
         ("; given: machine nowhere; expect: ended\n", "nowhere"),

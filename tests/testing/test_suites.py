@@ -59,7 +59,7 @@ def test_tests_are_chosen(folder: Path, capsys: pytest.CaptureFixture[str]) -> N
     assert main(["test", "suites.st", "-k", "right", *WORDS]) == 0
     assert "1 passed, 4 deselected" in capsys.readouterr().out
     assert main(["test", "suites.st", "-k", "nothing", *WORDS]) == 2
-    assert "error 902541: no test in suites.st" in capsys.readouterr().err
+    assert "error 902541: no tests in suites.st" in capsys.readouterr().err
 
 
 @pytest.mark.nightly

@@ -9,7 +9,7 @@ programs is reported (``nc/lint``).
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,7 +22,8 @@ from nctakt.checking.check_memory import CheckMemory, Poll
 from nctakt.checking.cycle_links import LinkedProgram, report_unlinked_cycles
 from nctakt.checking.inputs import LIST_SUFFIX, Finding, PlcInput, gather
 from nctakt.checking.plc_interface import report_interface_uses
-from nctakt.checking.program import check_program
+from nctakt.checking.program import Checked, check_program
+from nctakt.checking.scripts import ScriptedProgram, impossible_firings, impossible_inputs
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
@@ -158,6 +159,7 @@ class _Checker:
         self._global_cycles: list[GlobalCycles] = []
         self._uses: list[ProgramUses] = []
         self._linked: list[LinkedProgram] = []
+        self._scripted: list[ScriptedProgram] = []
         self._suppressions: dict[str, Suppressions] = {}
         #: Files that others call; programs that end as subprograms do, by the name of their file.
         self._called: dict[Path, None] = {}
@@ -196,6 +198,7 @@ class _Checker:
         never_deleted(self._global_cycles, collector)
         report_missing_partners(self._uses, collector)
         report_unlinked_cycles(self._linked, collector)
+        collector.diagnostics += impossible_firings(self._scripted)
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
@@ -495,6 +498,7 @@ class _Checker:
                 not checked.is_complete and role == "called",
             )
         )
+        collector.diagnostics += self._script(name, checked, target)
         self._keep(name, collector.diagnostics, (target.channel,))
         if checked.subprogram_end is not None:
             self._subprogram_ends[name] = checked.subprogram_end
@@ -502,6 +506,20 @@ class _Checker:
             self._called[path.resolve()] = None
             is_input = path.resolve() in self._names
             self._queue(path, (target,), "either" if is_input else "called")
+
+    def _script(self, name: str, checked: Checked, target: Target) -> Iterator[Diagnostic]:
+        """Keep what a program's comments expect; return what no run of it could do."""
+        expected = checked.script.expectations
+        self._scripted.append(
+            ScriptedProgram(
+                Path(name).resolve(),
+                [one for one in expected if one.kind == "fired" and one.about is not None],
+                checked.branch_lines,
+                [path.resolve() for path in checked.called],
+                checked.has_all_files,
+            )
+        )
+        return impossible_inputs(checked.script, Path(name), target.machine, self._access)
 
 
 def _ordered(findings: Sequence[Finding], channels: Mapping[str, set[int]]) -> tuple[Finding, ...]:

@@ -32,13 +32,14 @@ from nctakt.nc.outline import AxisUse, SignalUse
 from nctakt.nc.source import Source
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.program_loader import find_program, missing, search_folders
-from nctakt.testing.expectations import impossible_firings, parse_script
+from nctakt.testing.expectations import Script, parse_script
 
 
 @dataclass(frozen=True, slots=True)
 class Checked:
     """The links of a checked program to others: its GLOBAL cycles, the files that it calls.
 
+    ``script``: what its comments expect, ``branch_lines``: the lines of its branches.
     ``signals`` and ``exchanges``: what it sends, awaits, fetches and gives. ``subprogram_end``: a
     note that it ends as a subprogram, where it may also be a main program. ``cycles``: those that
     it defines and starts. ``is_complete``: it has an end, and all files that it calls are there.
@@ -51,6 +52,9 @@ class Checked:
     exchanges: tuple[AxisUse, ...]
     cycles: tuple[CycleUse, ...]
     is_complete: bool
+    script: Script
+    branch_lines: frozenset[int]
+    has_all_files: bool
 
 
 def check_program(
@@ -96,21 +100,39 @@ def check_program(
     folders = search_folders(source.file, channel, machine_folder)
     called, lost = _called(calls, folders, access, source)
     found += [item for item in lost if not _has(found, item)]
-    is_complete = reading.inspection.state.has_ended and not lost
     marked = None if memory is None else memory.scripts.of(source.lines)
     script = parse_script(source, found, marked)
-    if not calls:  # a line may be one of a called file
-        found += impossible_firings(script, source, set(reading.branch_lines))
     found.sort(key=_position)
     collector.diagnostics += found
     note = None
     if role == "either" and ends:
         line, word = source.line_of(ends[-1]), Findings(source, collector).written(ends[-1])
         note = diagnostic(PROGRAM_ENDS_AS_SUBPROGRAM, ends[-1], line, word=word)
+    return _checked(reading, tuple(called), note, script, has_all_files=not lost)
+
+
+def _checked(
+    reading: ProgramPass,
+    called: tuple[Path, ...],
+    subprogram_end: Diagnostic | None,
+    script: Script,
+    *,
+    has_all_files: bool,
+) -> Checked:
+    """Return the links of a program that has been read to its end."""
     program = reading.inspection.program
-    uses = tuple(program.signals), tuple(program.exchanges)
-    cycles = tuple(reading.linter.cycle_uses)
-    return Checked(reading.linter.global_cycles, tuple(called), note, *uses, cycles, is_complete)
+    return Checked(
+        reading.linter.global_cycles,
+        called,
+        subprogram_end,
+        tuple(program.signals),
+        tuple(program.exchanges),
+        tuple(reading.linter.cycle_uses),
+        reading.inspection.state.has_ended and has_all_files,
+        script,
+        frozenset(reading.branch_lines),
+        has_all_files,
+    )
 
 
 def _called(

@@ -25,6 +25,7 @@ class Target:
     """A channel, by its number, with the data for a check; ``folder`` is that of its machine."""
 
     def __init__(self, machine: AssembledMachine, channel: int) -> None:
+        self.machine = machine
         assembled = machine.assembled[channel]
         self.channel = channel + 1
         context = machine.channels[channel].context

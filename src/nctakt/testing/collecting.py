@@ -11,6 +11,7 @@ import pytest
 
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
+from nctakt.files.access import FileAccess
 from nctakt.fmu.coupled import fmu_of
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.loading import load_plcs
@@ -20,6 +21,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
+from nctakt.testing.named_files import missing_files
 from nctakt.testing.queries import NcRun
 from nctakt.testing.settings_under_test import settings_of_test
 from nctakt.testing.verdict import differences
@@ -51,7 +53,10 @@ class NcItem(pytest.Item):
         """Run the program; raises ``UnmetError`` with all unmet expectations."""
         text = decode_text(self.path.read_bytes()).text
         try:
-            script = read_script(self.path, text)
+            script = read_script(Path(self._shown()), text)
+            missing = [*missing_files(script, self.path.parent, FileAccess())]
+            if missing:
+                raise Failure(*missing)
             run = self._run(script, text)
             is_limited = script.until is not None
             wrong = list(
@@ -76,7 +81,7 @@ class NcItem(pytest.Item):
         try:
             run = self._run_with(settings, script, text)
         except Failure as failure:
-            raise settings.placed(failure) from failure
+            raise script.placed(settings.placed(failure)) from failure
         note_coverage(self.config, run)
         return NcRun(run)
 

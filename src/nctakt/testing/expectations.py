@@ -29,15 +29,15 @@ After a value ``at TIME`` or ``at end``.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
 from typing import Any, Literal, cast
 
-from nctakt.base.comment_keywords import heads
+from nctakt.base.comment_keywords import heads, keyword_near
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
 from nctakt.base.text import split_lines
 from nctakt.lists.format import times
@@ -46,7 +46,8 @@ from nctakt.messages import diagnostic
 from nctakt.messages.commands.inputs import (
     INVALID_EXPECTATION,
     INVALID_GIVEN_INPUT,
-    NO_BRANCH_IN_LINE,
+    MISSPELLED_SIGNAL,
+    UNKNOWN_SIGNAL,
 )
 from nctakt.nc.check.comments import misspelt_keywords
 from nctakt.nc.source import Source
@@ -59,6 +60,7 @@ from nctakt.run.options import DATA_NAMES, RunKeywords, accepted_by, merged
 TOLERANCE = 1e-6
 
 Kind = Literal["fired", "function", "message", "value", "log", "error", "ended"]
+GivenKind = Literal["plc", "machine", "channel", "value"]
 
 _COMMENT = re.compile(r";\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE)
 _LATER = re.compile(r"\s*(?P<kind>expect|given):(?P<text>.*)", re.IGNORECASE | re.DOTALL)
@@ -98,6 +100,20 @@ _GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.I
 
 
 @dataclass(frozen=True, slots=True)
+class Place:
+    """Where a part of a comment stands, with the whole line."""
+
+    span: Span
+    source_line: str
+
+    def of(self, found: Diagnostic) -> Diagnostic:
+        """Return a diagnostic at this place unless it has one."""
+        if found.span is not None:
+            return found
+        return replace(found, span=self.span, source_line=self.source_line)
+
+
+@dataclass(frozen=True, slots=True)
 class Expectation:
     """An expected result: the ``line`` of its comment and its ``text`` as written.
 
@@ -121,6 +137,22 @@ class Expectation:
     before: Time | None = None
     after: Time | None = None
     count: int | None = None
+    position: Place | None = field(default=None, compare=False)
+
+    def placed(self, failure: Failure) -> Sequence[Diagnostic]:
+        """Return what is wrong with the expectation itself, at its position."""
+        if self.position is None:
+            return failure.diagnostics
+        return [self.position.of(found) for found in failure.diagnostics]
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """An input as a comment names it: a file or folder, or the name of a variable."""
+
+    kind: GivenKind
+    name: str
+    position: Place
 
 
 @dataclass(slots=True)
@@ -135,6 +167,7 @@ class Script:
     until: Time | None = None
     options: RunKeywords = field(default_factory=RunKeywords)
     channels: dict[int, list[str]] = field(default_factory=dict)
+    givens: list[Given] = field(default_factory=list)
 
     def named(self, folder: Path) -> Named:
         """Return what it names of the settings of its run; ``folder``: that of the program."""
@@ -146,18 +179,35 @@ class Script:
             base=folder,
         )
 
+    def placed(self, failure: Failure) -> Failure:
+        """Return a failure of the run; what is wrong with a name has the place of its comment."""
+        return Failure(*map(self._placed, failure.diagnostics))
+
+    def _placed(self, found: Diagnostic) -> Diagnostic:
+        is_signal = found.message in (UNKNOWN_SIGNAL, MISSPELLED_SIGNAL)
+        expected = [(one.name, one.position) for one in self.expectations]
+        places = expected if is_signal else [(one.name, one.position) for one in self.givens]
+        name = found.values.get("name")
+        position = next((position for other, position in places if other == name), None)
+        return found if position is None else position.of(found)
+
 
 def read_script(path: Path, text: str) -> Script:
     """Return the inputs and expectations of a program.
 
-    Raises ``Failure`` with all invalid comments: 900660 for an expectation, 900661 for an input,
-    900662 for a misspelt keyword, 900510 … 900512 for times and values.
+    Raises ``Failure`` with all invalid comments in their order: 900660 for an expectation, 900661
+    for an input, 900662 for a misspelt keyword, 900510 … 900512 for times and values.
     """
     diagnostics: list[Diagnostic] = []
     script = parse_script(Source(str(path), split_lines(text)), diagnostics)
     if diagnostics:
-        raise Failure(*diagnostics)
+        raise Failure(*sorted(diagnostics, key=_position))
     return script
+
+
+def _position(found: Diagnostic) -> tuple[int, int]:
+    assert found.span is not None  # each has the place of its comment
+    return found.span.line, found.span.column
 
 
 def is_script(line: str) -> bool:
@@ -194,42 +244,34 @@ def _comments(
     match = _COMMENT.search(line)
     if match is None:
         return
-    span = Span(file, number, match.start() + 1, len(line) + 1)
     about = number if line[: match.start()].strip() else None
     kind = match["kind"].lower()
-    for part in _parts(match["text"]):
+    for begin, part in _parts(match["text"]):
         later = _LATER.fullmatch(part)
         kind, words = (later["kind"].lower(), later["text"]) if later else (kind, part)
+        misspelt = None if later else next(heads(f";{part}"), None)
+        if misspelt is not None:  # it has been told, with the keyword that is meant
+            kind = keyword_near(misspelt["word"])
+            continue
+        end = match.start("text") + begin + len(part.rstrip())
+        words = words.strip()
+        position = Place(Span(file, number, end - len(words) + 1, max(end, 1) + 1), line)
         try:
             if kind == "given":
-                _give(script, words.strip())
+                _give(script, words, position)
             else:
-                script.expectations.append(_expectation(words.strip(), number, about))
+                script.expectations.append(
+                    replace(_expectation(words, number, about), position=position)
+                )
         except _NotUnderstoodError:
             message = INVALID_GIVEN_INPUT if kind == "given" else INVALID_EXPECTATION
-            diagnostics.append(diagnostic(message, span, line, text=words.strip()))
+            diagnostics.append(diagnostic(message, position.span, line, text=words))
         except Failure as failure:
             # Times and values are read wherever a user writes one: here they have a place.
             diagnostics += [
-                replace(found, span=span, source_line=line) for found in failure.diagnostics
+                replace(found, span=position.span, source_line=line)
+                for found in failure.diagnostics
             ]
-
-
-def impossible_firings(
-    script: Script, source: Source, branch_lines: Collection[int]
-) -> Iterator[Diagnostic]:
-    """Yield 900663 for each expected firing in a line that is none of ``branch_lines``."""
-    known = ", ".join(map(str, sorted(branch_lines))) or NOTHING
-    for expectation in script.expectations:
-        about = expectation.about
-        if expectation.kind != "fired" or about is None or about in branch_lines:
-            continue
-        span = Span(source.file, expectation.line, 1, 2)
-        line = source.line_of(span)
-        match = _COMMENT.search(line)
-        assert match is not None
-        span = Span(source.file, expectation.line, match.start() + 1, len(line) + 1)
-        yield diagnostic(NO_BRANCH_IN_LINE, span, line, line=about, known=known)
 
 
 def read_expectation(text: str) -> Expectation:
@@ -247,17 +289,16 @@ class _NotUnderstoodError(Exception):
     """A comment is not a valid expectation."""
 
 
-def _parts(text: str) -> list[str]:
-    """Return the parts between ``;`` outside of quotes."""
-    parts = [""]
-    quoted = False
-    for character in text:
+def _parts(text: str) -> Iterator[tuple[int, str]]:
+    """Yield the parts between ``;`` outside of quotes, each with its position in the text."""
+    begin, quoted = 0, False
+    for position, character in enumerate(f"{text};"):
         quoted ^= character == '"'
-        if character == ";" and not quoted:
-            parts.append("")
-        else:
-            parts[-1] += character
-    return [part for part in parts if part.strip()]
+        if position == len(text) or (character == ";" and not quoted):
+            part = text[begin:position]
+            if part.strip():
+                yield begin, part
+            begin = position + 1
 
 
 def _expectation(text: str, line: int, about: int | None) -> Expectation:
@@ -317,27 +358,37 @@ def _subject(text: str, about: int | None) -> tuple[Kind, str, float, int | None
     raise _NotUnderstoodError
 
 
-def _give(script: Script, text: str) -> None:
+def _give(script: Script, text: str, position: Place) -> None:
     """Add an input of the run to the script."""
+    named: tuple[GivenKind, str] | None = None
     if match := _FILE.fullmatch(text):
+        path = match["path"].strip()
         if match["what"].lower() == "plc":
-            script.plcs.append(match["path"].strip())
+            named = "plc", path
+            script.plcs.append(path)
         else:
-            script.machine = match["path"].strip()
+            named = "machine", path
+            script.machine = path
     elif match := _CHANNEL.fullmatch(text):
-        script.channels.setdefault(int(match["number"]), []).append(match["path"].strip())
+        path = match["path"].strip()
+        named = "channel", path
+        script.channels.setdefault(int(match["number"]), []).append(path)
     elif match := _UNTIL.fullmatch(text):
         script.until = read_time(match["time"])
     elif "=" not in text and (given := _option(text)) is not None:
         script.options = merged(script.options, given)
     elif match := _GIVEN_AT.fullmatch(text):
-        assignment = parse_assignment(match["assignment"])
-        script.stimuli.append(Stimulus(match["time"], *assignment))
+        name, value = parse_assignment(match["assignment"])
+        named = "value", name
+        script.stimuli.append(Stimulus(match["time"], name, value))
     elif "=" in text:
         name, value = parse_assignment(text)
+        named = "value", name
         script.assignments[name] = value
     else:
         raise _NotUnderstoodError
+    if named is not None:
+        script.givens.append(Given(*named, position))
 
 
 def _option(text: str) -> RunKeywords | None:

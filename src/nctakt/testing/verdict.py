@@ -38,7 +38,7 @@ def differences(
         try:
             wrong = _wrong(run, expectation, folder)
         except Failure as failure:
-            yield "\n".join((head, *(found.render() for found in failure.diagnostics)))
+            yield "\n".join(found.render() for found in expectation.placed(failure))
             continue
         if wrong:
             expected = f"- {_in_words_of_events(run, expectation)}"

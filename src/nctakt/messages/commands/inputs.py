@@ -117,9 +117,10 @@ INVALID_EXPECTATION = error(
     900660,
     en="'{text}' is not a valid expectation",
     de="'{text}' ist keine gültige Erwartung",
-    remedy_en='Write fired, M100, message "…", error 22009, ended, X = 1.5; see docs/testing.md.',
-    remedy_de='Möglich sind fired, M100, message "…", error 22009, ended, X = 1.5; siehe '
+    remedy_en='Write fired, M100, message "…", error 22009, ended, X = 1.5 at 2s or at end; see '
     "docs/testing.md.",
+    remedy_de='Möglich sind fired, M100, message "…", error 22009, ended, X = 1.5 at 2s oder at '
+    "end; siehe docs/testing.md.",
     text=(
         "the expectation as it stands in the comment",
         "die Erwartung, wie sie im Kommentar steht",
@@ -135,6 +136,13 @@ MISSPELT_KEYWORD = error(
     "verwenden.",
     word=("the word in the comment", "das Wort im Kommentar"),
     keyword=("the keyword", "das Schlüsselwort"),
+)
+NAMED_FILE_MISSING = error(
+    902940,
+    en="{file}, named in a comment, does not exist",
+    de="{file}, in einem Kommentar genannt, gibt es nicht",
+    remedy_en="Correct the path; it is relative to the folder of the program.",
+    remedy_de="Den Pfad berichtigen; er gilt relativ zum Ordner des Programms.",
 )
 NO_BRANCH_IN_LINE = error(
     900663,

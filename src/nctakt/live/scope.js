@@ -296,10 +296,10 @@ export default {
         back.push([x, yOf(own)]);
       }
       for (const [x, y] of back.reverse()) area.lineTo(x, y);
-      pen.fillStyle = MARKS.error; pen.globalAlpha = 0.3;
-      if (!isStep) pen.fill(area);
       pen.strokeStyle = tint; pen.globalAlpha = 0.45; pen.lineWidth = 4;
       pen.stroke(line);
+      pen.fillStyle = MARKS.error; pen.globalAlpha = 0.5;  // on top: a narrow area would be hidden
+      if (!isStep) pen.fill(area);
       pen.globalAlpha = 1;
       for (const [begin, end] of logged.beyond) {
         pen.fillRect(this.xOf(begin), bottom - 3, Math.max(2, this.xOf(end) - this.xOf(begin)), 3);

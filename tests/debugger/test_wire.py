@@ -230,7 +230,7 @@ def test_too_many_requests_are_refused(client: DebugClient, folder: Path) -> Non
     answers = [client.answer(1000) for _ in range(MAX_REQUESTS + 50)]
     refused = [one for one in answers if not one["success"]]
     assert 0 < len(refused) <= 51
-    assert "wait already" in refused[0]["message"]
+    assert "already waiting" in refused[0]["message"]
 
 
 def test_breakpoints_beyond_the_bound_are_not_verified(client: DebugClient, folder: Path) -> None:

@@ -66,7 +66,7 @@ def test_literals_have_type_and_value(literal: str, kind: str, value: object) ->
 )
 def test_wrong_literals_are_reported(literal: str, number: str) -> None:
     """ST-207, ST-208: units from large to small, days that exist, known escapes."""
-    assert f"is no {number}" in body_errors("x : LREAL;", f"x := {literal};")[0]
+    assert f"is not a valid {number}" in body_errors("x : LREAL;", f"x := {literal};")[0]
 
 
 def test_operators_bind_in_their_order() -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import shlex
 from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.long_text import is_long
@@ -18,9 +19,10 @@ from nctakt.cli.common.request import Options, Request
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.inputs import GIVEN_IN_TESTS_ONLY
-from nctakt.nc.source import Source
 from nctakt.run.access.stimuli import assignment_text
-from nctakt.testing.expectations import Script, is_script, parse_script
+
+if TYPE_CHECKING:
+    from nctakt.testing.expectations import Script
 
 
 def tell_unused_inputs(options: Options, request: Request) -> None:
@@ -35,22 +37,28 @@ def _unused_inputs(options: Options, request: Request) -> Iterator[Diagnostic]:
         return
     programs = (*request.programs, *(one for many in request.channels.values() for one in many))
     for program in dict.fromkeys(one for one in programs if isinstance(one, Path)):
-        lines = _short_lines(program)
-        numbers = [number for number, line in enumerate(lines, 1) if is_script(line)]
-        script = parse_script(Source(str(program), lines), [], numbers)
-        if words := _options(script):
+        script = _script_of(program)
+        if script is not None and (words := _options(script)):
             count = len(script.assignments) + len(script.stimuli)
             yield diagnostic(
                 GIVEN_IN_TESTS_ONLY, file=program, count=count, options=shlex.join(words)
             )
 
 
-def _short_lines(program: Path) -> list[str]:
-    """Return the lines of a program; none of one as long as CAM systems write them."""
+def _script_of(program: Path) -> Script | None:
+    """Return the inputs in the comments of a program; ``None`` for one as long as CAM's."""
     if not program.is_file():
-        return []
+        return None
     with program.open("rb") as file:
-        return [] if is_long(file) else split_lines(decode_text(file.read()).text)
+        text = "" if is_long(file) else decode_text(file.read()).text
+    if "given" not in text.lower():  # most programs: what tests need is not loaded
+        return None
+    from nctakt.nc.source import Source  # noqa: PLC0415
+    from nctakt.testing.expectations import is_script, parse_script  # noqa: PLC0415
+
+    lines = split_lines(text)
+    numbers = [number for number, line in enumerate(lines, 1) if is_script(line)]
+    return parse_script(Source(str(program), lines), [], numbers)
 
 
 def _options(script: Script) -> list[str]:

@@ -100,3 +100,13 @@ def test_the_version_with_what_a_report_needs(capsys: pytest.CaptureFixture[str]
     shown = capsys.readouterr().out
     for part in (f"nctakt {__version__}", "Python 3.", "realtime part: ", "click ", "extra live: "):
         assert part in shown
+
+
+@pytest.mark.parametrize("words", ["run part.nc --plot", "schedule simulate --load"])
+def test_a_missing_value_names_the_help_of_its_command(
+    words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """900911 points to the help of the subcommand, not to that of nctakt."""
+    assert main(words.split()) == 2
+    command = words.partition(" -")[0].removesuffix(" part.nc")
+    assert f"More: nctakt {command} --help" in capsys.readouterr().err

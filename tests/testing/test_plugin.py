@@ -471,3 +471,30 @@ def test_a_run_at_its_limit_fails_unless_the_limit_was_given(sessions: Sessions)
     (sessions.folder / "part.nc").write_text("; given: until 5ms\n" + FOREVER, "utf-8")
     code, shown = sessions.run("part.nc")
     assert code == 0, shown
+
+
+FAILING = """
+def test_it_ends(run_nc):
+    assert run_nc("wrong.nc").ended
+"""
+
+
+def test_a_failing_run_is_shown_as_elsewhere(sessions: Sessions) -> None:
+    """One line in the assertion, no address; the errors with caret and remedy below it."""
+    project(sessions.folder, wrong_nc="G01 X1 F0\nM30\n", test_it_py=FAILING)
+    code, shown = sessions.run("-vv")
+    assert code == 1
+    assert "\\n" not in shown
+    assert " at 0x" not in shown
+    assert "Errors of a run" in shown
+    assert "wrong.nc:1:8: error 20176: " in shown
+    assert "    G01 X1 F0\n           ^^\n  remedy: " in shown
+
+
+def test_a_test_that_passes_shows_no_errors(sessions: Sessions) -> None:
+    """An error that a test awaits is no news."""
+    passing = FAILING.replace("assert", "assert not")
+    project(sessions.folder, wrong_nc="G01 X1 F0\nM30\n", test_it_py=passing)
+    code, shown = sessions.run("-rA")
+    assert code == 0
+    assert "Errors of a run" not in shown

@@ -77,3 +77,13 @@ def test_the_example_passes(capsys: pytest.CaptureFixture[str]) -> None:
     folder = Path(__file__).parents[2] / "examples" / "suites"
     assert main(["test", str(folder), *WORDS]) == 0
     assert "2 passed" in capsys.readouterr().out
+
+
+def test_a_file_that_is_not_there(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """902941 with the nearest name, 900500 without one; a test may be named within its file."""
+    assert main(["test", "prat.nc", *WORDS]) == 2
+    shown = capsys.readouterr().err
+    assert "error 902941: prat.nc does not exist\n  remedy: Did you mean part.nc?" in shown
+    assert main(["test", "nowhere/part.nc::expectations"]) == 2
+    assert "error 900500: nowhere/part.nc does not exist" in capsys.readouterr().err
+    assert main(["test", "part.nc::expectations", *WORDS]) == 0

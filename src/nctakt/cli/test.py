@@ -8,12 +8,14 @@ JUnit file if asked for, and the exit code as that of ``nctakt check``.
 from __future__ import annotations
 
 from importlib.metadata import entry_points
+from itertools import takewhile
 from pathlib import Path
 
 import click
 
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
+from nctakt.base.misspelling import nearest
 from nctakt.cli import EXIT_INTERNAL, EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.common.help import described, option
 from nctakt.cli.common.options import language_option
@@ -21,6 +23,7 @@ from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
+from nctakt.messages.files import FILE_MISSING, MISSPELT_FILE
 from nctakt.messages.plcs.unit_tests import NOTHING_TESTED, PYTEST_MISSING
 
 #: The plugins of nctakt, where the installation does not announce them.
@@ -103,11 +106,12 @@ def command(
 
 
 def _tested(paths: list[str], words: list[str], junit: str | None, language: Language) -> int:
-    """Run pytest; raises ``Failure`` without pytest, and for a file that cannot be written."""
+    """Run pytest; raises ``Failure`` without it, and for a file that is not there or written."""
     try:
         import pytest  # noqa: PLC0415 - only this command needs it
     except ImportError as error:
         raise Failure(diagnostic(PYTEST_MISSING)) from error
+    _check_there(paths)
     known = {one.name for one in entry_points(group="pytest11")}
     plugins = [] if "nctakt" in known else [part for name in _PLUGINS for part in ("-p", name)]
     # This process has imported what pytest would rewrite: no assert of nctakt is a test's.
@@ -131,3 +135,20 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
         found = diagnostic(NOTHING_TESTED, paths=", ".join(named) or ".")
         print_diagnostics([found], language)
     return _CODES.get(code, EXIT_INTERNAL)
+
+
+def _check_there(words: list[str]) -> None:
+    """Raise ``Failure`` for a file or folder that is not there; what follows an option is pytest's.
+
+    A test within a file has its name behind ``::``.
+    """
+    for word in takewhile(lambda one: not one.startswith("-"), words):
+        path = Path(word.partition("::")[0])
+        if path.exists():
+            continue
+        names = [one.name for one in path.parent.iterdir()] if path.parent.is_dir() else []
+        near = nearest(path.name, sorted(names))
+        if near:
+            shown = (path.parent / near).as_posix()
+            raise Failure(diagnostic(MISSPELT_FILE, file=path.as_posix(), nearest=shown))
+        raise Failure(diagnostic(FILE_MISSING, file=path.as_posix()))

@@ -12,6 +12,13 @@ FILE_MISSING = error(
     remedy_en="Check the path; it is relative to the folder in which nctakt is run.",
     remedy_de="Den Pfad prüfen; er gilt relativ zum Ordner, in dem nctakt läuft.",
 )
+MISSPELT_FILE = error(
+    902941,
+    en="{file} does not exist",
+    de="{file} gibt es nicht",
+    remedy_en="Did you mean {nearest}?",
+    remedy_de="War {nearest} gemeint?",
+)
 FOLDER_INSTEAD_OF_FILE = error(
     900501,
     en="{file} is a folder; a file is needed here",

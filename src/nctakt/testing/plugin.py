@@ -9,15 +9,16 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Generator, Iterator
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pytest
 
 if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.run.controller import Controller
-    from nctakt.testing.queries import NcRun, RunNc
+    from nctakt.testing.queries import RunNc
 
 
 #: Files that may hold suites in Structured Text.
@@ -100,8 +101,15 @@ def pytest_terminal_summary(
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Give the report of a suite's test its time on the machine, which JUnit has then, too."""
+    """Give a report what only nctakt knows.
+
+    A suite's test has its time on the machine, which JUnit has then, too; a test that fails the
+    errors of its runs as nctakt shows them elsewhere.
+    """
     report = yield
+    if report.failed and call.when == "call":
+        runner = getattr(item, "funcargs", {}).get("run_nc")
+        report.sections += [("Errors of a run", text) for text in getattr(runner, "errors", ())]
     seconds = getattr(item, "virtual_seconds", None)
     if seconds is not None:
         report.duration = seconds if call.when == "call" else 0.0
@@ -170,16 +178,8 @@ def controller(machine: Machine) -> Controller:
 def run_nc(controller: Controller, request: pytest.FixtureRequest) -> RunNc:
     """A function that runs a program: ``run_nc("part.nc")``, ``run_nc(text, plc=…)``."""
     from nctakt.testing.coverage import note_coverage, session_coverage  # noqa: PLC0415 - see above
-    from nctakt.testing.queries import run_program  # noqa: PLC0415
+    from nctakt.testing.queries import Runner  # noqa: PLC0415
 
-    config, folder = request.config, request.path.parent
-
-    def run(program: str | Path, **options: Any) -> NcRun:
-        __tracebackhide__ = True
-        if session_coverage(config) is not None:
-            options["why"] = True
-        done = run_program(controller, program, folder, **options)
-        note_coverage(config, done.run)
-        return done
-
-    return run
+    config = request.config
+    why = session_coverage(config) is not None
+    return Runner(controller, request.path.parent, partial(note_coverage, config), why=why)

@@ -8,10 +8,10 @@ assertion fails.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Protocol, TypeAlias, Unpack, cast
+from typing import Any, Protocol, TypeAlias, Unpack, cast
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING
@@ -58,6 +58,36 @@ class RunNc(Protocol):
         **options: Unpack[ProgramOptions],
     ) -> NcRun:
         """Run a program: a file beside the test, or a text of several lines."""
+
+
+class Runner:
+    """The fixture ``run_nc``: runs programs with one controller, and keeps what they reported.
+
+    ``folder``: that of the test. ``note``: what is told of each run; with ``why`` runs tell why
+    their reactions came. ``errors``: a text for each run that ended with errors.
+    """
+
+    def __init__(
+        self, controller: Controller, folder: Path, note: Callable[[Run], None], *, why: bool
+    ) -> None:
+        self._controller = controller
+        self._folder = folder
+        self._note = note
+        self._why = why
+        self.errors: list[str] = []
+
+    def __call__(self, program: str | Path, **options: Any) -> NcRun:
+        __tracebackhide__ = True
+        if self._why:
+            options["why"] = True
+        done = run_program(self._controller, program, self._folder, **options)
+        self._note(done.run)
+        if done.errors:
+            self.errors.append("\n".join(one.render() for one in done.run.errors))
+        return done
+
+    def __repr__(self) -> str:
+        return "<run_nc>"
 
 
 def run_program(
@@ -217,9 +247,13 @@ class Ending:
     def __bool__(self) -> bool:
         return self._run.state == "ended" and not self._run.errors
 
+    def __str__(self) -> str:
+        ending = f"{self._run.state} after {Time(self._run.virtual_time_us)}"
+        errors = "; ".join(diagnostic.headline() for diagnostic in self._run.errors)
+        return f"{ending}: {errors}" if errors else ending
+
     def __repr__(self) -> str:
-        errors = "".join(f"\n{diagnostic.render()}" for diagnostic in self._run.errors)
-        return f"<{self._run.state} after {Time(self._run.virtual_time_us)}{errors}>"
+        return f"<{self}>"
 
 
 class AxisTrace:
@@ -252,7 +286,7 @@ class NcRun:
         self.run = run
 
     def __repr__(self) -> str:
-        return f"<run of {', '.join(self.run.programs)}: {self.ended!r}>"
+        return f"<run of {', '.join(self.run.programs)}: {self.ended}>"
 
     @property
     def ended(self) -> Ending:

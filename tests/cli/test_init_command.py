@@ -10,6 +10,7 @@ import pytest
 from nctakt.cli import main
 from nctakt.cli.common.ci_files import CI_FILES
 from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import startup_lists
 from nctakt.project.project_file import find_project
 
 Captured = pytest.CaptureFixture[str]
@@ -119,3 +120,39 @@ def test_what_is_installed_is_not_installed_again(
     captured = capsys.readouterr().out
     assert "pip install" not in captured
     assert captured.endswith("  nctakt test .\n")
+
+
+def test_a_start_up_list_of_another_name_is_found(cell: Path, capsys: Captured) -> None:
+    """902942 names it; the project file does, too, so that the programs run on that machine."""
+    (startup,) = startup_lists(cell / "lists")
+    startup.rename(cell / "lists" / "begin.lis")
+    assert main(["init"]) == 0
+    captured = capsys.readouterr()
+    assert "note 902942: lists/begin.lis is taken as the start-up list" in captured.err
+    assert "machines: lists/begin.lis" in captured.out
+    assert 'machine = "lists/begin.lis"' in (cell / "nctakt.toml").read_text("utf-8")
+    assert main(["run", "programs/part.nc", "--plc", "default"]) == 0
+    assert "the machine is lists/begin.lis" in capsys.readouterr().err
+
+
+def test_check_names_a_start_up_list_of_another_name(cell: Path, capsys: Captured) -> None:
+    """Programs beside the folder are checked for the demo machine, and the note names the list."""
+    (startup,) = startup_lists(cell / "lists")
+    startup.rename(cell / "lists" / "begin.lis")
+    assert main(["check", "."]) == 0
+    captured = capsys.readouterr()
+    assert "--machine lists/begin.lis checks them for yours." in captured.out + captured.err
+
+
+def test_lists_without_a_start_up_list(cell: Path, capsys: Captured) -> None:
+    """902943 counts them: an error alone, a warning beside programs, which run on the demo."""
+    (startup,) = startup_lists(cell / "lists")
+    startup.unlink()
+    count = len([*(cell / "lists").rglob("*.lis")])
+    assert main(["init", "lists"]) == 2
+    assert f"error 902943: lists has {count} lists, but no start-up list" in capsys.readouterr().err
+    assert not (cell / "lists" / "nctakt.toml").exists()
+    assert main(["init"]) == 0
+    captured = capsys.readouterr()
+    assert f"warning 902943: . has {count} lists" in captured.err
+    assert "machines: none" in captured.out

@@ -28,10 +28,9 @@ from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
 from nctakt.lists.all_parameters import SCHEMAS
-from nctakt.lists.declared.schemas import STARTUP
 from nctakt.lists.format.without_effect import Detail
 from nctakt.lists.machine.files import startup_list_around
-from nctakt.lists.machine.list_kinds import check_list_alone, kind_of
+from nctakt.lists.machine.list_kinds import check_list_alone, is_startup_list, kind_of
 from nctakt.lists.machine.machine import Machine, load_machine, load_startup
 from nctakt.lists.machine.schedules.scheduling_profile import STANDARD_OPTIONS, RtconfOptions
 from nctakt.messages import Collector, diagnostic
@@ -75,7 +74,8 @@ class CheckedFile:
 class CheckResult:
     """The checked files by name, and all diagnostics by file, line, column and number.
 
-    ``machines``: the folders with a start-up list. ``uses_default``: a program was checked for the
+    ``machines``: the folders with a start-up list of a usual name, and the start-up lists of other
+    names. ``uses_default``: a program was checked for the
     default machine, since it belongs to none of these. ``around``: the start-up lists of machines
     that are not inputs themselves, in whose folders programs lie. ``settings``: the machines that
     settings name, and which.
@@ -171,9 +171,11 @@ class _Checker:
         gathered = gather(paths, self._access, self._found)
         for startup, folder in gathered.machines:
             self._machine(startup, folder)
+        unusual = []
         for path in gathered.lists:
-            if path.resolve() not in self._covered and self._is_startup(path):
+            if path.resolve() not in self._covered and is_startup_list(path, self._access):
                 self._machine(path, None)
+                unusual.append(path.as_posix())
         for path in gathered.lists:
             if path.resolve() not in self._covered:
                 self._list(path)
@@ -202,6 +204,7 @@ class _Checker:
         self._keep("", collector.diagnostics)
         files = tuple(CheckedFile(file, kind) for file, kind in sorted(self._files.items()))
         machines = tuple(startup.parent.as_posix() for startup, _ in gathered.machines)
+        machines += tuple(unusual)
         folders = self._targets.folders
         around = tuple(path.as_posix() for path in self._around if path.parent in folders)
         found = self._unsuppressed(_ordered(self._found, self._channels))
@@ -341,13 +344,6 @@ class _Checker:
         errors = [message for message in machine.diagnostics if message.severity is Severity.ERROR]
         self._keep(startup.as_posix(), errors)
         self._targets.add(machine)
-
-    def _is_startup(self, path: Path) -> bool:
-        """Return whether a list is a start-up list, whatever its name."""
-        try:
-            return kind_of(path.name, self._access.read_bytes(path)) is STARTUP
-        except Failure:
-            return False
 
     def _list(self, path: Path) -> None:
         """Check a single list; its kind is that of most of its entries."""

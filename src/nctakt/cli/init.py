@@ -11,15 +11,16 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
 import click
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Language, Severity, Text
+from nctakt.base.diagnostics import Diagnostic, Language, Severity, Text
 from nctakt.base.failure import Failure
-from nctakt.checking.inputs import gather
+from nctakt.checking.inputs import LIST_SUFFIX, gather
 from nctakt.checking.python_check import check
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.common.ci_files import CI_FILES
@@ -27,8 +28,15 @@ from nctakt.cli.common.help import described, option
 from nctakt.cli.common.options import language_option, table_option
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
+from nctakt.lists.machine.files import STARTUP_NAMES
+from nctakt.lists.machine.list_kinds import is_startup_list
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.project import FILE_KEPT, NO_LISTS_OR_PROGRAMS
+from nctakt.messages.commands.project import (
+    FILE_KEPT,
+    NO_LISTS_OR_PROGRAMS,
+    NO_STARTUP_LIST,
+    TAKEN_AS_STARTUP_LIST,
+)
 from nctakt.messages.extras import install_command
 from nctakt.messages.files import FILE_MISSING, FILE_NOT_WRITABLE
 from nctakt.project.project_file import OWN_NAME
@@ -62,12 +70,13 @@ _PATHS = Text("what nctakt check checks", "was nctakt check prüft")
 
 @dataclass(frozen=True, slots=True)
 class _Content:
-    """What a folder has, seen from there."""
+    """What a folder has, seen from there; ``remarks``: what is unusual about its lists."""
 
     machines: tuple[str, ...]
     programs: tuple[str, ...]
     plcs: tuple[str, ...]
     main_program: str
+    remarks: tuple[Diagnostic, ...]
 
 
 @described(
@@ -112,7 +121,11 @@ def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
         raise Failure(diagnostic(FILE_MISSING, file=str(folder)))
     content = _content(folder)
     if not (content.machines or content.programs):
-        raise Failure(diagnostic(NO_LISTS_OR_PROGRAMS, folder=str(folder)))
+        lost = content.remarks or (diagnostic(NO_LISTS_OR_PROGRAMS, folder=str(folder)),)
+        raise Failure(*lost)
+    for one in content.remarks:
+        found = replace(one, is_lenient=one.severity is Severity.ERROR)
+        print_diagnostics([found], language)
     for name, label in _FOUND.items():
         yield f"{label.get(language)}: {_shown(getattr(content, name), language)}"
     files = {OWN_NAME: _project_text(content, language)}
@@ -132,16 +145,33 @@ def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
 
 def _content(folder: Path) -> _Content:
     """Return what lies below a folder, in the order of the names."""
-    found = gather([folder], FileAccess(), [])
+    access = FileAccess()
+    found = gather([folder], access, [])
 
     def names(paths: Sequence[Path]) -> tuple[str, ...]:
         return tuple(sorted({path.relative_to(folder).as_posix() for path in paths}))
 
     plcs = [path for one in found.plc for path in one.paths]
     plcs += [path for path in _python_files(folder) if _is_plc(path)]
-    machines = names([path for path, _ in found.machines])
+    startups = [path for path, _ in found.machines]
+    remarks: list[Diagnostic] = []
+    if not startups and found.lists:
+        startups = [path for path in found.lists if is_startup_list(path, access)]
+        remarks = _remarks(folder, startups, len(found.lists))
+    machines = names(startups)
     programs = names(found.programs)
-    return _Content(machines, programs, names(plcs), _main_program(folder, programs, machines))
+    main_program = _main_program(folder, programs, machines)
+    return _Content(machines, programs, names(plcs), main_program, tuple(remarks))
+
+
+def _remarks(folder: Path, startups: Sequence[Path], count: int) -> list[Diagnostic]:
+    """Return what is said of lists of which none has the name of a start-up list."""
+    usual = ", ".join(name for name in STARTUP_NAMES if name.endswith(LIST_SUFFIX))
+    if not startups:
+        return [diagnostic(NO_STARTUP_LIST, folder=str(folder), count=count, names=usual)]
+    return [
+        diagnostic(TAKEN_AS_STARTUP_LIST, file=path.as_posix(), names=usual) for path in startups
+    ]
 
 
 def _main_program(folder: Path, programs: Sequence[str], machines: Sequence[str]) -> str:

@@ -13,8 +13,10 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from nctakt.base.failure import Failure
+from nctakt.files.access import FileAccess
 from nctakt.lists.all_parameters import FAMILIES, SCHEMA_BY_KIND, SCHEMAS
-from nctakt.lists.declared.schemas import RTCONF, VARIABLES
+from nctakt.lists.declared.schemas import RTCONF, STARTUP, VARIABLES
 from nctakt.lists.declared.startup import ListReference, StartupConfiguration
 from nctakt.lists.format.list_check import load_list
 from nctakt.lists.format.reader import Entry, ListDialect, read_list
@@ -78,6 +80,14 @@ def kind_of(name: str, data: bytes) -> Schema | None:
     if by_name:
         return by_name[0]
     return best[0] if maximum else None
+
+
+def is_startup_list(path: Path, access: FileAccess) -> bool:
+    """Return whether a file is a start-up list by its entries, whatever its name."""
+    try:
+        return kind_of(path.name, access.read_bytes(path)) is STARTUP
+    except Failure:
+        return False
 
 
 def knows_any(schema: Schema, entries: Sequence[Entry]) -> bool:

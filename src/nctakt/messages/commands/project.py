@@ -121,6 +121,24 @@ FILE_KEPT = note(
     remedy_en="Delete it first to have it written again.",
     remedy_de="Sie vorher löschen, damit sie neu geschrieben wird.",
 )
+TAKEN_AS_STARTUP_LIST = note(
+    902942,
+    en="{file} is taken as the start-up list by its entries; no list has a usual name",
+    de="{file} gilt nach ihren Einträgen als Hochlaufliste; keine Liste heißt wie üblich",
+    remedy_en="Name it for other folders: --machine {file}; {names} are found without that.",
+    remedy_de="Sie anderswo mit --machine {file} nennen; {names} werden ohne das gefunden.",
+    names=("the usual names", "die üblichen Namen"),
+)
+NO_STARTUP_LIST = error(
+    902943,
+    en="{folder} has {count} lists, but no start-up list: none has such entries",
+    de="{folder} enthält {count} Listen, aber keine Hochlaufliste: keine hat solche Einträge",
+    remedy_en="Copy it there, too ({names}): without it programs run on the demo machine.",
+    remedy_de="Auch sie dorthin kopieren ({names}): ohne sie laufen Programme auf der "
+    "Demo-Maschine.",
+    count=("the number of lists", "die Anzahl der Listen"),
+    names=("the usual names", "die üblichen Namen"),
+)
 NO_LISTS_OR_PROGRAMS = error(
     902383,
     en="{folder} has neither lists nor programs",

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
-from nctakt.cli.common.ci_files import CI_FILES
+from nctakt.cli.common.ci_files import CHECKOUT, CI_FILES, INSTALL, PYTHON, SETUP_PYTHON
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import startup_lists
 from nctakt.project.project_file import find_project
@@ -78,7 +78,36 @@ def test_a_file_for_ci(ci: str, cell: Path) -> None:
     assert main(["init", "--ci", ci, "--quiet"]) == 0
     text = (cell / CI_FILES[ci][0]).read_text("utf-8")
     assert "nctakt check ." in text
-    assert "pytest" in text
+    assert INSTALL in text
+    assert PYTHON in text
+    assert "{INSTALL" not in text
+
+
+def test_the_guide_to_ci_names_the_same_versions() -> None:
+    """docs/ci.md installs and uses what the files use."""
+    guide = Path(__file__).parents[2].joinpath("docs", "ci.md").read_text("utf-8")
+    for word in (INSTALL, f'"{PYTHON}"', CHECKOUT, SETUP_PYTHON):
+        assert word in guide
+
+
+def test_a_file_for_ci_asks_for_the_wheel_that_it_installs(cell: Path, capsys: Captured) -> None:
+    """It is told as long as none lies in the folder."""
+    assert main(["init", "--ci", "github"]) == 0
+    assert "put a wheel of nctakt into wheels" in capsys.readouterr().out
+    (cell / "wheels").mkdir()
+    (cell / "wheels" / "nctakt-0.3.0-any.whl").touch()
+    assert main(["init", "--ci", "gitlab"]) == 0
+    assert "put a wheel" not in capsys.readouterr().out
+
+
+def test_a_german_locale_gives_a_german_project(
+    cell: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is found, the project file and the messages of all commands are in one language."""
+    monkeypatch.setenv("LC_ALL", "de_DE.UTF-8")
+    assert main(["init"]) == 0
+    assert "Programme: " in capsys.readouterr().out
+    assert 'language = "de"' in (cell / "nctakt.toml").read_text("utf-8")
 
 
 def test_nothing_is_overwritten(cell: Path, capsys: Captured) -> None:

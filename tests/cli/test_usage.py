@@ -110,3 +110,39 @@ def test_a_missing_value_names_the_help_of_its_command(
     assert main(words.split()) == 2
     command = words.partition(" -")[0].removesuffix(" part.nc")
     assert f"More: nctakt {command} --help" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "run nowhere.nc",
+        "check nowhere.nc",
+        "replay nowhere.tape",
+        "schedule show nowhere.lis",
+        "run --nothing",
+    ],
+)
+def test_messages_have_the_language_of_the_locale(
+    words: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As help has; NCTAKT_LANGUAGE and --lang say otherwise."""
+    monkeypatch.setenv("LC_ALL", "de_DE.UTF-8")
+    main(words.split())
+    assert "Fehler" in "".join(capsys.readouterr())
+    main([*words.split(), "--lang", "en"])
+    assert "error" in "".join(capsys.readouterr())
+    monkeypatch.setenv("NCTAKT_LANGUAGE", "en")
+    main(words.split())
+    assert "error" in "".join(capsys.readouterr())
+
+
+def test_a_project_names_another_language_than_the_locale(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its file is nearer than the locale."""
+    (tmp_path / "nctakt.toml").write_text('language = "en"\n', "utf-8")
+    (tmp_path / "part.nc").write_text("G01 X1 F0\nM30\n", "utf-8")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("LC_ALL", "de_DE.UTF-8")
+    assert main(["run", "part.nc"]) == 1
+    assert "error 20176" in capsys.readouterr().err

@@ -19,7 +19,7 @@ from pathlib import Path
 
 import click
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.interrupts import handling
 from nctakt.base.version import __version__
 from nctakt.cli.common.help import HELP_NAMES, ShownGroup, help_language, option, shown_language
@@ -179,7 +179,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         silence(sys.stdout)
         complain_notes(error)
     except OSError as error:  # standard output refuses the text
-        return _refused(error)
+        return _refused(error, help_language(sys.argv[1:] if arguments is None else arguments))
     return code
 
 
@@ -219,7 +219,7 @@ def _open_streams() -> None:
         sys.stderr = open(2, "w", encoding="utf-8", closefd=False)
 
 
-def _refused(error: OSError) -> int:
+def _refused(error: OSError, language: Language) -> int:
     """Report that the system refuses output, or has no working directory; return exit code 2."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - only a mistake needs it
     from nctakt.messages.files import FILE_NOT_WRITABLE, NO_WORKING_DIRECTORY  # noqa: PLC0415
@@ -228,11 +228,11 @@ def _refused(error: OSError) -> int:
     silence(sys.stdout)
     complain_notes(error)
     if _is_nowhere():
-        print_diagnostics([diagnostic(NO_WORKING_DIRECTORY)], "en")
+        print_diagnostics([diagnostic(NO_WORKING_DIRECTORY)], language)
         return EXIT_USAGE
     name = "standard output" if error.filename is None else str(error.filename)
     reason = error.strerror or str(error)
-    print_diagnostics([diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)], "en")
+    print_diagnostics([diagnostic(FILE_NOT_WRITABLE, file=name, reason=reason)], language)
     return EXIT_USAGE
 
 

@@ -21,7 +21,7 @@ from nctakt.base.failure import Failure
 from nctakt.checking.check import CheckResult, check_files
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.common.file_options import read_standard_input
-from nctakt.cli.common.help import described, option
+from nctakt.cli.common.help import described, locale_language, option
 from nctakt.cli.common.options import IGNORE_OPTION, STRICT_OPTION, WATCH_OPTION, table_options
 from nctakt.cli.common.settings import maybe_watched
 from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
@@ -141,7 +141,7 @@ def command(**words: Any) -> int:
 
 def _checked(words: dict[str, Any], access: FileAccess) -> int:
     """Complete the words and check; the exit code. A ``Failure`` is shown."""
-    language: Language = words["language"] or "en"
+    language: Language = words["language"] or locale_language()
     try:
         project = project_around(words["paths"], access)
         if project is not None:

@@ -14,7 +14,7 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.common.help import described, option
+from nctakt.cli.common.help import described, locale_language, option
 from nctakt.cli.common.options import TRUST_OPTION, table_option
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.run.options import BY_NAME
@@ -57,7 +57,7 @@ def command(port: int | None, confined: tuple[str, ...], **words: Any) -> int:
     """Debug programs."""
     from nctakt.debugger.server import PortServer, serve_pipe  # noqa: PLC0415 - seldom needed
 
-    language: Language = words["language"] or "en"
+    language: Language = words["language"] or locale_language()
     if port is None:
         with contextlib.suppress(KeyboardInterrupt):  # as below
             serve_pipe(folders=confined, language=language)

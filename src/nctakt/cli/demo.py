@@ -74,7 +74,7 @@ STIMULI = (("3.5s", f"{AREA}=0"), ("3.9s", f"{AREA}=1"))
         "Nur die Adresse der Seite ausgeben.",
     ),
 )
-@language_option("en")
+@language_option()
 def command(port: int, stays_closed: bool, language: Language) -> int:
     """Show the cell on a page."""
     own = Words(

@@ -91,7 +91,7 @@ _FURTHER = Text("… {count} more", "… {count} weitere")
     ),
 )
 @FORMAT_OPTION
-@language_option("en")
+@language_option()
 def command(words: tuple[str, ...], machine: str | None, form: str, language: Language) -> int:
     """Explain words."""
     try:

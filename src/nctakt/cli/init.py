@@ -23,7 +23,7 @@ from nctakt.base.failure import Failure
 from nctakt.checking.inputs import LIST_SUFFIX, gather
 from nctakt.checking.python_check import check
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
-from nctakt.cli.common.ci_files import CI_FILES
+from nctakt.cli.common.ci_files import CI_FILES, WHEELS
 from nctakt.cli.common.help import described, option
 from nctakt.cli.common.options import language_option, table_option
 from nctakt.cli.common.terminal import print_diagnostics
@@ -56,6 +56,10 @@ _FOUND = {
 _NONE = Text("none", "keine")
 _WRITTEN = Text("written", "geschrieben")
 _NEXT = Text("Next", "Weiter")
+_WHEEL = Text(
+    f"put a wheel of nctakt into {WHEELS}: CI installs it",
+    f"ein Wheel von nctakt nach {WHEELS} legen: die CI installiert es",
+)
 
 _MACHINE = Text(
     "the folder or start-up list of the machine, demo or demo5",
@@ -101,7 +105,7 @@ class _Content:
     type=click.Choice(list(CI_FILES)),
     text=Text("Write a file for this CI, too.", "Auch eine Datei für diese CI schreiben."),
 )
-@language_option("en")
+@language_option()
 @table_option(BY_NAME["quiet"])
 def command(folder: str, ci: str | None, language: Language, quiet: bool) -> int:
     """Make a project of a folder."""
@@ -140,6 +144,8 @@ def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
         else:
             print_diagnostics([diagnostic(FILE_KEPT, file=str(folder / name))], language)
     yield f"{_NEXT.get(language)}:"
+    if ci is not None and not any((folder / WHEELS).glob("nctakt-*.whl")):
+        yield f"  {_WHEEL.get(language)}"
     yield from (f"  {line}" for line in _next_commands(folder, content))
 
 

@@ -64,7 +64,7 @@ from nctakt.messages.connections.editor import EDITOR_LIBRARY_MISSING
     metavar="ADDRESS",
     text=Text("Address of the port.", "Adresse des Ports."),
 )
-@language_option("en")
+@language_option()
 def command(stdio: bool, port: int | None, host: str, language: Language) -> int:
     """Serve an editor."""
     gc.disable()  # what is imported stays

@@ -76,7 +76,7 @@ _NAMED_ENTRIES = 5
     default="ascii",
     text=Text("Format of the lists [default: ascii].", "Form der Listen [Vorgabe: ascii]."),
 )
-@language_option("en")
+@language_option()
 @table_option(BY_NAME["quiet"])
 def command(
     folder: str,

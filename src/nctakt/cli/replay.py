@@ -17,7 +17,7 @@ from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
 from nctakt.cli.common.file_options import file_access
-from nctakt.cli.common.help import described, option
+from nctakt.cli.common.help import described, locale_language, option
 from nctakt.cli.common.options import FORMAT_OPTION, MODE_OPTION, table_options, with_file_options
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.cli.run import run_with
@@ -80,7 +80,7 @@ from nctakt.files.access import FileAccess
 @MODE_OPTION
 def command(tape: str, anyway: bool, **words: Any) -> int:
     """Repeat a recorded run."""
-    language: Language = words["language"] or "en"
+    language: Language = words["language"] or locale_language()
     try:
         return _replay(tape, anyway, words)
     except Failure as failure:

@@ -20,7 +20,7 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
-from nctakt.cli.common.help import described, option
+from nctakt.cli.common.help import described, locale_language, option
 from nctakt.cli.common.options import TRUST_OPTION, table_options
 from nctakt.cli.common.terminal import complain_notes, print_diagnostics
 from nctakt.run.options import RunOption, accepted_by
@@ -212,7 +212,7 @@ def command(files: tuple[str, ...], **words: Any) -> int:
         words["language"] = words["language"] or _language_of_project(files[-2:])
         return _study(files[0], words) if len(files) == 1 else _report(*files[1:], words)
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, words["language"] or "en")
+        print_diagnostics(failure.diagnostics, words["language"] or locale_language())
         return EXIT_USAGE
 
 
@@ -222,7 +222,7 @@ def _language_of_project(files: Sequence[str]) -> Language:
     from nctakt.project.project_file import project_around  # noqa: PLC0415
 
     project = project_around(files, FileAccess())
-    return (project and project.language) or "en"
+    return (project and project.language) or locale_language()
 
 
 def _study(file: str, words: dict[str, Any]) -> int:

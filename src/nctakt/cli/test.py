@@ -88,7 +88,7 @@ _NO_TESTS = 5
     group="files",
     text=Text("Write the results as JUnit XML.", "Die Ergebnisse als JUnit-XML schreiben."),
 )
-@language_option("en")
+@language_option()
 def command(
     paths: tuple[str, ...],
     expression: str | None,

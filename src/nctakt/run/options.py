@@ -505,8 +505,8 @@ OPTIONS: Sequence[RunOption] = (
         name="language",
         kind=Words(choices=("en", "de")),
         help=Text(
-            "Language of texts and messages [default: the project's, else en].",
-            "Sprache der Texte und Meldungen [Vorgabe: die des Projekts, sonst en].",
+            "Language of texts and messages [default: the project's, else the locale's].",
+            "Sprache der Texte und Meldungen [Vorgabe: die des Projekts, sonst der Umgebung].",
         ),
         accepted_by=f"{_RUNS} {_SESSIONS} study check replay project launch fmu",
         group="general",

@@ -5,34 +5,42 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-_INSTALL = "pip install path/to/nctakt pytest"
+from nctakt.messages.extras import PYTEST
+
+#: The folder in which a wheel of nctakt lies for CI.
+WHEELS = "wheels"
+#: What installs it there, and what runs tests.
+INSTALL = f'pip install {WHEELS}/nctakt-*.whl "{PYTEST}"'
+#: The Python of CI, and the actions of GitHub.
+PYTHON = "3.13"
+CHECKOUT, SETUP_PYTHON = "actions/checkout@v5", "actions/setup-python@v6"
 
 _GITHUB = f"""\
-# Checks lists and programs and runs the tests. path/to/nctakt: a checkout or a wheel of nctakt.
+# Checks lists and programs and runs the tests. A wheel of nctakt lies in {WHEELS}.
 name: nctakt
 on: [push, pull_request]
 jobs:
   nctakt:
     runs-on: ubuntu-latest
     steps:
-      - uses: actions/checkout@v4
-      - uses: actions/setup-python@v5
+      - uses: {CHECKOUT}
+      - uses: {SETUP_PYTHON}
         with:
-          python-version: "3.12"
-      - run: {_INSTALL}
+          python-version: "{PYTHON}"
+      - run: {INSTALL}
       - run: nctakt check . --format github
       - run: pytest
 """
 
 _GITLAB = f"""\
-# Checks lists and programs and runs the tests. path/to/nctakt: a checkout or a wheel of nctakt.
+# Checks lists and programs and runs the tests. A wheel of nctakt lies in {WHEELS}.
 nctakt:
-  image: python:3.12
+  image: python:{PYTHON}
   variables:
     # The runner lets everybody write its files otherwise, and code of a PLC is not run then.
     FF_DISABLE_UMASK_FOR_DOCKER_EXECUTOR: "true"
   script:
-    - {_INSTALL}
+    - {INSTALL}
     - nctakt check .
     - pytest --junitxml=report.xml
   artifacts:
@@ -42,7 +50,7 @@ nctakt:
 """
 
 _AZURE = f"""\
-# Checks lists and programs and runs the tests. path/to/nctakt: a checkout or a wheel of nctakt.
+# Checks lists and programs and runs the tests. A wheel of nctakt lies in {WHEELS}.
 trigger:
   - "*"
 pool:
@@ -50,8 +58,8 @@ pool:
 steps:
   - task: UsePythonVersion@0
     inputs:
-      versionSpec: "3.12"
-  - script: {_INSTALL}
+      versionSpec: "{PYTHON}"
+  - script: {INSTALL}
   - script: nctakt check .
   - script: pytest --junitxml=report.xml
   - task: PublishTestResults@2
@@ -61,14 +69,14 @@ steps:
 """
 
 _JENKINS = f"""\
-// Checks lists and programs and runs the tests. path/to/nctakt: a checkout or a wheel of nctakt.
+// Checks lists and programs and runs the tests. A wheel of nctakt lies in {WHEELS}.
 pipeline {{
-  agent {{ docker {{ image 'python:3.12' }} }}
+  agent {{ docker {{ image 'python:{PYTHON}' }} }}
   stages {{
     stage('nctakt') {{
       steps {{
         sh 'python -m venv .venv'
-        sh '.venv/bin/{_INSTALL}'
+        sh '.venv/bin/{INSTALL}'
         sh '.venv/bin/nctakt check .'
         sh '.venv/bin/pytest --junitxml=report.xml'
       }}

@@ -84,10 +84,18 @@ def language_of_words(words: Sequence[str]) -> Language | None:
 
 
 def help_language(words: Sequence[str]) -> Language:
-    """Return the language of help: of ``--lang``, ``NCTAKT_LANGUAGE``, the locale, else English."""
+    """Return the language of ``--lang``, ``NCTAKT_LANGUAGE``, the locale, else English.
+
+    It is that of help, and of messages before a project is known.
+    """
     named = language_of_words(words) or os.environ.get(LANGUAGE_VARIABLE)
     if named in ("en", "de"):
         return cast(Language, named)
+    return locale_language()
+
+
+def locale_language() -> Language:
+    """Return the language of the locale where nothing else names one: German, else English."""
     names = ("LC_ALL", "LC_MESSAGES", "LANG")
     locale = next((os.environ[name] for name in names if os.environ.get(name)), "")
     return "de" if locale.lower().startswith("de") else "en"

@@ -12,8 +12,8 @@ from typing import Any, TypeVar
 
 import click
 
-from nctakt.base.diagnostics import Language, Text
-from nctakt.cli.common.help import option
+from nctakt.base.diagnostics import Text
+from nctakt.cli.common.help import locale_language, option
 from nctakt.project.trust import trusting
 from nctakt.run.option_kinds import (
     Assignments,
@@ -80,14 +80,20 @@ def table_options(command: str) -> Callable[[_Command], _Command]:
     return decorate
 
 
-def language_option(default: Language) -> Callable[[_Command], _Command]:
+def language_option() -> Callable[[_Command], _Command]:
     """Return ``--lang`` for a command that no project concerns."""
     text = Text(
-        f"Language of texts and messages [default: {default}].",
-        f"Sprache der Texte und Meldungen [Vorgabe: {default}].",
+        "Language of texts and messages [default: the locale's, de or en].",
+        "Sprache der Texte und Meldungen [Vorgabe: die der Umgebung, de oder en].",
     )
-    choice = click.Choice(["en", "de"])
-    return option("--lang", "language", text=text, group="general", type=choice, default=default)
+    return option(
+        "--lang",
+        "language",
+        text=text,
+        group="general",
+        type=click.Choice(["en", "de"]),
+        default=locale_language,
+    )
 
 
 def split_words(words: Mapping[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -15,6 +15,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_USAGE
 from nctakt.cli.common.file_options import file_access
+from nctakt.cli.common.help import locale_language
 from nctakt.cli.common.options import split_words
 from nctakt.cli.common.request import STANDARD_INPUT, Options
 from nctakt.cli.common.terminal import print_diagnostics
@@ -57,7 +58,7 @@ def maybe_watched(
         return carry_out(open_access())
     from nctakt.cli.common.watching import watch  # noqa: PLC0415 - seldom needed
 
-    language: Language = words["language"] or "en"
+    language: Language = words["language"] or locale_language()
     try:
         return watch(carry_out, open_access, paths, language)
     except Failure as failure:
@@ -73,7 +74,7 @@ def _carry_out(
     runs_code: bool,
     fmu_use: FmuUse | None,
 ) -> int:
-    language: Language = words["language"] or "en"
+    language: Language = words["language"] or locale_language()
     settings: RunSettings | None = None
     try:
         settings = _settings(words, access, fmu_use, runs_code=runs_code)
@@ -132,7 +133,7 @@ def _completed(words: dict[str, Any], settings: RunSettings) -> Options:
     given = {
         **others,
         "run": run,
-        "language": words["language"] or settings.language or "en",
+        "language": words["language"] or settings.language or locale_language(),
         "plcs": tuple(map(str, settings.plcs)),
         "fmu": settings.fmu,
         "machine_note": settings.machine_note,

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.cli.common.help import locale_language
 from nctakt.cli.common.options import split_words
 from nctakt.cli.common.request import STANDARD_INPUT, STANDARD_INPUT_NAME, Options, Request
 from nctakt.files.access import FileAccess
@@ -79,7 +80,7 @@ def options_of(tape: Tape, name: str, words: Mapping[str, Any], access: FileAcce
     given = {
         **others,
         "run": run,
-        "language": words["language"] or (project and project.language) or "en",
+        "language": words["language"] or (project and project.language) or locale_language(),
         "project_signals": project and project.signals,
     }
     return Options(**given, plcs=plcs_of(tape), tape=tape)

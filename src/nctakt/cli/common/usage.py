@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Diagnostics of mistakes in the words of the command line.
 
-In: the error of click, the words. Out: a diagnostic on standard error, in the language of
-``--lang`` if it is among the words.
+In: the error of click, the words. Out: a diagnostic on standard error, in the language of help.
 """
 
 from __future__ import annotations
@@ -12,9 +11,9 @@ from collections.abc import Sequence
 
 import click
 
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Text
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
 from nctakt.base.misspelling import nearest
-from nctakt.cli.common.help import LANGUAGE_VARIABLE, language_of_words
+from nctakt.cli.common.help import LANGUAGE_VARIABLE, help_language
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import (
@@ -30,13 +29,7 @@ from nctakt.run.options import FRONT_ENDS, refused
 
 def report_usage(error: click.ClickException, words: Sequence[str]) -> None:
     """Show the mistake, and the command for the help."""
-    print_diagnostics([_diagnostic(error)], _language(words))
-
-
-def _language(words: Sequence[str]) -> Language:
-    """Return the language of ``--lang``, else of the environment, else English."""
-    named = language_of_words(words)
-    return named or ("de" if os.environ.get(LANGUAGE_VARIABLE) == "de" else "en")
+    print_diagnostics([_diagnostic(error)], help_language(words))
 
 
 def _diagnostic(error: click.ClickException) -> Diagnostic:

@@ -133,7 +133,7 @@ LIST_OPTIONS = (
     IGNORE_OPTION,
     STRICT_OPTION,
     FORMAT_OPTION,
-    language_option("en"),
+    language_option(),
     table_option(BY_NAME["quiet"]),
     table_option(BY_NAME["confine"]),
 )

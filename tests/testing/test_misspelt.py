@@ -149,6 +149,7 @@ def test_check_finds_files_that_are_not_there(tmp_path: Path) -> None:
         (902940, 3, 11),
     ]
     assert places(tmp_path, "; given: plc a.py; given: machine demo\nM30", a_py="") == []
+    assert found_by_check("; given: plc nix.py\nM30") == []  # a text lies in no folder
 
 
 def test_check_knows_the_names_of_the_machine(tmp_path: Path) -> None:

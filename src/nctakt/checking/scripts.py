@@ -44,9 +44,11 @@ def impossible_inputs(
 ) -> Iterator[Diagnostic]:
     """Yield what is wrong with the files and names in the comments of a program.
 
-    Names are not judged where the comments name another machine.
+    Names are not judged where the comments name another machine, files not for a text that lies
+    nowhere.
     """
-    yield from missing_files(script, program.parent, access)
+    if program.is_file():
+        yield from missing_files(script, program.parent, access)
     values = {**script.assignments, **{one.name: one.value for one in script.stimuli}}
     expected = [one for one in script.expectations if one.kind in ("value", "log")]
     if script.machine is not None or not (values or expected):

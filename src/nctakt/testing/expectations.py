@@ -255,7 +255,8 @@ def _comments(
             continue
         end = match.start("text") + begin + len(part.rstrip())
         words = words.strip()
-        position = Place(Span(file, number, end - len(words) + 1, max(end, 1) + 1), line)
+        column = end - len(words) + 1
+        position = Place(Span(file, number, column, max(end, column) + 1), line)
         try:
             if kind == "given":
                 _give(script, words, position)

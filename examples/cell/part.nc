@@ -6,7 +6,7 @@
     M100                                 ; expect: M100 once
   $ENDIF
 #RT CYCLE END
-N5 G04 0.02
+N5 G04 0.02                              ; the PLC announces itself in its first cycles; then M7 waits for it
 N10 M7                                   ; given: MAIN.bGateDown = 0 at 0.05s; given: MAIN.bGateUp = 1 at 0.1s
 N20 M6                                   ; expect: A.ACS.ACT_POS = 90 at 1.027s
 N30 M10                                  ; given: MAIN.bReleased = 0 at 2.2s; given: MAIN.bClamped = 1 at 2.3s

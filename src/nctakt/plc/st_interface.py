@@ -46,6 +46,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.plcs.hli_table import NO_SUCH_TRANSITION
 from nctakt.nc.vocabulary.variables.cells import CELL_BYTES
 from nctakt.run.access.machine_names import prefix_of
+from nctakt.run.access.presence import Presence
 from nctakt.run.technology_tables import axes_of, types_of
 
 if TYPE_CHECKING:
@@ -185,6 +186,9 @@ def connect(
     places = [one for one in found.placed if one.area.shape.root != "gpPform"]
     values = _shown(found.placed, signals, memory, machine.memory)
     banks, bank_numbers = _banks(places, context)
+    shapes = [one.area.shape for one in places]
+    numbers = {(shape.root, shape.index): number for number, shape in enumerate(shapes)}
+    machine.access.presences.append(Presence(banks, numbers))
     units = ControlUnits(values, banks, list(_units(places, signals)))
     sources: UnitSource = UnitSource()
     for index in range(len(machine.channels) if places else 0):

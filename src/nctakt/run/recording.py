@@ -16,7 +16,7 @@ from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage
 from nctakt.results.user_errors import UserErrorReport, user_errors
-from nctakt.run.causes import ended_motions
+from nctakt.run.causes import ended_motions, unheard_functions
 from nctakt.run.causes.error_events import realtime_diagnostic
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.trace.chunks import EventChunk
@@ -45,6 +45,9 @@ _WATCHED = frozenset(
 #: Those, and the events of motions that end.
 _ANY_WATCHED = _WATCHED | ended_motions.EVENTS
 
+#: Those, and the events of functions that a PLC may not have got.
+_WATCHED_BESIDE_PLC = _ANY_WATCHED | unheard_functions.EVENTS
+
 
 class Recording:
     """The listeners of a machine.
@@ -70,6 +73,7 @@ class Recording:
         self._probes: ProbeLog | None = None
         self._noticed: set[tuple[str, Span | None]] = set()
         self._motions = ended_motions.EndedMotions(machine)
+        self._functions = unheard_functions.UnheardFunctions(machine)
         self.messages: list[ProgramMessage] = []
         self.on_message: Callable[[ProgramMessage], None] | None = None
         machine.record.awaited_kinds = sum(1 << kind for kind in _ANY_WATCHED)
@@ -112,6 +116,7 @@ class Recording:
         self.messages = []
         self._noticed = set()
         self._motions = ended_motions.EndedMotions(self._machine)
+        self._functions = unheard_functions.UnheardFunctions(self._machine)
 
     def leave_names(self) -> None:
         """Let the events so far keep their names; the registry is going to have others."""
@@ -181,11 +186,14 @@ class Recording:
         events = EventChunk(self._events, event_rows)
         signals = memoryview(record.take_rows()).cast("d")
         if len(events):
-            watched = events.of_kinds(_ANY_WATCHED)
+            has_presences = bool(self._machine.access.presences)
+            watched = events.of_kinds(_WATCHED_BESIDE_PLC if has_presences else _ANY_WATCHED)
             if len(watched):
                 self._watch(watched)
             for sink in (*self._sinks, *self._steps):
                 sink.events(events)
+        for note in self._functions.notes():
+            self._report(note)
         if rows_count:
             for row_sink in self._row_sinks:
                 row_sink.rows(first_tick, signals, record.signal_count)
@@ -248,6 +256,8 @@ class Recording:
                 self._report(realtime_diagnostic(event, machine))
         for note in self._motions.add(events):
             self._report(note)
+        if machine.access.presences:
+            self._functions.add(events)
 
     def _report_notice(self, event: Event) -> None:
         """Report a notice of the realtime cycles, once for each place of the program."""

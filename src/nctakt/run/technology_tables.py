@@ -10,12 +10,17 @@ from nctakt.lists.declared.technology_functions import MAX_FUNCTIONS, Technology
 from nctakt.lists.machine.machine import ChannelConfiguration
 
 
+def logical_axes(channel: ChannelConfiguration) -> dict[str, int]:
+    """Return the logical numbers of a channel's axes and spindles by their names."""
+    numbers = {axis.name: axis.logical_number for axis in channel.axes}
+    return numbers | {one.name: one.logical_number for one in channel.parameters.spindles}
+
+
 def axes_of(
     functions: Mapping[int, TechnologyFunction], channel: ChannelConfiguration
 ) -> bytearray:
     """Return the logical number of the axis or spindle of each function by its number, 0: none."""
-    numbers = {axis.name: axis.logical_number for axis in channel.axes}
-    numbers |= {spindle.name: spindle.logical_number for spindle in channel.parameters.spindles}
+    numbers = logical_axes(channel)
     table = bytearray(8 * MAX_FUNCTIONS)
     for function in functions.values():
         logical = numbers.get(function.axis_name, 0)

@@ -101,6 +101,7 @@ class TickLoop:
         """
         for channel in self.channels:
             channel.channel.hli.is_divided = False
+        self.machine.access.presences.clear()
         realtime, _ = parts_of(plc)
         named = [one.attach(self.machine) for one in realtime]
         self._kernel.attach_plc(side_of(realtime))

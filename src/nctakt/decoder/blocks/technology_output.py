@@ -37,6 +37,8 @@ _AFTER = ("MNS_SNS", "MNE_SNS")
 #: Types that are awaited before the motion of their block, and after it.
 _AWAITED_BEFORE = ("MVS_SVS", "MEP_SVS", "MET_SVS")
 _AWAITED_AFTER = ("MVS_SNS", "MNS_SNS", "MNE_SNS")
+#: Types that are awaited, be it after their block.
+AWAITED = frozenset((*_AWAITED_BEFORE, *_AWAITED_AFTER, "MVS_SLM", "MVS_SLP"))
 
 
 def process_ticks(function: TechnologyFunction, cycle_time_us: int) -> int:

@@ -112,6 +112,7 @@ cdef class CncInterface(CncSide):
     cdef ChannelRecords records
     cdef AxisReleases releases
     cdef InterfaceImage variables
+    cdef long long tick
     cdef Py_ssize_t count
     cdef long long[::1] present
     cdef long long[::1] present_cell
@@ -119,7 +120,7 @@ cdef class CncInterface(CncSide):
     cdef long long[::1] published
     @cython.locals(i=Py_ssize_t, cell=Py_ssize_t)
     cdef void latch(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, cell=Py_ssize_t, is_there=cython.bint)
+    @cython.locals(i=Py_ssize_t, cell=Py_ssize_t)
     cdef void guard(self) noexcept nogil
     cdef Py_ssize_t event_bound(self) noexcept nogil
     cdef void follow(self, long long tick) noexcept nogil

@@ -392,6 +392,7 @@ class CncInterface(CncSide):
         self.records = records
         self.releases = releases
         self.variables = variables
+        self.tick = -1
         self.count = len(presence)
         self.present = memoryview(bytearray(8 * len(presence) + 8)).cast("q")
         self.present_cell = memoryview(bytearray(8 * len(presence) + 8)).cast("q")
@@ -415,14 +416,17 @@ class CncInterface(CncSide):
     def guard(self) -> None:
         for i in range(self.count):
             cell = self.present_cell[i]
-            is_there = self.own[i] != 0 or (cell >= 0 and self.values.cells[cell] != 0.0)
-            self.banks.announced[i] = 1 if is_there else 0
+            if self.own[i] != 0 or (cell >= 0 and self.values.cells[cell] != 0.0):
+                self.banks.announce(i, self.tick)
+            else:
+                self.banks.announced[i] = 0
         self.units.guard()
 
     def event_bound(self) -> int:
         return self.variables.event_bound
 
     def follow(self, tick: int) -> None:
+        self.tick = tick
         self.sources.show(tick)
 
     def show(self, tick: int) -> None:
@@ -436,7 +440,7 @@ class CncInterface(CncSide):
         for i in range(self.count):
             self.own[i] = words.load(self.values.memory, self.present[i], kinds.BOOL)
             if self.own[i]:
-                self.banks.announced[i] = 1
+                self.banks.announce(i, self.tick)
         self.sources.take()
         self.units.take()
         self.releases.take()

@@ -15,12 +15,14 @@ cdef class UnitBanks:
     cdef readonly Py_ssize_t count
     cdef readonly Py_ssize_t area_count
     cdef readonly long long[::1] announced
+    cdef readonly long long[::1] since
     cdef long long[::1] first
     cdef long long[::1] units
     cdef long long[::1] stride
     cdef long long[::1] used
     cdef long long[::1] area
     cdef long long[::1] taken
+    cdef void announce(self, Py_ssize_t area, long long tick) noexcept nogil
     cdef int is_announced(self, Py_ssize_t bank) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef Py_ssize_t take(self, Py_ssize_t bank) noexcept nogil

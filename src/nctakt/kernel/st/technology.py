@@ -21,7 +21,8 @@ class UnitBanks:
 
     ``context``: the PLC whose memory it is. A row: address of the first unit, number of units,
     bytes from one to the next, address of the number in use (0: none), area. ``announced``: for
-    each area, whether a PLC is there for it.
+    each area, whether a PLC is there for it; ``since``: the tick whose end it was there at first,
+    -1: before the first one, -2: it never was.
     """
 
     def __init__(
@@ -35,6 +36,9 @@ class UnitBanks:
         self.count = len(rows)
         self.area_count = areas
         self.announced = memoryview(bytearray(8 * areas + 8)).cast("q")
+        self.since = memoryview(bytearray(8 * areas + 8)).cast("q")
+        for i in range(areas):
+            self.since[i] = -2
         self.first = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
         self.units = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
         self.stride = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
@@ -53,6 +57,12 @@ class UnitBanks:
             self.stride[i] = stride
             self.used[i] = used
             self.area[i] = area
+
+    def announce(self, area: int, tick: int) -> None:
+        """Let a PLC be there for an area from the end of this tick on."""
+        if self.since[area] < -1:
+            self.since[area] = tick
+        self.announced[area] = 1
 
     def is_announced(self, bank: int) -> int:
         """Return whether a PLC is there for the area of these units."""

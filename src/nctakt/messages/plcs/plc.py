@@ -264,3 +264,18 @@ SEVERAL_CALLED_PLCS = error(
     remedy_de="Eine von der anderen aufrufen; Projekte in Strukturiertem Text darf es beliebig "
     "viele geben.",
 )
+FUNCTION_BEFORE_PLC = note(
+    902931,
+    en="{function} acknowledged itself: the PLC announced itself ({path}) only in tick {tick}",
+    de="{function} hat sich selbst quittiert: die SPS meldete sich ({path}) erst in Takt {tick} an",
+    remedy_en="Let the program wait at its beginning: G04 {dwell}. On the machine the PLC has "
+    "long been running.",
+    remedy_de="Das Programm am Anfang warten lassen: G04 {dwell}. An der Maschine läuft die SPS "
+    "längst.",
+    cause_en="Functions wait only for a PLC that has announced itself; a PLC starts with the run "
+    "and needs some of its cycles to do so.",
+    cause_de="Funktionen warten nur auf eine SPS, die sich angemeldet hat; eine SPS startet mit "
+    "dem Lauf und braucht dafür einige ihrer Zyklen.",
+    path=("the element that announces it", "das Element, das sie anmeldet"),
+    dwell=("the time to wait, in seconds", "die Wartezeit in Sekunden"),
+)

@@ -38,6 +38,7 @@ from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable, N
 from nctakt.run.access.bound_values import BoundValue, InputNotes
 from nctakt.run.access.input_words import API, WRITE
 from nctakt.run.access.named_values import InterfaceValues, NamedValues, SignalCell
+from nctakt.run.access.presence import Presence
 from nctakt.run.access.zero_offset_access import is_zero_offset
 
 #: Names that are kept bound; there are as many spellings of them as one likes.
@@ -77,6 +78,8 @@ class VariableAccess:
         self.named: NamedValues | None = None
         #: Those of them that are signals: their cells, units, and whether they are integers.
         self.named_signals: dict[str, SignalCell] = {}
+        #: When PLCs in the tick announced themselves.
+        self.presences: list[Presence] = []
         #: The interface by the controller's paths, when it is first used.
         self.interface: Callable[[], InterfaceValues] | None = None
         self.notes = InputNotes(kernel)

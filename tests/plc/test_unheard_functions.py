@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""Functions that acknowledged themselves before the PLC announced itself are told (ST-763).
+
+T = 1 ms. The PLC opens the interface in cycles 0 and 1 and announces itself in cycle 2, that after
+tick 2 (ST-801); from tick 3 on functions wait for it (RC-002).
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from support.changed_lists import machine_with
+from support.plc_rig import EACH_TICK, loaded, values_in_main
+
+from nctakt.results.run import Run
+from nctakt.run.controller import Controller, NcText
+from nctakt.session import Session
+
+GATE = """
+PROGRAM MAIN
+VAR fbHli : MCV_HliInterface; nSeen : UDINT; pData : POINTER TO HLI_M_H_PROZESS; END_VAR
+IF NOT fbHli.Initialized THEN fbHli(); RETURN; END_IF
+gpCh[0]^.head.plc_present_w := TRUE;
+IF gpCh[0]^.techno_unit_std_sync[0].please_rw THEN
+    gpCh[0]^.techno_unit_std_sync[0].please_rw := FALSE;
+    pData := ADR(gpCh[0]^.techno_unit_std_sync[0].attribut_r.data);
+    nSeen := pData^.nr;
+    gpCh[0]^.techno_unit_std_sync[0].done_w := TRUE;
+END_IF
+END_PROGRAM
+"""
+TOLD = (
+    "M7 acknowledged itself: the PLC announced itself (gpCh[0]^.head.plc_present_w) only in tick {}"
+)
+
+
+def notes(run: Run) -> list[str]:
+    """The notes about such functions."""
+    return [one.text() for one in run.diagnostics if one.id == 902931]
+
+
+def perform(folder: Path, nc: str, text: str = GATE, task: str = EACH_TICK) -> Run:
+    """The run of a program beside the PLC."""
+    return Controller().run(NcText("part.nc", nc), plc=loaded(folder, text, task))
+
+
+def test_a_function_before_the_plc_is_told_with_place_and_remedy(tmp_path: Path) -> None:
+    """M7 (MVS_SVS) of tick 0 acknowledges itself; what waits until tick 3 reaches the PLC."""
+    run = perform(tmp_path, "N10 G01 X0 F100\nN20 M7\nG04 0.02\nM30")
+    (note,) = [one for one in run.diagnostics if one.id == 902931]
+    assert note.text() == TOLD.format(2)
+    assert note.span is not None
+    assert (note.severity.name, note.span.line, note.span.column) == ("NOTE", 2, 5)
+    assert note.remedy().startswith("Let the program wait at its beginning: G04 0.01.")
+    remedied = loaded(tmp_path, GATE)
+    run = Controller().run(NcText("part.nc", "N5 G04 0.01\nN20 M7\nM30"), plc=remedied)
+    assert notes(run) == []
+    assert values_in_main(remedied, "nSeen") == [7]
+
+
+def test_a_line_is_told_once_and_each_line_of_its_own(tmp_path: Path) -> None:
+    """M7 twice in a loop is one note, a second line another one."""
+    slow = EACH_TICK.replace("T#1MS", "T#10MS")
+    run = perform(tmp_path, "$FOR P1 = 1, 2, 1\nM7\n$ENDFOR\nM7\nG04 0.05\nM30", task=slow)
+    told = [one.span.line for one in run.diagnostics if one.id == 902931 and one.span]
+    assert told == [2, 4]
+
+
+def test_functions_that_do_not_wait_and_plcs_that_stay_away_are_not_told(tmp_path: Path) -> None:
+    """M100 is MOS, so nobody waits; a PLC that never announces itself leaves functions alone."""
+    assert notes(perform(tmp_path, "M100\nG04 0.02\nM30")) == []
+    away = GATE.replace("plc_present_w := TRUE", "plc_present_w := FALSE")
+    assert notes(perform(tmp_path, "M7\nG04 0.02\nM30", away)) == []
+
+
+@pytest.mark.parametrize(("ticks", "seen", "told"), [(0, 0, 1), (2, 0, 1), (3, 7, 0)])
+def test_a_function_that_takes_its_time_may_still_reach_the_plc(
+    tmp_path: Path, ticks: int, seen: int, told: int
+) -> None:
+    """P-CHAN-00040: M7 acknowledges itself after its time, in tick 2 no one has it, in 3 the PLC.
+
+    The list counts in 0.1 µs.
+    """
+    lists = f"m_prozess_zeit[7] {ticks * 10_000}"
+    machine = machine_with(tmp_path / "machine", default_sda=lists)
+    plc = loaded(tmp_path, GATE)
+    run = Controller(machine).run(NcText("part.nc", "M7\nG04 0.02\nM30"), plc=plc)
+    assert (values_in_main(plc, "nSeen"), len(notes(run))) == ([seen], told)
+
+
+def test_a_session_tells_it_as_soon_as_the_plc_is_there(tmp_path: Path) -> None:
+    """The diagnostics of a session's slices have the same note: M7 of tick 0, told in tick 2."""
+    cell = tmp_path / "cell.st"
+    cell.write_text(GATE + EACH_TICK, "utf-8")
+    with Session(NcText("part.nc", "M7\nG04 0.02\nM30"), plc=cell) as session:
+        assert [one.id for one in session.step(2).diagnostics] == []
+        assert [one.id for one in session.step(3).diagnostics] == [902931]

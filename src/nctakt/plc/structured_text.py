@@ -75,6 +75,7 @@ from nctakt.translation.variables import (
     PlacedVariable,
     find_variable,
     instances_of,
+    own_values,
     retained_paths,
 )
 
@@ -508,6 +509,12 @@ class StructuredPlc(RealtimePlc):
     def knows(self, name: str) -> bool:
         """Return whether a name is the path of a variable."""
         return find_variable(self.program, name) is not None
+
+    def names(self, *, are_numbers: bool) -> Iterator[str]:
+        """Yield the paths of its own values, no element of an array; if so, only of numbers."""
+        for path, sought in own_values(self.program):
+            if not are_numbers or kind_of(sought) is not None:
+                yield path
 
     def retained_paths(self) -> Iterator[str]:
         """Yield the paths of what is RETAIN or PERSISTENT."""

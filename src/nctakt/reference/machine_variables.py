@@ -65,7 +65,7 @@ class MachineVariables:
     def unknown(self, word: str) -> tuple[Diagnostic, ...]:
         """Return what is said of a name that the machine does not declare."""
         near = nearest(_plain(word), sorted({name for name, _, _, _ in _declared(self._machine)}))
-        error = diagnostic(UNKNOWN_MACHINE_VARIABLE, name=word)
+        error = diagnostic(UNKNOWN_MACHINE_VARIABLE, name=word, plc=Text("", ""))
         if near:
             error = diagnostic(MISSPELLED_MACHINE_VARIABLE, name=word, nearest=near)
         return (error, diagnostic(NAMES_OF_DEMO_MACHINE)) if self._machine.is_demo else (error,)

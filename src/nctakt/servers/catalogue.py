@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import SCALARS
@@ -98,7 +99,7 @@ class Catalogue:
         raise Failure(
             diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=near)
             if near
-            else diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name)
+            else diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name, plc=Text("", ""))
         )
 
     def __contains__(self, name: str) -> bool:

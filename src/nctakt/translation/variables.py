@@ -69,6 +69,27 @@ def find_variable(program: Program, path: str) -> PlacedVariable | None:
     return found
 
 
+def own_values(program: Program) -> Iterator[tuple[str, Type]]:
+    """Yield path and type of each scalar and text of a project's own code, outside arrays."""
+    for group in program.lists:
+        prefix = f"{group.name}." if group.name else ""
+        for variable in () if group.library else group.variables.values():
+            if variable.storage is Storage.GLOBAL:
+                yield from _values(f"{prefix}{variable.name}", variable.type)
+    for pou in program.pous.values():
+        if pou.kind is Kind.PROGRAM and not pou.library and pou.type is not None:
+            yield from _values(pou.name, pou.type)
+
+
+def _values(path: str, sought: Type) -> Iterator[tuple[str, Type]]:
+    if isinstance(sought, BlockType | StructType):
+        for member in _parts(sought):
+            yield from _values(f"{path}.{member.name}", member.type)
+    elif isinstance(sought, StringType) or kind_of(sought) is not None:
+        if not isinstance(sought, PointerType | ReferenceType | InterfaceType):
+            yield path, sought
+
+
 def retained_paths(program: Program) -> Iterator[str]:
     """Yield the paths of all scalars and texts that are RETAIN or PERSISTENT (ST-406).
 

@@ -73,8 +73,9 @@ UNKNOWN_MACHINE_VARIABLE = error(
     900540,
     en="unknown variable {name}",
     de="unbekannte Variable {name}",
-    remedy_en="The names are in the machine's variables list.",
-    remedy_de="Die Namen stehen in der Variablenliste der Maschine.",
+    remedy_en="The names are in the machine's variables list{plc}.",
+    remedy_de="Die Namen stehen in der Variablenliste der Maschine{plc}.",
+    plc=("where the variables of the PLC are", "wo die Variablen der SPS sind"),
 )
 MISSPELLED_MACHINE_VARIABLE = error(
     900541,
@@ -102,9 +103,11 @@ UNKNOWN_SIGNAL = error(
     900544,
     en="unknown signal {name}",
     de="unbekanntes Signal {name}",
-    remedy_en="Signals are X.ACS.ACT_POS and similar, PATH.SPEED, BLOCK, V.E and V.CH variables.",
+    remedy_en="Signals are X.ACS.ACT_POS and similar, PATH.SPEED, BLOCK, V.E and V.CH "
+    "variables{plc}.",
     remedy_de="Signale sind X.ACS.ACT_POS und ähnliche, PATH.SPEED, BLOCK, V.E- und "
-    "V.CH-Variablen.",
+    "V.CH-Variablen{plc}.",
+    plc=("where the variables of the PLC are", "wo die Variablen der SPS sind"),
 )
 MISSPELLED_SIGNAL = error(
     900545,

@@ -5,8 +5,16 @@ interface by the controller's paths.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager
 from typing import NamedTuple, Protocol
+
+from nctakt.base.diagnostics import Text
+
+#: Programs and lists of a PLC that are named, at most.
+_MAX_SCOPES = 5
+#: What a remedy says of the variables of PLCs where there are none.
+NO_SCOPES = Text("", "")
 
 
 class SignalCell(NamedTuple):
@@ -26,6 +34,9 @@ class NamedValues(Protocol):
 
     def knows(self, name: str) -> bool:
         """Return whether a name is one of its variables."""
+
+    def names(self, *, are_numbers: bool) -> Iterator[str]:
+        """Yield the paths of its own values, no element of an array; if so, only of numbers."""
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable."""
@@ -54,3 +65,17 @@ class InterfaceValues(Protocol):
 
     def write(self, name: str, value: float | bool | str, source: str) -> None:
         """Write, with effect from the next tick on."""
+
+
+def scopes_text(named: NamedValues | None) -> Text:
+    """Return where the variables of PLCs are, as the end of a remedy; empty without any."""
+    scopes = "" if named is None else _scopes(named.names(are_numbers=False))
+    if not scopes:
+        return NO_SCOPES
+    return Text(f", those of the PLC in {scopes}", f", die der SPS in {scopes}")
+
+
+def _scopes(paths: Iterable[str]) -> str:
+    """Return what paths begin with, the first of them: ``MAIN, GVL``."""
+    found = list(dict.fromkeys(path.partition(".")[0] for path in paths if "." in path))
+    return ", ".join((*found[:_MAX_SCOPES], *(["…"] if len(found) > _MAX_SCOPES else ())))

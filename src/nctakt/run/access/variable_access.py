@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Diagnostic
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.hli.checked_values import (
@@ -37,7 +37,13 @@ from nctakt.nc.vocabulary.variables.cells import CELL_BYTES
 from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable, NotFound
 from nctakt.run.access.bound_values import BoundValue, InputNotes
 from nctakt.run.access.input_words import API, WRITE
-from nctakt.run.access.named_values import InterfaceValues, NamedValues, SignalCell
+from nctakt.run.access.named_values import (
+    NO_SCOPES,
+    InterfaceValues,
+    NamedValues,
+    SignalCell,
+    scopes_text,
+)
 from nctakt.run.access.presence import Presence
 from nctakt.run.access.zero_offset_access import is_zero_offset
 
@@ -90,8 +96,13 @@ class VariableAccess:
         location = names.resolve_text(path)
         if isinstance(location, NotFound):
             near = location.nearest or nearest(path, (other for other, _, _ in names.values()))
-            raise Failure(_unknown(name, prefix, near), *self._remarks)
+            meant = f"{prefix}{near}" if near else self._nearest_named(name)
+            raise Failure(_unknown(name, meant, scopes_text(self.named)), *self._remarks)
         return location
+
+    def _nearest_named(self, name: str) -> str:
+        """Return the variable of a PLC that a name is meant for, else an empty text."""
+        return nearest(name, () if self.named is None else self.named.names(are_numbers=False))
 
     def _find_panel(self, name: str) -> PanelValue | None:
         """Return the operator's value of this name; ``None`` for a variable."""
@@ -102,7 +113,8 @@ class VariableAccess:
         panel = self._panels[self._index(number)]
         value = panel.get(upper)
         if value is None:
-            raise Failure(_unknown(name, prefix, nearest(upper, panel)))
+            near = nearest(upper, panel)
+            raise Failure(_unknown(name, f"{prefix}{near}" if near else "", NO_SCOPES))
         return value
 
     def _index(self, number: int) -> int:
@@ -229,8 +241,8 @@ def _characters(name: str, location: Location, text: str) -> bytes:
     return data.ljust(-(-len(data) // CELL_BYTES) * CELL_BYTES, b"\0")
 
 
-def _unknown(name: str, prefix: str, near: str) -> Diagnostic:
-    """Return the diagnostic of an unknown name; ``near``: the nearest one, without ``prefix``."""
+def _unknown(name: str, near: str, scopes: Text) -> Diagnostic:
+    """Return the diagnostic of an unknown name; ``near``: the nearest one, if any is."""
     if not near:
-        return diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name)
-    return diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=f"{prefix}{near}")
+        return diagnostic(UNKNOWN_MACHINE_VARIABLE, name=name, plc=scopes)
+    return diagnostic(MISSPELLED_MACHINE_VARIABLE, name=name, nearest=near)

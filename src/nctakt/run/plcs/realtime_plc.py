@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -230,6 +230,12 @@ class NamedGroup:
         """Return whether a name is one of their variables."""
         part, path = self._of(name)
         return part.knows(path)
+
+    def names(self, *, are_numbers: bool) -> Iterator[str]:
+        """Yield the paths of their values."""
+        for number, part in enumerate(self._parts):
+            for path in part.names(are_numbers=are_numbers):
+                yield self.path(number, path)
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable."""

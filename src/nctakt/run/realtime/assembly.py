@@ -39,7 +39,7 @@ from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.access.input_words import API
 from nctakt.run.access.inputs import Inputs
 from nctakt.run.access.machine_names import channel_names, names_of_machine, prefix_of
-from nctakt.run.access.named_values import SignalCell
+from nctakt.run.access.named_values import SignalCell, scopes_text
 from nctakt.run.access.variable_access import VariableAccess
 from nctakt.run.realtime.decoder_signals import SignalsOfChannel
 from nctakt.run.realtime.event_registry import EventRegistry
@@ -115,6 +115,13 @@ def _default_signals(channel: AssembledChannel) -> list[str]:
         for axis in channel.configuration.axes
     ]
     return [*names, "PATH.SPEED", "OVERRIDE.VEL.TOTAL", "BLOCK", "CYCLES.ACTIVE"]
+
+
+def _in_axis_system(name: str, signals: Mapping[str, SignalCell]) -> str:
+    """Return ``X.ACS.ACT_POS`` for ``X.ACT_POS`` if it is a signal, else an empty text."""
+    axis, _, position = name.upper().rpartition(".")
+    meant = f"{axis}.ACS.{position}"
+    return meant if meant in signals else ""
 
 
 def do_nothing() -> None:
@@ -397,7 +404,10 @@ class AssembledMachine:
 
     def unknown_signal(self, name: str) -> Diagnostic:
         """Return the diagnostic of an unknown signal."""
-        near = nearest(name, self.signals())
+        signals, named = self.signals(), self.access.named
+        near = _in_axis_system(name, signals) or nearest(name, signals)
+        if not near and named is not None:
+            near = nearest(name, named.names(are_numbers=True))
         if near:
             return diagnostic(MISSPELLED_SIGNAL, name=name, nearest=near)
-        return diagnostic(UNKNOWN_SIGNAL, name=name)
+        return diagnostic(UNKNOWN_SIGNAL, name=name, plc=scopes_text(named))

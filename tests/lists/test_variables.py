@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+from support.changed_lists import machine_with
 
 from nctakt.lists.declared.schemas import VARIABLES
 from nctakt.lists.declared.variables import SCALARS
@@ -19,6 +22,7 @@ from nctakt.lists.machine.external.variables import (
     variables_configuration,
 )
 from nctakt.messages import Collector
+from nctakt.run.controller import Controller, NcText
 
 
 def load(text: str, count: int | None = 100) -> tuple[VariablesConfiguration, list[int]]:
@@ -303,3 +307,33 @@ def test_entries_without_effect() -> None:
         "check_overlapping_variables 1\nauto_memory_mode 0\ninit 1"
     )
     assert load(text)[1] == [900029]
+
+
+def test_a_type_of_another_language_is_told_with_the_one_of_lists() -> None:
+    """20088 names what is nearest, and the variable is kept as ignored, with both places."""
+    collector = Collector()
+    text = "number_used_variables 1\nvar[0].name DOOR\nvar[0].type BOOL\n"
+    configuration = variables_configuration(
+        load_list(VARIABLES, "v.lis", text.encode(), collector), collector
+    )
+    (found,) = collector.diagnostics
+    assert found.remedy().startswith("Did you mean BOOLEAN? Use one of BOOLEAN, SGN08")
+    (ignored,) = configuration.ignored
+    assert (ignored.name, ignored.declared.line, ignored.reason.line) == ("DOOR", 2, 3)
+    assert (ignored.space, ignored.what.en) == (VariableSpace.EXTERNAL, "type")
+
+
+@pytest.mark.parametrize("space", ["V.CH", "V.E"])
+def test_a_program_hears_why_its_variable_is_not_there(tmp_path: Path, space: str) -> None:
+    """20196 of a variable that the list declares in vain says where, and why it is ignored."""
+    entry = "vch[9]" if space == "V.CH" else "var[9]"
+    machine = machine_with(tmp_path / "machine")
+    (machine / "ext_var1.lis").write_text(
+        f"number_used_variables 10\n{entry}.name DOOR\n{entry}.type BOOL\n", "utf-8"
+    )
+    run = Controller(machine).run(NcText("p.nc", f"{space}.DOOR = 1\nM30"))
+    (error,) = [one for one in run.diagnostics if one.id == 20196]
+    told = "It is declared in ext_var1.lis:2, and ignored because of its type (line 3)."
+    assert told in error.remedy()
+    told = "Sie ist in ext_var1.lis:2 deklariert und wird wegen ihres Typs (Zeile 3) ignoriert."
+    assert told in error.remedy("de")

@@ -57,6 +57,7 @@ from nctakt.lists.machine.channel_axes import (
 from nctakt.lists.machine.channel_configuration import ChannelParameters, channel_parameters
 from nctakt.lists.machine.external.variable_checks import check_memory, possible_variables
 from nctakt.lists.machine.external.variables import (
+    IgnoredVariable,
     Variable,
     VariablesConfiguration,
     VariableScope,
@@ -102,7 +103,8 @@ class ChannelConfiguration:
     """One channel; ``number`` counts from 1.
 
     ``external_variables`` holds the channel's own V.E variables and the GLOBAL ones that its list
-    declares. ``tools``: all tools by number, valid or not.
+    declares. ``tools``: all tools by number, valid or not. ``ignored_variables``: those of its list
+    that have no possible type.
     """
 
     number: int
@@ -115,6 +117,7 @@ class ChannelConfiguration:
     tools: Mapping[int, Tool]
     zero_offsets: ZeroOffsets
     clamp_offsets: ClampOffsets
+    ignored_variables: tuple[IgnoredVariable, ...] = ()
 
     @property
     def is_shifted(self) -> bool:
@@ -455,6 +458,7 @@ class _Loader:
             self._tools(channel, linear),
             self._zero_offsets(channel, len(linear)),
             self._clamp_offsets(channel, len(linear)),
+            variables.ignored,
         )
 
     def _tools(self, channel: ChannelStartup, linear: tuple[bool, ...]) -> Mapping[int, Tool]:

@@ -83,10 +83,11 @@ UNKNOWN_VARIABLE_TYPE = warning(
     en="{key}: '{value}' is neither a type nor a structure of this list; the variable is ignored",
     de="{key}: '{value}' ist weder ein Typ noch eine Struktur dieser Liste; die Variable wird "
     "ignoriert",
-    remedy_en="Use one of {names}, or the name of a structure.",
-    remedy_de="Einen der Typen {names} oder den Namen einer Struktur verwenden.",
+    remedy_en="{meant}Use one of {names}, or the name of a structure.",
+    remedy_de="{meant}Einen der Typen {names} oder den Namen einer Struktur verwenden.",
     value=("the type as written", "der Typ, wie geschrieben"),
     names=("the types", "die Typen"),
+    meant=("the type that is probably meant", "der Typ, der wohl gemeint ist"),
 )
 RECURSIVE_STRUCTURE = warning(
     900083,

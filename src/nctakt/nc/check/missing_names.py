@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from pathlib import Path
 
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.base.misspelling import nearest
@@ -115,7 +116,20 @@ class MissingNames:
             variable.span,
             name=path_text(variable),
             nearest=near or NOTHING,
-            declared=_DECLARED_IN.get(variable.family, NOTHING),
+            declared=self._ignored(variable) or _DECLARED_IN.get(variable.family, NOTHING),
+        )
+
+    def _ignored(self, variable: Variable) -> Text | None:
+        """Return where the list declares a variable in vain; ``None``: it does not."""
+        if not variable.parts:
+            return None
+        found = self._names.ignored.get(f"V.{variable.family}.{variable.parts[0].name}")
+        if found is None:
+            return None
+        at, line = f"{Path(found.declared.file).name}:{found.declared.line}", found.reason.line
+        return Text(
+            f"It is declared in {at}, and ignored because of its {found.what.en} (line {line}).",
+            f"Sie ist in {at} deklariert und wird wegen {found.what.de} (Zeile {line}) ignoriert.",
         )
 
     def nearest_system_variable(self, variable: Variable) -> str:

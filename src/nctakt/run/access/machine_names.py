@@ -44,6 +44,7 @@ class MachineNames:
                     ranges,
                     _fetched(configuration),
                     channel.parameters.spindle_names,
+                    channel.ignored_variables,
                 )
                 for channel in configuration.channels
             ],

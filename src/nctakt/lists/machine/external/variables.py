@@ -13,6 +13,8 @@ import re
 from collections.abc import Container, Iterator
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Span, Text
+from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import INHERIT_ACCESS, MAX_NAME_LENGTH, NAME_LENGTH, SCALARS
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
@@ -40,6 +42,8 @@ MAX_OFFSET = 0xFFFFFF
 #: Management data of each variable in V.CH memory, in bytes.
 MANAGEMENT_BYTES = 64
 _STRING_BYTES, _EXTENDED_STRING_BYTES, _VSTRING_BYTES = 24, 128, 128
+
+_TYPE, _SIZE = Text("type", "ihres Typs"), Text("size", "ihrer Größe")
 
 _NAME = re.compile(r"[A-Za-z_]\w*", re.A)
 
@@ -153,6 +157,20 @@ class Variable:
 
 
 @dataclass(frozen=True, slots=True)
+class IgnoredVariable:
+    """A variable whose type or size is impossible.
+
+    ``declared``: where its name stands. ``what`` and ``reason``: what is impossible, and where.
+    """
+
+    space: VariableSpace
+    name: str
+    declared: Span
+    what: Text
+    reason: Span
+
+
+@dataclass(frozen=True, slots=True)
 class VariablesConfiguration:
     """The variables of a list, in the order of their indices.
 
@@ -162,6 +180,7 @@ class VariablesConfiguration:
     external: tuple[Variable, ...]
     channel: tuple[Variable, ...]
     checks_overlapping: bool = False
+    ignored: tuple[IgnoredVariable, ...] = ()
 
 
 def variables_configuration(values: Values, collector: Collector) -> VariablesConfiguration:
@@ -179,7 +198,8 @@ def variables_configuration(values: Values, collector: Collector) -> VariablesCo
         "var[]", VariableSpace.EXTERNAL, tuple(index for index in indices if index < count)
     )
     channel = builder.variables("vch[]", VariableSpace.CHANNEL, values.indices("vch[]"))
-    return VariablesConfiguration(external, channel, values.flag("check_overlapping_variables"))
+    checks_overlapping = values.flag("check_overlapping_variables")
+    return VariablesConfiguration(external, channel, checks_overlapping, tuple(builder.ignored))
 
 
 def channel_memory_bytes(variables: tuple[Variable, ...]) -> int:
@@ -204,6 +224,7 @@ class _Builder:
         self.collector = collector
         self.structures: dict[str, tuple[_Element, ...]] = {}
         self.counts: dict[str, int] = {}
+        self.ignored: list[IgnoredVariable] = []
         self._leaves = 0
         for index in values.indices("struct[]"):
             name = values.text("struct[].name", index)
@@ -231,7 +252,10 @@ class _Builder:
             name = self.values.text(f"{prefix}.name", index)
             if not self._usable(name, variables, f"{prefix}.name", index):
                 continue
-            if not self._fits(f"{prefix}.type", f"{prefix}.array_elements", index):
+            misfit = self._misfit(f"{prefix}.type", f"{prefix}.array_elements", index)
+            if misfit is not None:
+                declared, _ = self.values.position(f"{prefix}.name", index)
+                self.ignored.append(IgnoredVariable(space, name, declared, *misfit))
                 continue
             variable = self._variable(prefix, space, name, index)
             if variable is not None:
@@ -331,22 +355,27 @@ class _Builder:
         )
         return False
 
-    def _fits(self, type_pattern: str, array_pattern: str, index: int) -> bool:
-        """Return whether the variable's type exists, is not recursive and not too large."""
+    def _misfit(
+        self, type_pattern: str, array_pattern: str, index: int
+    ) -> tuple[Text, Span] | None:
+        """Return what is impossible of a variable, and where; ``None`` if nothing is.
+
+        Its type must exist and not be recursive, and it must not be too large.
+        """
         type_ = self.values.text(type_pattern, index)
         elements = self._count(type_, (type_pattern, index), ())
         if elements is None:
-            return False
+            return _TYPE, self.values.position(type_pattern, index)[0]
         elements *= max(1, self.values.integer(array_pattern, index))
         message, limit = VARIABLE_TOO_LARGE, MAX_LEAVES
         if elements <= MAX_LEAVES:
             if self._leaves + elements <= MAX_LEAVES_OF_LIST:
                 self._leaves += elements
-                return True
+                return None
             message, limit = VARIABLES_TOO_MANY, MAX_LEAVES_OF_LIST
         key = with_indices(array_pattern, (index,))
         self.values.report(self.collector, message, (array_pattern, index), key=key, limit=limit)
-        return False
+        return _SIZE, self.values.position(array_pattern, index)[0]
 
     def _count(
         self, type_: str, at: tuple[str, *tuple[int, ...]], outer: tuple[str, ...]
@@ -366,9 +395,18 @@ class _Builder:
             return None
         if type_ not in self.structures:
             key = with_indices(at[0], tuple(at[1:]))
-            names = ", ".join(SCALARS)
+            near = nearest(type_, [*SCALARS, *self.structures])
+            meant = (
+                Text(f"Did you mean {near}? ", f"War {near} gemeint? ") if near else Text("", "")
+            )
             self.values.report(
-                self.collector, UNKNOWN_VARIABLE_TYPE, at, key=key, value=type_, names=names
+                self.collector,
+                UNKNOWN_VARIABLE_TYPE,
+                at,
+                key=key,
+                value=type_,
+                names=", ".join(SCALARS),
+                meant=meant,
             )
             return None
         total = 0

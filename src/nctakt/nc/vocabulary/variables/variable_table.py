@@ -19,7 +19,13 @@ from math import inf
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.misspelling import nearest
 from nctakt.lists.declared.variables import SCALARS
-from nctakt.lists.machine.external.variables import AccessRights, Node, Variable, VariableScope
+from nctakt.lists.machine.external.variables import (
+    AccessRights,
+    IgnoredVariable,
+    Node,
+    Variable,
+    VariableScope,
+)
 from nctakt.nc.vocabulary.single_axes.axis_commands import AxisTraits
 from nctakt.nc.vocabulary.variables.cells import cells_of, leaf_cells
 from nctakt.nc.vocabulary.variables.realtime_variables import (
@@ -117,6 +123,7 @@ class ChannelNames:
     of axes that may move independently (P-AXIS-00457). Programs know ``spindles`` by
     ``spindle_names``. ``ranges``: number of an axis -> its software limits or modulo range.
     ``logical``: logical numbers of axes that the channel can fetch -> numbers in the machine.
+    ``ignored``: variables of its list that have no possible type.
     """
 
     axes: tuple[tuple[str, int], ...]
@@ -129,6 +136,7 @@ class ChannelNames:
     ranges: Mapping[int, tuple[float, float]] = field(default_factory=dict)
     logical: Mapping[int, int] = field(default_factory=dict)
     spindle_names: tuple[str, ...] = ()
+    ignored: tuple[IgnoredVariable, ...] = ()
 
 
 def _row_cells(rows: Sequence[RealtimeVariable]) -> int:
@@ -220,6 +228,8 @@ class NameTable:
             self._variables["E"][variable.name] = (variable.node, cell)
         for variable in channel.channel:
             self._variables["CH"][variable.name] = (variable.node, layout.allocate(variable))
+        #: Variables that the list declares in vain, by what programs would call them.
+        self.ignored = {f"{one.space.value}.{one.name}": one for one in channel.ignored}
         self._locations: dict[tuple[object, ...], Location | NotFound] = {}
         self._rtg = _offsets(CHANNEL_VARIABLES)
         self._rta = _offsets(AXIS_VARIABLES)

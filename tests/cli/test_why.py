@@ -140,6 +140,8 @@ def test_a_program_that_cannot_run_has_no_report(capsys: pytest.CaptureFixture[s
         ("part.nc --state soon", 900510),
         ("missing.nc", 900500),
         ("part.nc --at 1 V.E.TRIGER=1", 900541),
+        ("part.nc --variable V.E.TRIGER", 900541),
+        ("part.nc --variable MAIN.bDoor", 902660),
     ],
 )
 def test_wrong_words_are_wrong_usage(
@@ -150,6 +152,17 @@ def test_wrong_words_are_wrong_usage(
     shown = capsys.readouterr().err
     assert f"error {number}: " in shown
     assert "remedy: " in shown
+
+
+def test_a_variable_of_the_machine_that_no_plc_writes(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """902932 says what it is at the end: --at has set it, no statement of a PLC has."""
+    words = ["why", "part.nc", "--at", "0.1", "V.E.TRIGGER=5", "--variable", "V.E.TRIGGER"]
+    assert main(words) == 2
+    shown = capsys.readouterr().err
+    assert "has written V.E.TRIGGER in this run; at its end it is 5" in shown
+    assert "nctakt run, with --trace FILE --signals V.E.TRIGGER." in shown
 
 
 def test_a_plc_that_fails_is_told(capsys: pytest.CaptureFixture[str]) -> None:

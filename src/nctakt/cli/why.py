@@ -35,11 +35,13 @@ from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
+from nctakt.messages.commands.explaining import MACHINE_VARIABLE_UNCHANGED
 from nctakt.messages.commands.inputs import STIMULUS_WITHOUT_VALUE
 
 if TYPE_CHECKING:
     from nctakt.results.explained.why import WhyReport
     from nctakt.results.run import Run
+    from nctakt.run.controller import Controller
     from nctakt.run.options import RunKeywords
 
 
@@ -149,6 +151,8 @@ def _why(options: Options, access: FileAccess, asked: _Asked) -> int:
     if run is None:
         return EXIT_NC_ERROR
     run = with_limit_error(options, run)
+    if asked.variable is not None and run.why is not None:
+        _refuse_unwritten(asked.variable, run.why, controller)
     if options.form == "text":
         lowest = Severity.ERROR if options.quiet else Severity.NOTE
         print_diagnostics(run.diagnostics, options.language, lowest)
@@ -156,6 +160,17 @@ def _why(options: Options, access: FileAccess, asked: _Asked) -> int:
         text = _report(options, run, asked, tick)
         show_at_the_end(lambda file: print(text, end="", file=file))
     return exit_code(options, run)
+
+
+def _refuse_unwritten(name: str, report: WhyReport, controller: Controller) -> None:
+    """Raise ``Failure`` for a variable of the machine that no PLC has written (902932)."""
+    from nctakt.trace.events import number_text  # noqa: PLC0415 - the mode is chosen before
+
+    if name[:2].upper() != "V." or any(one.path.upper() == name.upper() for one in report.plc):
+        return
+    value = controller.read(name)
+    shown = value if isinstance(value, str) else number_text(value)
+    raise Failure(diagnostic(MACHINE_VARIABLE_UNCHANGED, name=name, value=shown))
 
 
 def _report(options: Options, run: Run, asked: _Asked, tick: int | None) -> str:

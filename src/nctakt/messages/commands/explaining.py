@@ -60,6 +60,14 @@ PROGRAMS_WITHOUT_CYCLES = error(
     remedy_en="Name a program that defines realtime cycles.",
     remedy_de="Ein Programm nennen, das Echtzeit-Zyklen definiert.",
 )
+MACHINE_VARIABLE_UNCHANGED = error(
+    902932,
+    en="no PLC in Structured Text has written {name} in this run; at its end it is {value}",
+    de="keine SPS in Strukturiertem Text hat {name} in diesem Lauf geschrieben; am Ende ist sie "
+    "{value}",
+    remedy_en="Its values in each tick: nctakt run, with --trace FILE --signals {name}.",
+    remedy_de="Ihre Werte in jedem Takt: nctakt run, mit --trace DATEI --signals {name}.",
+)
 PLC_VARIABLE_UNCHANGED = error(
     902660,
     en="this run has recorded no write of {path} by the PLC",

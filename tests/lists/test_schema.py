@@ -375,3 +375,18 @@ def test_names_are_declared_once(tmp_path: Path) -> None:
     schema = Schema("x", Text("x", "y"), ListDialect(), ParameterTable(str(table)))
     with pytest.raises(AssertionError):
         schema.find("a")
+
+
+@pytest.mark.parametrize(
+    ("text", "bound"),
+    [("", "10000"), ("getriebe[0].dynamik.tr_min 20000\n", "20000")],
+)
+def test_a_value_out_of_range_names_entry_and_value_of_its_bound(text: str, bound: str) -> None:
+    """P-AXIS-00200 ≥ P-AXIS-00201, whose default is 10000, wherever the list has it."""
+    collector = Collector()
+    lines = f"getriebe[0].slope_profil.tr_grenz -40000\n{text}"
+    load_list(AXIS, "x.lis", lines.encode(), collector)
+    (found,) = [one for one in collector.diagnostics if one.id == 110243]
+    told = f"P-AXIS-00201 (getriebe[0].dynamik.tr_min = {bound}) … 4294967295"
+    assert f"-40000 is outside {told}" in found.text()
+    assert told in found.remedy()

@@ -7,6 +7,9 @@ the value, or ``None`` after a report with the reason.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
+
 from nctakt.base.diagnostics import Message
 from nctakt.lists.format.controller_numbers import bound_number, range_number
 from nctakt.lists.format.parameter import Effect, Parameter, Value, ValueType, range_text, shown
@@ -40,9 +43,13 @@ def convert(
     dialect: ListDialect,
     default: Value,
     collector: Collector,
+    limits: Mapping[str, str] = MappingProxyType({}),
 ) -> Value:
-    """Return the value of ``entry``, ``None`` after a report if it is missing or defective."""
-    report = _Report(parameter, entry, default, collector)
+    """Return the value of ``entry``, ``None`` after a report if it is missing or defective.
+
+    ``limits``: entries and values of other parameters that are bounds, by their IDs.
+    """
+    report = _Report(parameter, entry, default, collector, limits)
     if parameter.type is ValueType.STRING:
         return _string(parameter, entry, report)
     if parameter.type is ValueType.FLAGS:
@@ -61,12 +68,18 @@ class _Report:
     """Reports on one entry; each method returns ``None`` so that it can end a conversion."""
 
     def __init__(
-        self, parameter: Parameter, entry: Entry, default: Value, collector: Collector
+        self,
+        parameter: Parameter,
+        entry: Entry,
+        default: Value,
+        collector: Collector,
+        limits: Mapping[str, str],
     ) -> None:
         self.parameter = parameter
         self.entry = entry
         self.default = default
         self.collector = collector
+        self.limits = limits
 
     def no_value(self) -> Value:
         entry = self.entry
@@ -162,7 +175,7 @@ def _number(parameter: Parameter, word: Word, dialect: ListDialect, report: _Rep
             word,
             range_number(parameter, number),
             value=word.text,
-            range=range_text(parameter),
+            range=range_text(parameter, report.limits),
         )
     return number
 

@@ -9,15 +9,21 @@ for one parameter the last counts.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.lists.format.convert import convert
 from nctakt.lists.format.entries import read_entries
 from nctakt.lists.format.limits import keep_limits
-from nctakt.lists.format.parameter import Effect, Parameter, with_indices
+from nctakt.lists.format.parameter import Effect, Parameter, shown, with_indices
 from nctakt.lists.format.reader import Entry
-from nctakt.lists.format.references import default_of, reference_of, resolve
+from nctakt.lists.format.references import (
+    default_of,
+    effective_value,
+    key_of,
+    reference_of,
+    resolve,
+)
 from nctakt.lists.format.schema import Schema
 from nctakt.lists.format.values import EntryValue, Key, Values
 from nctakt.lists.format.without_effect import Detail, report_without_effect
@@ -79,7 +85,8 @@ def check_list(
     values: dict[Key, EntryValue] = {}
     if base is not None:
         values = {**base.entry_values, **base.unused_values}
-    for key, (parameter, entry) in _select(schema, entries, collector, detail).items():
+    selected = _select(schema, entries, collector, detail)
+    for key, (parameter, entry) in selected.items():
         earlier = values.get(key)
         default = default_of(schema, values, parameter, key[1])
         if earlier is not None:
@@ -88,7 +95,8 @@ def check_list(
         if reference:
             values[key] = EntryValue(default, entry, reference)
             continue
-        value = convert(parameter, entry, schema.dialect, default, collector)
+        limits = _limits(schema, values, selected, parameter, key[1])
+        value = convert(parameter, entry, schema.dialect, default, collector, limits)
         if value is not None:
             values[key] = EntryValue(value, entry)
     values = keep_limits(schema, file, resolve(schema, values, collector), collector)
@@ -96,6 +104,28 @@ def check_list(
     unused = {key: item for key, item in values.items() if key not in used}
     report_without_effect(schema, file, values, tuple(unused), collector, detail)
     return Values(schema, file, used, unused)
+
+
+def _limits(
+    schema: Schema,
+    values: Mapping[Key, EntryValue],
+    selected: Mapping[Key, tuple[Parameter, Entry]],
+    parameter: Parameter,
+    indices: tuple[int, ...],
+) -> dict[str, str]:
+    """Return entry and value of each parameter that is a bound of this one, by their IDs."""
+    found: dict[str, str] = {}
+    for limit in (parameter.at_least, parameter.at_most):
+        key = None if limit is None else key_of(schema, limit.id, indices)
+        if limit is None or key is None:
+            continue
+        value = effective_value(schema, values, limit.id, indices)
+        if key in selected and not reference_of(*selected[key]):
+            own = convert(*selected[key], schema.dialect, value, Collector())
+            value = value if own is None else own
+        if value not in (None, 0):  # 0 may stand for "not set"
+            found[limit.id] = f"{with_indices(*key)} = {shown(value)}"
+    return found
 
 
 def _is_used(schema: Schema, key: Key) -> bool:

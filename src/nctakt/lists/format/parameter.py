@@ -11,6 +11,7 @@ import enum
 import re
 from collections.abc import Mapping
 from functools import cache
+from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Message, Text
@@ -179,10 +180,11 @@ class Parameter:
 _INFINITE = float("inf")
 
 
-def range_text(parameter: Parameter) -> str:
+def range_text(parameter: Parameter, limits: Mapping[str, str] = MappingProxyType({})) -> str:
     """Return the range of a parameter as text, empty without one.
 
     ``1 … P-AXIS-00008``, ``0 | 512 … ∞``, ``> 0 … 1``; for a text ``≤`` and its maximum length.
+    ``limits``: what is said of other parameters that are bounds, by their IDs.
     """
     if parameter.type is ValueType.STRING:
         return "" if parameter.high is None else f"≤ {parameter.high}"
@@ -194,8 +196,8 @@ def range_text(parameter: Parameter) -> str:
         excluded.remove(low)
         low += 1
     ends = (
-        _end(low, parameter.at_least, ">", low in excluded),
-        _end(high, parameter.at_most, "<", high in excluded),
+        _end(low, parameter.at_least, ">", low in excluded, limits),
+        _end(high, parameter.at_most, "<", high in excluded, limits),
     )
     excluded -= {low, high}
     alternatives = [_number_text(number) for number in parameter.also]
@@ -205,11 +207,14 @@ def range_text(parameter: Parameter) -> str:
     return " | ".join((*alternatives, *without))
 
 
-def _end(bound: float, limit: Limit | None, sign: str, is_excluded: bool) -> str:
+def _end(
+    bound: float, limit: Limit | None, sign: str, is_excluded: bool, limits: Mapping[str, str]
+) -> str:
     if limit is None:
         return f"{sign + ' ' if is_excluded else ''}{_number_text(bound)}"
     factor = "" if limit.factor == 1 else f"{limit.factor:g} · "
-    return f"{sign + ' ' if limit.is_exclusive else ''}{factor}{limit.id}"
+    known = f" ({limits[limit.id]})" if limit.id in limits else ""
+    return f"{sign + ' ' if limit.is_exclusive else ''}{factor}{limit.id}{known}"
 
 
 def _number_text(number: float) -> str:

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from support.why_runs import NESTED, NESTED_AT, ONCE, TOGGLE, why
 
 from nctakt.base.failure import Failure
 from nctakt.results.explained.why_words import ENDS_SHOWN
+from nctakt.run.controller import Controller
 
 ENGLISH = """\
 realtime cycle 17  part.nc:1  PROG
@@ -217,3 +220,17 @@ def test_a_frozen_value_is_told() -> None:
 def test_a_distance_has_no_digits_of_rounding() -> None:
     """X ends its path 0.002 mm before 300; the difference of the two doubles is longer."""
     assert "> 300, 0.002 away" in why(ONCE.replace("200", "300")).render()
+
+
+def test_a_line_of_another_file_names_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """RC-111: a subprogram deletes the cycle; a line number alone would be one of the program."""
+    monkeypatch.chdir(tmp_path)
+    Path("off.nc").write_text("#RT CYCLE DELETE [ID=2]\nM17\n", "utf-8")
+    Path("part.nc").write_text(
+        "#RT CYCLE [ID=2 SCOPE=PROG]\n  V.E.COUNT += 1\n#RT CYCLE END\n"
+        "#TIME 0.005\nL off.nc\n#TIME 0.005\nM30\n",
+        "utf-8",
+    )
+    report = Controller().run("part.nc", why=True).why
+    assert report is not None
+    assert "deleted, off.nc:1\n" in report.render()

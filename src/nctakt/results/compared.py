@@ -15,7 +15,7 @@ from nctakt.kernel import codes
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.cycles import conditions
 from nctakt.kernel.cycles.context import Context
-from nctakt.trace.events import number_text
+from nctakt.results.compared_numbers import TRUE_FROM, comparison_text
 
 #: Node of a condition -> the operator that the text shows.
 OPERATORS: dict[type[conditions.Condition], str] = {
@@ -68,19 +68,8 @@ class Compared:
                 for part in self.parts
             ]
             return f" {self.operator} ".join(texts)
-        if self.operator in _COMPARISONS:
-            left, right = self._short()
-            return f"{left} {self.operator} {right}"
-        return number_text(self.left)
-
-    def _short(self) -> tuple[str, str]:
-        """Return both sides with as few digits as keep the result, six or more."""
-        compare = _COMPARISONS[self.operator]
-        for digits in (6, 9, 12):
-            left, right = f"{self.left:.{digits}g}", f"{self.right:.{digits}g}"
-            if compare(float(left), float(right)) == self.truth:
-                return left, right
-        return number_text(self.left), number_text(self.right)
+        shown = self.operator if self.operator in _COMPARISONS else ""
+        return comparison_text(shown, self.left, self.right)
 
 
 def compared_last(node: conditions.Condition) -> Compared | None:
@@ -109,7 +98,7 @@ def compared_now(node: conditions.Condition, context: Context) -> Compared | Non
     if parts:
         truths = [part.truth for part in known]
         truth = all(truths) if kind == "&&" else any(truths)
-        return Compared(kind, truth, float(truth), 0.5, known)
+        return Compared(kind, truth, float(truth), TRUE_FROM, known)
     left, right = node.sides(context)
     if context.fault:
         return None

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nctakt.base.diagnostics import Language, Text
+from nctakt.results.compared_numbers import comparison_text, distance_text
 from nctakt.results.coverage import (
     PLC_SCOPES,
     WITHOUT_CONDITION,
@@ -21,7 +22,7 @@ from nctakt.results.coverage import (
     NearestMiss,
 )
 from nctakt.results.histories import WITHOUT_VALUES
-from nctakt.trace.events import distance_text, number_text
+from nctakt.trace.events import number_text
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
 _NO_NAME = Text("realtime cycle", "Echtzeit-Zyklus")
@@ -161,9 +162,7 @@ class CoverageText:
         """Return how near to a change a condition came; empty for a combination of conditions."""
         if miss is None or condition.operator in WITHOUT_VALUES:
             return ""
-        values = number_text(miss.left)
-        if condition.operator:
-            values = f"{values} {condition.operator} {number_text(miss.right)}"
+        values = comparison_text(condition.operator, miss.left, miss.right)
         return self._get(_NEAREST, values=values, distance=distance_text(miss.distance))
 
     # --- source ---------------------------------------------------------------------------------

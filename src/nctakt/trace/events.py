@@ -136,11 +136,6 @@ def number_text(value: float) -> str:
     return repr(value + 0.0).removesuffix(".0")
 
 
-def distance_text(distance: float) -> str:
-    """Return the difference of two values without what only rounding has put there."""
-    return number_text(float(f"{distance:.9g}"))
-
-
 def value_text(value: float | str) -> str:
     """Return a number as ``number_text``, a text between quotes."""
     return f'"{value}"' if isinstance(value, str) else number_text(value)

@@ -123,7 +123,7 @@ def render_answer(cycles: Sequence[CycleHistory], tick: int, words: Words) -> st
             for line in _answer(cycle, cycle.branches[index], asked, asked < tick, words)
         ]
         if end is not None and asked < tick:
-            how = words.ended(end.ended_by, end.span, end.number)
+            how = words.ended(end.ended_by, end.span, end.number, cycle.span.file)
             lines.append(words.get(_CYCLE_ENDED, tick=words.tick(end.tick), how=how))
     return "".join(f"{line}\n" for line in lines)
 
@@ -158,7 +158,9 @@ def render_state(cycles: Sequence[CycleHistory], left_out: int, tick: int, words
         idle = why_cycle_idle(cycle, tick)
         lines += ["", _headline(cycle, words)]
         if idle is not None:
-            lines.append(f"  {words.get(_AT_IDLE, reason=words.cycle_reason(idle))}")
+            lines.append(
+                f"  {words.get(_AT_IDLE, reason=words.cycle_reason(idle, cycle.span.file))}"
+            )
             continue
         lines.append(f"  {words.get(_AT_RAN)}")
         lines += _branches(cycle, lambda branch, of: _state(of, branch, tick, words), words)
@@ -191,7 +193,7 @@ def _life(cycle: CycleHistory, last_tick: int, words: Words) -> list[str]:
         ran = words.get(_RAN_IN, times=words.times(cycle.runs))
         lines.insert(len(lines) - 1 if last else len(lines), ran)
     else:
-        lines.append(words.get(_NEVER_RAN, reason=words.cycle_reason(never)))
+        lines.append(words.get(_NEVER_RAN, reason=words.cycle_reason(never, cycle.span.file)))
     if not cycle.shown and cycle.branches:
         lines.append(words.get(_OUTSIDE))
     return lines
@@ -210,9 +212,10 @@ def _step(cycle: CycleHistory, index: int, words: Words) -> str:
         step = words.get(_AND_STARTED)
     text = words.get(_STEP_AT, step=step, tick=words.tick(event.tick))
     if event.kind == "ended":
-        return f"{text}: {words.ended(event.ended_by, event.span, event.number)}"
+        how = words.ended(event.ended_by, event.span, event.number, cycle.span.file)
+        return f"{text}: {how}"
     if event.kind in ("started", "held", "continued") and event.span is not None:
-        return f"{text}, {words.line(event.span)}"
+        return f"{text}, {words.line(event.span, cycle.span.file)}"
     return text
 
 

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.lists.format.times import Time
+from nctakt.results.compared_numbers import comparison_text, distance_text
 from nctakt.results.histories import (
     WITHOUT_VALUES,
     BranchHistory,
@@ -21,7 +22,6 @@ from nctakt.results.histories import (
     Series,
     Times,
 )
-from nctakt.trace.events import distance_text, number_text
 
 #: Number of items shown at each end of a long list.
 ENDS_SHOWN = 4
@@ -134,17 +134,18 @@ class Words:
 
     # --- places and values ----------------------------------------------------------------------
 
-    def line(self, span: Span) -> str:
-        """Return the line number: ``line 4``."""
+    def line(self, span: Span, file: str = "") -> str:
+        """Return the line number: ``line 4``; ``lib/x.nc:4`` if it is not in ``file``."""
+        if file and span.file != file:
+            return f"{span.file}:{span.line}"
         return self.get(_LINE, line=span.line)
 
     def values(self, condition: ConditionHistory, left: float, right: float) -> str:
         """Return the compared values: ``200.25 > 200``; empty where none are recorded."""
         if condition.operator in WITHOUT_VALUES:
             return ""
-        if not condition.operator:
-            return self.get(_TRUE_FROM_HALF, value=number_text(left))
-        return f"{number_text(left)} {condition.operator} {number_text(right)}"
+        shown = comparison_text(condition.operator, left, right)
+        return shown if condition.operator else self.get(_TRUE_FROM_HALF, value=shown)
 
     def seen(self, condition: ConditionHistory, change: Change) -> str:
         """Return the tick of a change of truth and the compared values."""
@@ -164,24 +165,24 @@ class Words:
 
     # --- reasons --------------------------------------------------------------------------------
 
-    def ended(self, reason: str, span: Span | None, number: int) -> str:
-        """Return how a cycle ended, with the responsible line."""
+    def ended(self, reason: str, span: Span | None, number: int, file: str) -> str:
+        """Return how a cycle of ``file`` ended, with the responsible line."""
         text = self.get(_ENDED_BY[reason])
         if number:
             text = f"{text}: {self.get(_ERROR, number=number)}"
         if span is not None and reason in ("delete", "error"):
-            text = self.get(_AT_COMMAND, text=text, line=self.line(span))
+            text = self.get(_AT_COMMAND, text=text, line=self.line(span, file))
         return text
 
-    def cycle_reason(self, reason: Reason) -> str:
-        """Return why a cycle did not run."""
+    def cycle_reason(self, reason: Reason, file: str) -> str:
+        """Return why a cycle of ``file`` did not run."""
         kind = "undefined yet" if reason.kind == "undefined" and reason.tick else reason.kind
         tick = "" if reason.tick is None else self.tick(reason.tick)
         text = self.get(_CYCLE_REASONS[kind], tick=tick)
         if reason.kind == "ended":
-            return f"{text}: {self.ended(reason.ended_by, reason.span, reason.number)}"
+            return f"{text}: {self.ended(reason.ended_by, reason.span, reason.number, file)}"
         if reason.kind in ("held", "stopped") and reason.span is not None:
-            text = self.get(_AT_COMMAND, text=text, line=self.line(reason.span))
+            text = self.get(_AT_COMMAND, text=text, line=self.line(reason.span, file))
         return text
 
     def branch_reason(
@@ -200,7 +201,7 @@ class Words:
         match reason.kind:
             case "cycle":
                 assert reason.cycle is not None
-                text = self.cycle_reason(reason.cycle)
+                text = self.cycle_reason(reason.cycle, cycle.span.file)
                 return self.get(_BRANCH_REASONS["cycle"], reason=text)
             case "outer" | "earlier":
                 assert reason.branch is not None
@@ -212,7 +213,7 @@ class Words:
                 kind = reason.kind if tick else f"{reason.kind} before"
                 return self.get(_BRANCH_REASONS[kind], tick=tick)
             case "fault":
-                return self._fault(reason, tick)
+                return self._fault(reason, tick, cycle.span.file)
         return self.get(_BRANCH_REASONS[reason.kind])
 
     def _false(self, condition: ConditionHistory, reason: Reason) -> str:
@@ -223,10 +224,10 @@ class Words:
             return self.nearest(condition, reason.nearest)
         return self.get(_BRANCH_REASONS["false"])
 
-    def _fault(self, reason: Reason, tick: str) -> str:
+    def _fault(self, reason: Reason, tick: str, file: str) -> str:
         text = self.get(_BRANCH_REASONS["fault"], tick=tick)
         if reason.number:
             text = f"{text}: {self.get(_ERROR, number=reason.number)}"
         if reason.span is not None:
-            text = self.get(_AT_COMMAND, text=text, line=self.line(reason.span))
+            text = self.get(_AT_COMMAND, text=text, line=self.line(reason.span, file))
         return text

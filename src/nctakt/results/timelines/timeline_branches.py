@@ -14,12 +14,12 @@ from itertools import pairwise
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span, Text
+from nctakt.results.compared_numbers import comparison_text
 from nctakt.results.explained.why import WhyReport
 from nctakt.results.explained.why_text import why_never
 from nctakt.results.explained.why_words import Words
 from nctakt.results.histories import BranchHistory, Change
 from nctakt.results.timelines.timeline import Slice, Track, TrackKind
-from nctakt.trace.events import number_text
 
 
 @dataclass(slots=True)
@@ -158,7 +158,4 @@ def _values(branch: BranchHistory, tick: int) -> str:
         return ""
     if condition.operator in ("&&", "||"):
         return ""
-    left, right = (f"{value:.10g}" for value in (change.left, change.right))
-    if left == right:  # they may differ in the digits after these
-        left, right = number_text(change.left), number_text(change.right)
-    return f"{left} {condition.operator} {right}"
+    return comparison_text(condition.operator, change.left, change.right)

@@ -86,6 +86,23 @@ def check(capsys: pytest.CaptureFixture[str]) -> Check:
 # --- programs ------------------------------------------------------------------------------------
 
 
+def test_findings_come_by_path_and_line(check: Check) -> None:
+    """Also those of lists that the start-up list names by another path."""
+    shutil.copytree(DEMO, "listen")
+    startup = Path("listen/hochlauf.lis")
+    text = startup.read_text("utf-8").replace("./sda_mds1.lis", "..\\listen\\SDA_MDS1.LIS")
+    startup.write_text(text, "utf-8")
+    for name in ("achs_mds1.lis", "sda_mds1.lis"):
+        file = Path("listen", name)
+        file.write_bytes("# für\n".encode("cp1252") + file.read_bytes())
+    write("a.nc", "G01 X1 F6000 M99999\nV.E.NOWHERE = 1\n")
+    found = check(".").found[:-1]  # the remark on the machine is the last one
+    assert found == sorted(found)
+    places = [(file, line) for file, line, _ in found]
+    assert ("listen/achs_mds1.lis", 1) in places
+    assert ("listen/sda_mds1.lis", 1) in places
+
+
 def test_a_program_without_mistakes(check: Check) -> None:
     """Nothing found: exit code 0, for which machine it was checked, and one closing line."""
     write("good.nc", GOOD)

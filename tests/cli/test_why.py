@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -14,6 +16,7 @@ import pytest
 
 import nctakt
 from nctakt.cli import main
+from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.run.controller import Controller
 
 ROOT = Path(__file__).parent.parent.parent
@@ -50,6 +53,25 @@ def test_the_report_follows_how_the_run_ended(capsys: pytest.CaptureFixture[str]
     assert "    true from tick 463 (0.463 s): 200.25 > 200" in shown
     assert "    never ran: never true, nearest at tick 0 (0 s): 0 == 1, 1 away" in shown
     assert not any("on the way" in line for line in shown)
+
+
+def test_notes_about_the_lists_are_one(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Who runs a program has not asked for them; check shows them, and JSON has them."""
+    shutil.copytree(DEMO_FOLDER, folder / "mine")
+    for name in ("achs_mds1.lis", "achs_mds2.lis"):
+        axis = folder / "mine" / name
+        axis.write_bytes("# für\n".encode("cp1252") + axis.read_bytes())
+    for command in ("run", "why"):
+        assert main([command, "part.nc", "--machine", "mine"]) == 0
+        shown = capsys.readouterr().err
+        assert "note 902936: notes about the lists of the machine: 2\n" in shown
+        assert "  remedy: nctakt check mine shows them.\n" in shown
+        assert "900000" not in shown
+    assert main(["check", "mine"]) == 0
+    assert capsys.readouterr().out.count("note 900000") == 2
+    assert main(["why", "part.nc", "--machine", "mine", "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    assert [one["id"] for one in found].count(900000) == 2
 
 
 def test_a_value_at_a_time_changes_the_report(capsys: pytest.CaptureFixture[str]) -> None:

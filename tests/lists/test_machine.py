@@ -269,6 +269,55 @@ def test_where_a_list_is_searched(
     assert len(machine.axes) == 1
 
 
+def test_files_are_named_by_their_shortest_path(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """``..`` after a folder takes that away, in notes, in lists of files and beside mistakes."""
+    startup = STARTUP.replace("x.lis", "..\\listen\\X.LIS").replace(
+        "kanal.lis", "../listen/kanal.lis"
+    )
+    write(tmp_path / "listen", {"hochlauf.lis": startup, "x.lis": "kopf.achs_nr 0\n"})
+    monkeypatch.chdir(tmp_path)
+    machine, found = load(Path())
+    assert sorted(found) == [20312, 110076, 900063, 900974]
+    files = [path.as_posix() for _, path in machine.lists]
+    assert "listen/kanal.lis" in files
+    assert not any(".." in file for file in files)
+    by_number = {one.id: one for one in machine.diagnostics}
+    assert (by_number[900063].values["count"], by_number[900063].values["file"]) == (
+        1,
+        "listen/x.lis",
+    )
+    assert str(by_number[110076].span).startswith("listen/x.lis:")
+
+
+def test_a_link_is_no_way_back(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The folder above what a link leads to is not the one that the link lies in."""
+    startup = STARTUP.replace("x.lis", "../other/x.lis")
+    write(tmp_path / "far" / "listen", {"hochlauf.lis": startup})
+    write(tmp_path / "far" / "other", {})
+    (tmp_path / "listen").symlink_to(tmp_path / "far" / "listen", target_is_directory=True)
+    monkeypatch.chdir(tmp_path)
+    machine, found = load(Path("listen"))
+    assert (found, len(machine.axes)) == ([], 1)
+    assert ("axis", Path("listen/../other/x.lis")) in machine.lists
+
+
+def test_a_missing_list_names_the_paths_that_were_tried(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each once, in the order of the search: first the path as a whole."""
+    startup = STARTUP.replace("x.lis", "..\\listen\\y.lis")
+    write(tmp_path / "listen", {"hochlauf.lis": startup})
+    monkeypatch.chdir(tmp_path)
+    machine, _ = load(Path("listen"))
+    (missing,) = [one for one in machine.diagnostics if one.id == 2001]
+    assert missing.remedy("en") == (
+        "Searched: listen/y.lis, ../listen/y.lis, listen/listen/y.lis, y.lis; correct the path, or "
+        "name another folder with --root."
+    )
+
+
 def test_a_parent_above_the_named_folder_is_not_searched(tmp_path: Path) -> None:
     """Only the folder above the start-up list is, in any case."""
     folder = write(tmp_path / "a" / "b" / "c", {"hochlauf.lis": STARTUP, "x.lis": ""})

@@ -27,6 +27,7 @@ from nctakt.cli.common.running import (
     TIMES_NOTE,
     choose_mode,
     exit_code,
+    print_findings,
     run_options,
     run_programs,
     start_controller,
@@ -48,6 +49,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from nctakt.base.diagnostics import Diagnostic
+    from nctakt.lists.machine.machine import Machine
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.access.tape import TapeComparison, TapeWriter
@@ -140,7 +142,7 @@ def run_with(options: Options, access: FileAccess) -> int:
             drawings.draw(run)
     if run is None:
         return EXIT_NC_ERROR
-    return max(_tell(options, run, wall_s), tape.tell(run))
+    return max(_tell(options, run, controller.machine, wall_s), tape.tell(run))
 
 
 class _Taping:
@@ -270,7 +272,7 @@ def _run_controller(
     )
 
 
-def _tell(options: Options, run: Run, wall_s: float) -> int:
+def _tell(options: Options, run: Run, machine: Machine, wall_s: float) -> int:
     """Show diagnostics and summary; return the exit code."""
     from nctakt.results.summary import print_summary  # noqa: PLC0415 - the mode is chosen before
 
@@ -282,7 +284,7 @@ def _tell(options: Options, run: Run, wall_s: float) -> int:
         show_at_the_end(lambda file: print(text, end="", file=file))
         return exit_code(options, run)
     lowest = Severity.WARNING if options.quiet else Severity.NOTE
-    print_diagnostics(run.diagnostics, options.language, lowest)
+    print_findings(run, machine, options.language, lowest)
     if not options.quiet:
         show_at_the_end(lambda file: print_summary(run, file, options.language, wall_s))
     return exit_code(options, run)

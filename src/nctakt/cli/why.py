@@ -25,13 +25,14 @@ from nctakt.cli.common.running import (
     TIMES_NOTE,
     choose_mode,
     exit_code,
+    print_findings,
     run_options,
     run_programs,
     start_controller,
     with_limit_error,
 )
 from nctakt.cli.common.settings import carry_out
-from nctakt.cli.common.terminal import print_diagnostics, show_at_the_end
+from nctakt.cli.common.terminal import show_at_the_end
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import read_time
 from nctakt.messages import diagnostic
@@ -155,7 +156,7 @@ def _why(options: Options, access: FileAccess, asked: _Asked) -> int:
         _refuse_unwritten(asked.variable, run.why, controller)
     if options.form == "text":
         lowest = Severity.ERROR if options.quiet else Severity.NOTE
-        print_diagnostics(run.diagnostics, options.language, lowest)
+        print_findings(run, controller.machine, options.language, lowest)
     if run.ticks or options.form == "json":
         text = _report(options, run, asked, tick)
         show_at_the_end(lambda file: print(text, end="", file=file))

@@ -12,7 +12,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from nctakt.base.diagnostics import Severity, Text
+from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.common.options import ISOLATE_OPTION, MODE_OPTION, TRUST_OPTION, table_options
@@ -21,6 +21,7 @@ from nctakt.cli.common.terminal import InterruptRequest, ProgressBar, print_diag
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
+from nctakt.messages.commands.checking import NOTES_OF_LISTS
 from nctakt.messages.commands.command_line import (
     COMPILED_PART_MISSING,
     RUN_NOT_ENDED,
@@ -30,6 +31,7 @@ from nctakt.messages.scheduling.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 
 if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
+    from nctakt.lists.machine.machine import Machine
     from nctakt.results.run import ProgramMessage, Run
     from nctakt.run.access.inputs import InputListener
     from nctakt.run.controller import Controller
@@ -86,7 +88,7 @@ def choose_mode(options: Options) -> None:
 
 def start_controller(options: Options, access: FileAccess) -> Controller:
     """Return a controller of the machine; a note says which, if no word names it."""
-    from nctakt.lists.machine.machine import Machine, load_machine  # noqa: PLC0415 - as below
+    from nctakt.lists.machine.machine import load_machine  # noqa: PLC0415 - as below
     from nctakt.run.controller import Controller  # noqa: PLC0415 - the mode is chosen before
 
     if options.machine_note is not None and not options.quiet:
@@ -178,6 +180,20 @@ def run_programs(
         return None
     finally:
         bar.hide()
+
+
+def print_findings(run: Run, machine: Machine, language: Language, lowest: Severity) -> None:
+    """Show the diagnostics of a run; the notes about the machine's lists are one (902936)."""
+    of_lists = {
+        id(one)
+        for one in machine.diagnostics
+        if one.severity is Severity.NOTE and one.span is not None
+    }
+    shown = [one for one in run.diagnostics if id(one) not in of_lists]
+    if left := len(run.diagnostics) - len(shown):
+        folder = machine.folder.as_posix()
+        shown.insert(0, diagnostic(NOTES_OF_LISTS, count=left, folder=folder))
+    print_diagnostics(shown, language, lowest)
 
 
 def exit_code(options: Options, run: Run) -> int:

@@ -6,13 +6,14 @@ of the start-up list, its parents up to the folder that the user named (the one 
 working directory, the root folder. Out: the file. Both slashes and any letter case count, as on
 Windows. Where no folder has the path as a whole, its first parts are left out one after the other:
 ``./listen/x.lis`` is ``x.lis`` where the files lie beside the start-up list. What was found with
-such tolerance is one note for the machine.
+such tolerance is one note for the machine. ``..`` after a folder takes that away: all messages name
+a file by its shortest path.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path, PureWindowsPath
 
 from nctakt.base.failure import Failure
@@ -31,6 +32,8 @@ DEMO_FOLDER = _MACHINES / BUILT_IN_MACHINES[0]
 STARTUP_NAMES = ("hochlauf.lis", "startup.lis", "hochlauf.xml", "startup.xml")
 #: Further names of start-up lists in the field.
 _STARTUP_NAME = re.compile(r"(hochlauf|start[_-]?up)[\w-]*\.(lis|xml)", re.IGNORECASE)
+#: Paths that a message about a missing list names at most.
+_MAX_TRIED = 8
 #: The first part of paths in XML lists: the controller's root folder.
 _CONTROLLER_ROOT = "cnckernelrootdir"
 
@@ -70,18 +73,34 @@ class ListSearch:
             )
             return None
         if file is None:
-            folders = ", ".join(f"{folder.as_posix()}/" for folder in self.folders)
             collector.report(
                 LIST_FILE_MISSING,
                 reference.span,
                 reference.line,
                 path=reference.path,
-                folders=folders,
+                paths=self._tried(reference.path),
             )
             return None
-        if not file.as_posix().endswith("/".join(_parts(reference.path, "/"))):
+        if not self._is_as_written(reference.path, file):
             self._tolerated.append((reference, file))
         return file
+
+    def _tried(self, path: str) -> str:
+        """Return the paths that a missing file would have, each once, as text for a message."""
+        parts = _parts(path, r"[\\/]")
+        paths = [
+            _joined(folder, parts[first:]) for first in range(len(parts)) for folder in self.folders
+        ]
+        shown = list(dict.fromkeys(one.as_posix() for one in paths))
+        more = ["…"] if len(shown) > _MAX_TRIED else []
+        return ", ".join(shown[:_MAX_TRIED] + more)
+
+    def _is_as_written(self, path: str, file: Path) -> bool:
+        """Return whether a path in a list has the slashes and the letter case of its file."""
+        parts = _parts(path, "/")
+        return file.as_posix().endswith("/".join(parts)) or any(
+            _joined(folder, parts) == file for folder in self.folders
+        )
 
     def find(self, path: str) -> Path | None:
         """Return the file of ``path``, ``None`` if there is none that may be read."""
@@ -123,7 +142,7 @@ class ListSearch:
             name = part if part == ".." else self._entry(folder, part)
             if name is None:
                 return None
-            folder = folder / name
+            folder = _joined(folder, [name])
         return folder
 
     def _entry(self, folder: Path, name: str) -> str | None:
@@ -156,6 +175,14 @@ def _parts(path: str, separator: str) -> list[str]:
     return parts[1:] if parts and parts[0].casefold() == _CONTROLLER_ROOT else parts
 
 
+def _joined(folder: Path, parts: Sequence[str]) -> Path:
+    """Return a path below a folder; ``..`` takes its last folder away unless that is a link."""
+    for part in parts:
+        is_above = part == ".." and folder.name not in {"", ".."} and not folder.is_symlink()
+        folder = folder.parent if is_above else folder / part
+    return folder
+
+
 def find_below(path: str, folder: Path, access: FileAccess) -> Path | None:
     """Search ``path`` in ``folder`` alone, as far as ``access`` allows."""
     plain = path.replace("\\", "/")
@@ -170,7 +197,7 @@ def find_below(path: str, folder: Path, access: FileAccess) -> Path | None:
         name = part if part == ".." else find_entry(current, part)
         if name is None:
             return None
-        current = current / name
+        current = _joined(current, [name])
     return current if _is_admitted_file(current, access) else None
 
 

@@ -23,6 +23,14 @@ NOTHING_NAMED_TO_CHECK = error(
     remedy_en='Name them (nctakt check .), or write paths = ["programs"] in nctakt.toml.',
     remedy_de='Sie angeben (nctakt check .) oder paths = ["programme"] in nctakt.toml schreiben.',
 )
+NOTES_OF_LISTS = note(
+    902936,
+    en="notes about the lists of the machine: {count}",
+    de="Hinweise zu den Listen der Maschine: {count}",
+    remedy_en="nctakt check {folder} shows them.",
+    remedy_de="nctakt check {folder} zeigt sie.",
+    count=("the number of these notes", "die Anzahl dieser Hinweise"),
+)
 NOT_A_TEXT_FILE = error(
     900581,
     en="{file} is not a text file",
@@ -77,7 +85,7 @@ CHECKED_FOR_MACHINE_OF_FILE = note(
     en="programs are checked for the machine of {file}",
     de="Programme werden für die Maschine von {file} geprüft",
     remedy_en="--machine FOLDER checks them for another one.",
-    remedy_de="--machine FOLDER prüft sie für eine andere.",
+    remedy_de="--machine ORDNER prüft sie für eine andere.",
     file=(
         "the start-up list that lies in their folder, or above it",
         "die Hochlaufliste in ihrem Ordner oder darüber",

@@ -32,10 +32,10 @@ LIST_FILE_MISSING = error(
     known_as=(900062, 1000056, 1000058, 1000059, 1000060, 1000061, 1000062, 21144, 22017),
     en="the list {path} does not exist",
     de="die Liste {path} gibt es nicht",
-    remedy_en="Searched: {folders}; correct the path, or name another folder with --root.",
-    remedy_de="Durchsucht: {folders}; den Pfad berichtigen oder mit --root einen weiteren Ordner "
+    remedy_en="Searched: {paths}; correct the path, or name another folder with --root.",
+    remedy_de="Gesucht: {paths}; den Pfad berichtigen oder mit --root einen weiteren Ordner "
     "angeben.",
-    folders=("the folders that were searched", "die durchsuchten Ordner"),
+    paths=("the paths that were tried", "die versuchten Pfade"),
 )
 PATHS_TAKEN_AS = note(
     900063,

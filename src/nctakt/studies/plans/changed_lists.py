@@ -117,7 +117,8 @@ def _list_of(machine: Machine, kind: str, id_: str, owner: str) -> Path:
                 f"kein Kanal dieser Nummer; bekannt: {known}",
             )
             refuse(id_, owner, reason)
-        ends = [path for path in paths if path.as_posix().endswith(found.path.replace("\\", "/"))]
+        end = found.path.replace("\\", "/").rpartition("../")[2]
+        ends = [path for path in paths if path.as_posix().endswith(end)]
         if ends:
             return ends[0]
     if not paths:

@@ -9,7 +9,7 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.reference.article import Topic
-from nctakt.reference.concepts import find_concepts
+from nctakt.reference.concepts import GERMAN_GUIDES, find_concepts
 from nctakt.reference.layout import WIDTH
 from nctakt.reference.messages import MESSAGES
 from nctakt.reference.topics import TOPICS, nearest_word
@@ -19,6 +19,8 @@ from nctakt.testing.expectations import read_script
 pytestmark = pytest.mark.slow
 
 Captured = pytest.CaptureFixture[str]
+
+DOCS = Path(__file__).parent.parent.parent / "docs"
 
 
 def test_message(capsys: Captured) -> None:
@@ -277,3 +279,35 @@ def test_a_misspelt_word_is_like_its_family_only(word: str, first: str) -> None:
     """A number is no parameter, a G function no message."""
     near = nearest_word(word)
     assert near == "" or near.startswith(first)
+
+
+@pytest.mark.parametrize(
+    ("words", "language", "head"),
+    [
+        (
+            "stop at the end of the block: no motion follows at once",
+            "en",
+            "stop at the end of the block: no motion follows at once: word of nctakt time\n",
+        ),
+        ("corner before line 7", "en", "corner: word of nctakt time\n"),
+        ("acceleration of axis X", "en", "acceleration: word of nctakt time\n"),
+        ("zwischen Sätzen", "de", "zwischen Sätzen: Wort von nctakt time\n"),
+        ("Genauhalt am Ende von Zeile 7", "de", "Genauhalt: Wort von nctakt time\n"),
+        ("Echtzeitzyklus", "de", "Echtzeit-Zyklus: Thema\n"),
+    ],
+)
+def test_words_that_time_prints(words: str, language: str, head: str, capsys: Captured) -> None:
+    """Each is explained, also with its line or axis; the head speaks the language of the answer."""
+    for asked in ([words], words.split()):
+        assert main(["explain", *asked, "--lang", language]) == 0
+        assert head in capsys.readouterr().out
+
+
+def test_german_answers_name_german_guides(capsys: Captured) -> None:
+    """Guides in both languages are named in that of the answer."""
+    assert main(["explain", "Echtzeitzyklus", "--lang", "de"]) == 0
+    assert "docs/why.de.md" in capsys.readouterr().out
+    assert main(["explain", "Echtzeitzyklus"]) == 0
+    assert "docs/why.md" in capsys.readouterr().out
+    german = {path.name.removesuffix(".de.md") for path in DOCS.glob("*.de.md")}
+    assert german == GERMAN_GUIDES

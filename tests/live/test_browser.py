@@ -170,7 +170,7 @@ def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
     with served(str(path)) as address:
         first, second = opened(browser, address), opened(browser, address)
         second.get_by_test_id("tick").click()
-        expect(second.get_by_text("Another browser has the pen.")).to_be_visible()
+        expect(second.get_by_text("Another browser has control.")).to_be_visible()
         expect(second.get_by_test_id("clock")).to_contain_text("before tick 0 ")
         second.get_by_test_id("pen").click()
         second.get_by_test_id("tick").click()

@@ -48,6 +48,9 @@ from nctakt.run.realtime.assembly import AssembledMachine
 
 _STANDARD_INPUT = "-"
 
+#: A folder without a name, as usage lines have it.
+_FOLDER = Text("FOLDER", "ORDNER")
+
 
 @dataclass(frozen=True, slots=True)
 class Options:
@@ -259,7 +262,7 @@ def _closing(result: CheckResult, selection: Selection, options: Options) -> str
     remarks = [diagnostic(CHECKED_FOR_MACHINE_OF_FILE, file=file) for file in result.around]
     remarks += [note for remark in result.settings if (note := remark.note()) is not None]
     if options.machine is None and not result.settings and result.uses_default:
-        folder = result.machines[0] if len(result.machines) == 1 else "FOLDER"
+        folder: str | Text = result.machines[0] if len(result.machines) == 1 else _FOLDER
         remarks.append(diagnostic(CHECKED_FOR_DEMO_MACHINE, folder=folder))
     lines = [remark.render(options.language) for remark in remarks if selection.includes(remark)]
     return "".join(f"{line}\n" for line in (*lines, closing_line(result, options.language)))

@@ -62,7 +62,7 @@ _CLASS = Text("Class", "Klasse")
 _WORDS = {
     "cause": Text("cause", "Ursache"),
     "effect": Text("effect", "Wirkung"),
-    "clearing": Text("cleared by", "gelöscht durch"),
+    "clearing": Text("cleared by", "Löschen"),
 }
 
 #: The filter that is on unless the client chooses.

@@ -27,10 +27,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "speed": ("Speed, as a factor of the wall clock", "Tempo, als Faktor der Uhrzeit"),
     "faster": ("Faster", "Schneller"),
     "slower": ("Slower", "Langsamer"),
-    "late": ("late slices", "späte Abschnitte"),
-    "pen": ("This browser has the pen", "Dieser Browser hat den Stift"),
-    "take_pen": ("Take the pen", "Stift nehmen"),
-    "no_pen": ("Another browser has the pen.", "Ein anderer Browser hat den Stift."),
+    "late": ("late slices", "verspätete Zeitscheiben"),
+    "pen": ("This browser has control", "Dieser Browser hat die Bedienung"),
+    "take_pen": ("Take control", "Bedienung übernehmen"),
+    "no_pen": ("Another browser has control.", "Ein anderer Browser hat die Bedienung."),
     "too_fast": (
         "Too many commands at once: some were not carried out.",
         "Zu viele Befehle auf einmal: einige wurden nicht ausgeführt.",
@@ -133,7 +133,10 @@ WORDS: dict[str, tuple[str, str]] = {
         "Click what stands beside a condition (or F8 in its line): here is why it is so.",
         "Auf den Text neben einer Bedingung klicken (oder F8 in ihrer Zeile): hier steht, warum.",
     ),
-    "explaining": ("The past runs again …", "Die Vergangenheit läuft noch einmal …"),
+    "explaining": (
+        "The run so far is worked out again …",
+        "Der bisherige Lauf wird nachgerechnet …",
+    ),
     "not_run": ("No tick has run yet.", "Noch kein Takt ist gelaufen."),
     "history": ("So far:", "Bisher:"),
     "new_stop": (

@@ -39,7 +39,7 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
 #: The way to clear it.
 CLEARINGS: Mapping[int, Text] = MappingProxyType(
     {
-        1: Text("nothing: there is nothing to clear", "nichts: es gibt nichts zu löschen"),
+        1: Text("nothing: there is nothing to clear", "nicht nötig"),
         3: Text("a reset of the channel", "ein Reset des Kanals"),
         6: Text("a reset of the channel", "ein Reset des Kanals"),
         7: Text("a restart of the controller", "ein Neustart der Steuerung"),

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Language, Text
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,12 +23,20 @@ class Fact:
 
 @dataclass(frozen=True, slots=True)
 class Article:
-    """An article: the word in its full form, its kind, its meaning in one sentence, its facts."""
+    """An article: the word in its full form, its kind, its meaning in one sentence, its facts.
+
+    ``german``: the word in German where it is another one, else empty.
+    """
 
     name: str
     kind: Text
     meaning: Text
     facts: tuple[Fact, ...] = ()
+    german: str = ""
+
+    def title(self, language: Language) -> str:
+        """Return the word in a language."""
+        return Text(self.name, self.german or self.name).get(language)
 
 
 @dataclass(frozen=True, slots=True)

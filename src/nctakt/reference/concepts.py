@@ -7,29 +7,57 @@ it names; each leads on to the words of the language.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.reference.article import Article, Fact, Topic, fact
+from nctakt.reference.time_words import TIME_WORDS, TimeWord
 
 _KIND = Text("subject", "Thema")
 _EXAMPLES = ("Examples", "Beispiele")
 _FURTHER = ("See also", "Siehe auch")
+_OF_TIME = Text("word of nctakt time", "Wort von nctakt time")
+
+#: Guides that have a German one beside them.
+GERMAN_GUIDES = frozenset(("checking", "machine-folders", "running", "tutorial", "why"))
+_GUIDE = re.compile(rf"docs/({'|'.join(sorted(GERMAN_GUIDES))})\.md")
 
 
 @dataclass(frozen=True, slots=True)
 class _Concept:
-    """A subject, and what people call it."""
+    """A subject, and what people call it; ``begins``: what its longer names begin with."""
 
     names: tuple[str, ...]
     article: Article
+    begins: tuple[str, ...] = ()
+
+    def is_called(self, folded: str) -> bool:
+        """Return whether words in small letters are one of its names."""
+        return any(folded == name.casefold() for name in self.names) or any(
+            begin and folded.startswith(f"{begin.casefold()} ") for begin in self.begins
+        )
 
 
 def _concept(names: str, meaning: Text, *facts: Fact) -> _Concept:
-    """Return a subject; ``names``: its name, then what else it is called."""
-    first, *others = names.split(", ")
-    return _Concept((first, *others), Article(first, _KIND, meaning, facts))
+    """Return a subject; ``names``: its name, then what else it is called; after ``;`` in German."""
+    english, german = (part.split(", ") for part in names.split("; "))
+    article = Article(english[0], _KIND, meaning, tuple(map(_with_guides, facts)), german[0])
+    return _Concept((*english, *german), article)
+
+
+def _with_guides(one: Fact) -> Fact:
+    """Return a fact that leads to the German guides in German."""
+    return Fact(one.label, Text(one.value.en, _GUIDE.sub(r"docs/\1.de.md", one.value.de)))
+
+
+def _of_time(words: TimeWord) -> _Concept:
+    """Return the subject of a word that ``nctakt time`` prints."""
+    names = words.name.en, words.name.de
+    further = fact(*_FURTHER, "nctakt time part.nc; docs/time.md")
+    article = Article(names[0], _OF_TIME, words.meaning, (further,), names[1])
+    return _Concept(names, article, (words.begin.en, words.begin.de))
 
 
 #: Words of a question that say nothing about its subject.
@@ -43,7 +71,7 @@ SMALL_WORDS = frozenset(
 
 _CONCEPTS = (
     _concept(
-        "axis letters, X, Y, Z, A, B, C, U, V, W, axis, axes, Achse, Achsen, Koordinate",
+        "axis letters, X, Y, Z, A, B, C, U, V, W, axis, axes; Achse, Achsen, Koordinate",
         Text(
             "A letter with a value moves an axis of the channel: its end point with G90, its way "
             "with G91; the letters are the names of the axes in the channel list",
@@ -54,7 +82,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "G90, G91, INDP, V.RTA.ACS.ACT_POS.X, Z.ACS.ACT_POS (--signals)"),
     ),
     _concept(
-        "reaction, react, reactions, gate, clamp, door, guard, Reaktion, Reaktionen, Tor, Tür, "
+        "reaction, react, reactions, gate, clamp, door, guard; Reaktion, Reaktionen, Tor, Tür, "
         "Schutztür, Spannmittel",
         Text(
             "What a realtime cycle does in the tick in which its condition becomes true: a gate "
@@ -70,8 +98,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "#RT CYCLE, $IF, ONCE, EDGE, M; nctakt why part.nc"),
     ),
     _concept(
-        "realtime cycle, realtime cycles, real-time cycle, Echtzeitzyklus, Echtzeitzyklen, "
-        "Echtzeit-Zyklus, Echtzeit-Zyklen",
+        "realtime cycle, realtime cycles, real-time cycle; Echtzeit-Zyklus, Echtzeit-Zyklen, "
+        "Echtzeitzyklus, Echtzeitzyklen",
         Text(
             "Conditions and actions that the controller runs through in each tick beside the "
             "path, without waiting for the PLC; SCOPE says how long they live",
@@ -86,7 +114,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "#RT CYCLE, SCOPE, $IF, ONCE, EDGE, V.RTG, V.RTA, reaction; docs/why.md"),
     ),
     _concept(
-        "spindle, spindles, Spindel, Spindeln, Drehzahl",
+        "spindle, spindles; Spindel, Spindeln, Drehzahl",
         Text(
             "M3 and M4 turn the main spindle with the speed S, M5 stops it, M19 positions it; "
             "S[…] commands any spindle by its name",
@@ -97,7 +125,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "S, M3, M4, M5, M19, G96, G97, G63, G33"),
     ),
     _concept(
-        "single block, Einzelsatz, Einzelsatzbetrieb",
+        "single block; Einzelsatz, Einzelsatzbetrieb",
         Text(
             "The program stops after each block and goes on with START; the debugger and the page "
             "step by blocks in the same manner",
@@ -108,7 +136,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "HLI.SINGLE_BLOCK, HLI.START, #SINGLE STEP, M00, M01"),
     ),
     _concept(
-        "override, Vorschubbeeinflussung, Potentiometer",
+        "override; Override, Vorschubbeeinflussung, Potentiometer",
         Text(
             "The factor on programmed speeds in percent: the operator's on the interface to the "
             "PLC, that of a realtime cycle in a variable",
@@ -122,8 +150,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "HLI.OVERRIDE, V.RTG.OVERRIDE.VEL.CYCLE, hli_command.override, G166"),
     ),
     _concept(
-        "waiting, wait, waits, warten, wartet, Wartezeit, Stillstand, standstill, hang, hangs, "
-        "stuck, stops, hängt, stehen, steht, bleibt",
+        "waiting, wait, waits, standstill, hang, hangs, stuck, stops; Warten, warten, wartet, "
+        "Wartezeit, Stillstand, hängt, stehen, steht, bleibt",
         Text(
             "A program that does not go on waits for the PLC's acknowledgement of a function, for "
             "an axis or a spindle, for START, for a signal of another channel, or for a time",
@@ -139,7 +167,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "902000, 900820, #WAIT, #WAIT FOR, G04, M, HLI.START, #FLUSH WAIT"),
     ),
     _concept(
-        "expect, given, expectation, expectations, test, tests, testing, assert, Erwartung, "
+        "expect, given, expectation, expectations, test, tests, testing, assert; Erwartung, "
         "Erwartungen, erwarten, testen, teste, Tests",
         Text(
             "Comments of a program that make it a test for pytest: given: is an input of the run, "
@@ -191,7 +219,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "docs/testing.md, docs/studies.md; pytest part.nc"),
     ),
     _concept(
-        "speed, Vorschub, Geschwindigkeit, velocity, Eilgang, rapid",
+        "speed, velocity, rapid; Geschwindigkeit, Vorschub, Eilgang",
         Text(
             "F is the speed of the path in mm/min (G94), per revolution with G95; G00 moves at "
             "rapid traverse",
@@ -201,7 +229,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "F, G00, G01, G94, G95, PATH.SPEED (--signals), override"),
     ),
     _concept(
-        "acknowledgement, acknowledge, quittieren, Quittung, quittiert",
+        "acknowledgement, acknowledge; Quittung, quittieren, quittiert",
         Text(
             "The PLC's answer that an M or H function is done; the kind of synchronisation in the "
             "channel list says whether the program waits for it",
@@ -211,7 +239,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "M, H, MVS_SVS, MNS_SNS, P-CHAN-00041, waiting"),
     ),
     _concept(
-        "variable, Variablen",
+        "variable; Variable, Variablen",
         Text(
             "P are parameters of the program, V.P and V.L its own variables, V.E and V.CH those of "
             "the machine's lists, V.A and V.G those of the controller, V.RTA and V.RTG the values "
@@ -223,7 +251,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "V.E, V.CH, V.P, V.L, P; nctakt explain variables"),
     ),
     _concept(
-        "feed hold, feedhold, hold, Vorschub-Halt, Vorschubhalt, anhalten",
+        "feed hold, feedhold, hold; Vorschubhalt, Vorschub-Halt, anhalten",
         Text(
             "The operator stops the path: it brakes to a standstill and goes on from there once "
             "the hold is lifted",
@@ -236,7 +264,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "HLI.FEED_HOLD, HLI.START, HLI.RESET, V.RTG.OVERRIDE.VEL.CYCLE, override"),
     ),
     _concept(
-        "arc, arcs, circle, helix, Kreis, Kreisbogen, Bogen",
+        "arc, arcs, circle, helix; Kreisbogen, Kreis, Bogen",
         Text(
             "G02 moves clockwise, G03 counter-clockwise, with I, J, K for the centre or R for the "
             "radius; a third axis makes it a helix",
@@ -247,7 +275,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "G02, G03, G17, G161, G162, G163, I, J, K, R"),
     ),
     _concept(
-        "subprogram, subprograms, call, Unterprogramm, Unterprogramme, aufrufen",
+        "subprogram, subprograms, call; Unterprogramm, Unterprogramme, aufrufen",
         Text(
             "L calls a program in another file, LL a part of this file; M17 or M29 ends it",
             "L ruft ein Programm in einer anderen Datei auf, LL einen Teil dieser Datei; M17 "
@@ -256,7 +284,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "L, LL, M17, M29, L CYCLE"),
     ),
     _concept(
-        "tools, tool, radius, Werkzeug, Werkzeuge, Werkzeugradius, Radiuskorrektur",
+        "tools, tool, radius; Werkzeuge, Werkzeug, Werkzeugradius, Radiuskorrektur",
         Text(
             "T names a tool of the tool list, D selects its offsets; G41 and G42 lead the path "
             "beside the contour, by its radius",
@@ -266,7 +294,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "T, D, G40, G41, G42; docs/tools.md"),
     ),
     _concept(
-        "zero offset, zero offsets, Nullpunkt, Nullpunktverschiebung, Nullpunkte",
+        "zero offset, zero offsets; Nullpunktverschiebung, Nullpunkt, Nullpunkte",
         Text(
             "G54 … G59 and G159 move the zero point of the program by a group of the list of "
             "zero offsets; G53 deselects it",
@@ -276,7 +304,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "G53, G54, G159, G92"),
     ),
     _concept(
-        "measuring, measure, probe, probing, Messen, Messtaster, messen",
+        "measuring, measure, probe, probing; Messen, Messtaster, messen",
         Text(
             "A motion that a probe stops, and whose position the program reads then",
             "Eine Bewegung, die ein Taster anhält und deren Position das Programm danach liest",
@@ -284,7 +312,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "G100, G310, MEAS_DELTA (--signals)"),
     ),
     _concept(
-        "tick, ticks, cycle time, CNC cycle, Takt, Takte, Zykluszeit",
+        "tick, ticks, cycle time, CNC cycle; Takt, Takte, Zykluszeit",
         Text(
             "The period of the interpolator: in each tick inputs are read, then realtime cycles "
             "run, then the path goes on; cycle_time in rtconf.lis, 1 ms without it",
@@ -294,8 +322,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "--ticks, P-RTCF-00001; nctakt schedule show rtconf.lis"),
     ),
     _concept(
-        "trace, traces, record, recording, picture, plot, Aufzeichnung, aufzeichnen, Bild, Signal, "
-        "signals, Signale",
+        "trace, traces, record, recording, picture, plot, signals; Aufzeichnung, aufzeichnen, "
+        "Bild, Signal, Signale",
         Text(
             "A run as a file: each tick with the signals that you name, or as a picture",
             "Ein Lauf als Datei: jeder Takt mit den Signalen, die man nennt, oder als Bild",
@@ -308,7 +336,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "docs/traces.md; nctakt live part.nc --open"),
     ),
     _concept(
-        "block search, Satzvorlauf",
+        "block search; Satzvorlauf",
         Text(
             "A run that begins in the middle of the program: what is before is decoded, not moved",
             "Ein Lauf, der mitten im Programm beginnt: Was davor steht, wird dekodiert, nicht "
@@ -318,7 +346,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "#BLOCKSEARCH; docs/running.md"),
     ),
     _concept(
-        "breakpoint, breakpoints, debugger, Haltepunkt, Haltepunkte",
+        "breakpoint, breakpoints, debugger; Haltepunkt, Haltepunkte",
         Text(
             "A line at which the debugger stops the run; it also goes back in time",
             "Eine Zeile, an der der Debugger den Lauf anhält; er geht auch in der Zeit zurück",
@@ -327,7 +355,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "docs/debugger.md"),
     ),
     _concept(
-        "machining time, duration, Bearbeitungszeit, dauert, Dauer, langsam, slow",
+        "machining time, duration, slow; Bearbeitungszeit, dauert, Dauer, langsam",
         Text(
             "How long a program takes on the machine, and what limits each block",
             "Wie lange ein Programm auf der Maschine dauert und was jeden Satz begrenzt",
@@ -336,7 +364,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "docs/time.md, override, speed"),
     ),
     _concept(
-        "lists, machine folder, start-up list, Listen, Hochlaufliste, Maschinenordner, Maschine",
+        "lists, machine folder, start-up list; Listen, Hochlaufliste, Maschinenordner, Maschine",
         Text(
             "A machine is a folder with a start-up list (hochlauf.lis) that names the lists of "
             "channels and axes",
@@ -350,7 +378,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "docs/machine-folders.md; nctakt explain parameters"),
     ),
     _concept(
-        "interface, PLC, SPS, Schnittstelle",
+        "interface, PLC; Schnittstelle, SPS",
         Text(
             "What CNC and PLC exchange in each tick: commands of the operator, states, functions "
             "with their acknowledgement, variables",
@@ -363,6 +391,7 @@ _CONCEPTS = (
         ),
         fact(*_FURTHER, "docs/hli.md, docs/plc.md; nctakt explain hli"),
     ),
+    *map(_of_time, TIME_WORDS),
 )
 
 
@@ -383,7 +412,7 @@ def is_subject(words: str, concept: _Concept | None = None) -> bool:
     """Return whether words are together a name of a subject: ``feed hold``."""
     folded = " ".join(words.split()).casefold()
     concepts = _CONCEPTS if concept is None else (concept,)
-    return any(folded == name.casefold() for one in concepts for name in one.names)
+    return any(one.is_called(folded) for one in concepts)
 
 
 def _find(word: str) -> tuple[Article, ...]:

@@ -22,7 +22,7 @@ _SUCH_AS = Text("such as", "etwa")
 
 def article_lines(article: Article, language: Language) -> Iterator[str]:
     """Yield an article: its name and kind, its meaning, its facts in two columns."""
-    yield f"{article.name}: {article.kind.get(language)}"
+    yield f"{article.title(language)}: {article.kind.get(language)}"
     yield from _wrapped(article.meaning.get(language), _MARGIN, _MARGIN)
     labels = [fact.label.get(language) for fact in article.facts]
     width = max(map(len, labels), default=0)
@@ -48,9 +48,10 @@ def _wrapped(text: str, first: str, further: str) -> list[str]:
 
 def list_lines(articles: Sequence[Article], language: Language) -> Iterator[str]:
     """Yield one line for each article: its name and its meaning."""
-    width = max(len(article.name) for article in articles)
+    width = max(len(article.title(language)) for article in articles)
     for article in articles:
-        yield f"{article.name.ljust(width)}  {_one_line(article.meaning.get(language))}"
+        title = article.title(language).ljust(width)
+        yield f"{title}  {_one_line(article.meaning.get(language))}"
 
 
 def _one_line(text: str) -> str:

@@ -36,9 +36,7 @@ def _facts(message: Message) -> Iterator[Fact]:
         yield Fact(same(f"{{{name}}}"), Text(*meaning))
     if message.reaction:
         yield fact("Effect", "Wirkung", _class(message.reaction, REACTIONS[message.reaction]))
-        yield fact(
-            "Cleared by", "Gelöscht durch", _class(message.clearing, CLEARINGS[message.clearing])
-        )
+        yield fact("Cleared by", "Löschen", _class(message.clearing, CLEARINGS[message.clearing]))
     if message.cases is not None:
         numbers = ", ".join(map(str, message.cases.numbers))
         yield fact("Number by case", "Nummer je nach Fall", numbers)

@@ -8,11 +8,13 @@ ticks and equal those of the run.
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
-from typing import Literal, TypeVar
+from typing import TYPE_CHECKING, Literal, TypeVar
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
-from nctakt.results.run import Run
+
+if TYPE_CHECKING:
+    from nctakt.results.run import Run
 
 #: What a channel does in a tick. ``commands``: the path rests between two blocks, for commands or
 #: for the decoder; ``idle``: its program has not begun or is over.

@@ -23,7 +23,8 @@ PHASES: dict[Phase, Text] = {
     "standing": Text("standing", "Stillstand"),
 }
 
-_CAUSES: dict[Cause, Text] = {
+#: Causes before the axis, line or cycle that they name.
+CAUSES: dict[Cause, Text] = {
     "feed": Text("F", "F"),
     "override operator": Text("operator's override", "Override des Bedieners"),
     "override cycle": Text("override by", "Override durch"),
@@ -38,7 +39,9 @@ _CAUSES: dict[Cause, Text] = {
     "next feed": Text("lower F from", "kleineres F ab"),
     "next limit": Text("slower axes from", "langsamere Achsen ab"),
     "exact stop": Text("exact stop at the end of", "Genauhalt am Ende von"),
-    "standstill": Text("nothing continues the path after", "nichts setzt die Bahn fort nach"),
+    "standstill": Text(
+        "stop, since no motion follows at once after", "Halt, da keine Bewegung anschließt an"
+    ),
     "horizon": Text("end of the look-ahead", "Ende der Vorausschau"),
     "spindle": Text("speed of the spindle", "Drehzahl der Spindel"),
     "hold": Text("feed hold", "Vorschubhalt"),
@@ -63,15 +66,18 @@ _WITHOUT_DETAIL: dict[Cause, Text] = {
     "next feed": Text("lower F ahead", "kleineres F voraus"),
     "next limit": Text("slower axes ahead", "langsamere Achsen voraus"),
     "exact stop": Text("exact stop", "Genauhalt"),
-    "standstill": Text("nothing continues the path", "nichts setzt die Bahn fort"),
+    "standstill": Text(
+        "stop at the end of the block: no motion follows at once",
+        "Halt am Satzende: keine Bewegung schließt an",
+    ),
 }
 
 
 def limit_text(limit: Limit, language: Language) -> str:
     """Return a cause with its particulars."""
     if limit.detail == NOTHING:
-        return _WITHOUT_DETAIL.get(limit.cause, _CAUSES[limit.cause]).get(language)
-    return f"{_CAUSES[limit.cause].get(language)} {limit.detail.get(language)}"
+        return _WITHOUT_DETAIL.get(limit.cause, CAUSES[limit.cause]).get(language)
+    return f"{CAUSES[limit.cause].get(language)} {limit.detail.get(language)}"
 
 
 def general_text(limit: Limit, language: Language) -> str:

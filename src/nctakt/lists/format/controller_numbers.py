@@ -27,7 +27,7 @@ CASES: dict[str, Text] = {
     "high": Text("it is too large", "er ist zu groß"),
     "invalid": Text("it is not an allowed value", "er ist kein erlaubter Wert"),
     "missing": Text(
-        "what it names or needs does not exist", "was er nennt oder braucht, ist nicht vorhanden"
+        "what it names or needs does not exist", "was er nennt oder braucht, gibt es nicht"
     ),
     "count": Text(
         "the number of entries does not fit it", "die Anzahl der Einträge passt nicht dazu"

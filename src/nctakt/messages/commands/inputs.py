@@ -179,7 +179,7 @@ NAMES_OF_DEMO_MACHINE = note(
     en="the names are looked up on the built-in demo machine",
     de="die Namen werden an der eingebauten Demo-Maschine gesucht",
     remedy_en="--machine FOLDER selects your own machine; in Python it is Controller(FOLDER).",
-    remedy_de="--machine FOLDER wählt die eigene Maschine; in Python ist es Controller(FOLDER).",
+    remedy_de="--machine ORDNER wählt die eigene Maschine; in Python ist es Controller(ORDNER).",
     cause_en="Variables, axes, spindles, M and H functions come from the lists of a machine.",
     cause_de="Variablen, Achsen, Spindeln, M- und H-Funktionen stammen aus den Listen einer "
     "Maschine.",

@@ -84,7 +84,7 @@ MACHINE_OF_SETTING = note(
     en="the machine is {machine}, as {source} says",
     de="die Maschine ist {machine}, wie {source} es angibt",
     remedy_en="--machine FOLDER selects another one, --machine demo the built-in one.",
-    remedy_de="--machine FOLDER wählt eine andere, --machine demo die eingebaute.",
+    remedy_de="--machine ORDNER wählt eine andere, --machine demo die eingebaute.",
     machine=("the folder with its lists", "der Ordner mit ihren Listen"),
     source=(
         "the project file or the environment variable",
@@ -96,7 +96,7 @@ RUN_ON_MACHINE_OF_FILE = note(
     en="the program runs on the machine of {file}",
     de="das Programm läuft auf der Maschine von {file}",
     remedy_en="--machine FOLDER selects another one, --machine demo the built-in one.",
-    remedy_de="--machine FOLDER wählt eine andere, --machine demo die eingebaute.",
+    remedy_de="--machine ORDNER wählt eine andere, --machine demo die eingebaute.",
     file=(
         "the start-up list in whose folder the program lies",
         "die Hochlaufliste, in deren Ordner das Programm liegt",
@@ -108,7 +108,7 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
     de="die Programme gehören zu verschiedenen Maschinen: {first} läuft auf {machine}, {second} "
     "auf {other}",
     remedy_en="Name the machine for all of them: --machine FOLDER",
-    remedy_de="Die Maschine für alle angeben: --machine FOLDER",
+    remedy_de="Die Maschine für alle angeben: --machine ORDNER",
     first=("the first program", "das erste Programm"),
     machine=("its machine", "seine Maschine"),
     second=("another program", "ein anderes Programm"),
@@ -145,5 +145,5 @@ NO_LISTS_OR_PROGRAMS = error(
     de="{folder} enthält weder Listen noch Programme",
     remedy_en="Name the folder that has them, or begin with a machine of nctakt: nctakt new FOLDER",
     remedy_de="Den Ordner nennen, der sie enthält, oder mit einer Maschine von nctakt beginnen: "
-    "nctakt new FOLDER",
+    "nctakt new ORDNER",
 )

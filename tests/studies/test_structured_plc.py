@@ -43,9 +43,9 @@ def test_inputs_vary_and_variables_are_measured(cell: Path) -> None:
 
 
 def test_unknown_variables_and_faults_are_refused(cell: Path) -> None:
-    """900544 for a name that it does not have; 902670: it dies in Python only."""
+    """900545 for a misspelt name; 902670: it dies in Python only."""
     for words, number in (
-        ({"expect": ["MAIN.bLame = 0 at end"]}, 900544),
+        ({"expect": ["MAIN.bLame = 0 at end"]}, 900545),
         ({"vary": [{"name": "d", "plc_dies": "yes", "values": ["5 ms"]}]}, 902670),
     ):
         with pytest.raises(Failure) as raised:

@@ -129,7 +129,7 @@ def test_on_a_helix_only_the_part_in_the_plane_is_turned() -> None:
     row[rows.SPEED] = 50.0
     part = 0.8
     share = (50.0 * part) ** 2 / (10.0 * LIMIT_A)
-    assert ahead.limits.measure_arc(row, 0) == pytest.approx(share)
+    assert ahead.limits.measure(row, 0) == pytest.approx(share)
     assert row[rows.LENGTH] == pytest.approx(25.0)
     limit_a = LIMIT_A * math.sqrt(1.0 - share * share) / part
     assert row[rows.ACCELERATION] == pytest.approx(limit_a)

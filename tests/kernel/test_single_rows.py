@@ -128,7 +128,7 @@ def test_a_helix_rises_from_where_it_starts(begin: float, end: float) -> None:
     row[rows.START + 3], row[rows.START + 4] = 10.0 * math.cos(2.0), 10.0 * math.sin(2.0)
     row[rows.START + 2], row[rows.START + 5] = begin, end
     row[rows.SPEED] = 50.0
-    limits.measure_arc(row, 0)
+    limits.measure(row, 0)
     assert row[rows.LENGTH] == pytest.approx(25.0)
 
 

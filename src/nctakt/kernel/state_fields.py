@@ -30,8 +30,7 @@ REFERENCES = {
     "PlcCalls": ("delays", "hli", "spindles", "whens"),
     "Record": ("events", "probes", "rows", "signals"),
     "TransformedLimits": (
-        "feed_a", "feed_j", "feed_slope_a", "max_v", "rapid_a", "rapid_j", "rapid_slope_a",
-        "rapid_v", "transformations",
+        "axis_a", "axis_j", "max_v", "rapid_v", "transformations",
     ),
     "When": ("others",),
 }  # fmt: skip

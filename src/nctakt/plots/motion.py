@@ -106,8 +106,11 @@ def axis_motion(trace: Trace, axis: AxisConfiguration, *, limits_jerk: bool = Fa
     if axis.is_modulo and len(position):
         position = numpy.unwrap(position, period=axis.modulo_range)
     dynamics = axis.dynamics
-    trapezoid = (dynamics.feed_acceleration, dynamics.rapid_acceleration)
-    jerk = max(dynamics.smooth_jerks) if limits_jerk else 0.0
+    highest = max(dynamics.feed_acceleration, dynamics.rapid_acceleration)
+    jerk = 0.0
+    if limits_jerk:
+        highest = max(highest, *dynamics.smooth_accelerations)
+        jerk = max(dynamics.smooth_jerks)
     speed, acceleration, third = (
         derivative(position, time_s, cycle_time_s, order) for order in (1, 2, 3)
     )
@@ -116,7 +119,7 @@ def axis_motion(trace: Trace, axis: AxisConfiguration, *, limits_jerk: bool = Fa
         "mm" if axis.is_linear else "°",
         Curve(time_s, position),
         (speed, acceleration, third),
-        (axis.max_speed, max(trapezoid), jerk),
+        (axis.max_speed, highest, jerk),
         Curve(time_s, trace[tip_signal(axis.name)] if tip_signal(axis.name) in trace else position),
     )
 

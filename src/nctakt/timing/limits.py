@@ -122,10 +122,7 @@ class PathLimits:
         if row[rows.JERK] > 0.0:
             if gained_v / self._tick_t < row[rows.ACCELERATION] * (1.0 - SAME):
                 return Limit("jerk", self._axis(row, row[rows.JERK], _JERKS[column]))
-            axis = self._axis(row, row[rows.ACCELERATION], _SLOPES[column])
-            if axis == NOTHING:
-                axis = self._axis(row, row[rows.ACCELERATION], _ACCELERATIONS[column])
-            return Limit("acceleration", axis)
+            return Limit("acceleration", self._axis(row, row[rows.ACCELERATION], _SLOPES[column]))
         if stage in (codes.ENTRY_ZONE, codes.EXIT_ZONE, codes.CURVE):
             return Limit("acceleration")
         return Limit(

@@ -53,8 +53,8 @@ def is_faster(
     change = part = 0.0
     for axis, *places in zip(environment.axes, near, corner, beyond, strict=True):
         limit = axis.dynamics.feed_acceleration
-        if before.limits_jerk and axis.dynamics.jerk_slope.jerk > 0.0:
-            limit = axis.dynamics.jerk_slope.jerk
+        if before.limits_jerk:
+            limit = axis.dynamics.jerk_slope.jerk or axis.dynamics.smooth_accelerations[1]
         out, on = places[1] - places[0], places[2] - places[1]
         change = max(change, abs(on - out) / limit)
         part = max(part, abs(out) / limit, abs(on) / limit)

@@ -105,7 +105,7 @@ class CornerRounding:
             corner_v = min(corner_v, self.corner.corner_speed(i, shortest, 0.0))
             step = self.corner.steps[i]
             if step > 0.0:
-                max_v2 = 0.8 * self.limits.min_acceleration(i) * half / step
+                max_v2 = 0.8 * self.limits.slope_acceleration(i) * half / step
                 max_v3 = 0.75 * self.limits.axis_jerk(i) * half * half / step
                 speed = min(speed, arithmetic.square_root(max_v2))
                 speed = min(speed, arithmetic.power(max_v3, 1.0 / 3.0))
@@ -153,7 +153,7 @@ class CornerRounding:
             step = self.corner.steps[i]
             part = max(self.corner.leaving[i], 0.0 - self.corner.leaving[i])
             part = max(part, self.corner.entering[i], 0.0 - self.corner.entering[i])
-            left_a = 0.98 * (self.limits.min_acceleration(i) - speed * speed * step / half)
+            left_a = 0.98 * (self.limits.slope_acceleration(i) - speed * speed * step / half)
             left_j = 0.98 * (
                 self.limits.axis_jerk(i) - speed * speed * speed * step / (half * half)
             )

@@ -25,8 +25,7 @@ cdef class JerkLookAhead:
         self, double[::1] segments, Py_ssize_t before, Py_ssize_t row
     ) noexcept nogil
     @cython.locals(
-        i=Py_ssize_t, part=double, min_a=double, left_a=double, left_j=double, free_a=double,
-        free_j=double
+        i=Py_ssize_t, part=double, left_a=double, left_j=double, free_a=double, free_j=double
     )
     cdef void use_up(
         self, double[::1] segments, Py_ssize_t row, double[::1] parts, bint is_bent

@@ -103,8 +103,7 @@ class JerkLookAhead:
         for i in range(self.limits.count):
             part = parts[i] if parts[i] >= 0.0 else 0.0 - parts[i]
             if part > 0.0 and not self.limits.in_plane(segments, row, i):
-                min_a = min(self.limits.rapid_slope_a[i], self.limits.feed_slope_a[i])
-                left_a = (min_a * free_a - self.corner.shares[i]) / part
+                left_a = (self.limits.slope_acceleration(i) * free_a - self.corner.shares[i]) / part
                 left_j = (self.limits.axis_jerk(i) * free_j - self.corner.turns[i]) / part
                 segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], left_a)
                 segments[row + rows.JERK] = min(segments[row + rows.JERK], left_j)

@@ -30,6 +30,8 @@ cdef class SegmentLimits:
     cdef double[::1] unused
     cdef readonly bint has_jerk_limit
     cdef Spindles spindles
+    cdef double[::1] axis_a
+    cdef double[::1] axis_j
     cdef double[::1] listed_v
     cdef double[::1] listed_a
     cdef double[::1] kept_rapid_a
@@ -60,6 +62,8 @@ cdef class SegmentLimits:
 
     @cython.locals(share=double)
     cdef double measure(self, double[::1] segments, Py_ssize_t row) noexcept nogil
+    @cython.locals(is_rapid=bint, is_smooth=bint, i=Py_ssize_t)
+    cdef void choose(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(share=double, limit_v=double, limit_a=double, curvature=double)
     cdef double measure_bent(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
@@ -67,13 +71,13 @@ cdef class SegmentLimits:
     )
     cdef void limit_tap(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
-        is_rapid=bint, start=Py_ssize_t, target=Py_ssize_t, limit_a=double, limit_j=double,
-        i=Py_ssize_t, distance=double, part=double, slope_a=double, slope_j=double
+        start=Py_ssize_t, target=Py_ssize_t, limit_j=double, i=Py_ssize_t, distance=double,
+        part=double
     )
     cdef void limit_jerk(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, radius=double, turn=double,
-        distance=double, part=double, first_a=double, second_a=double, plane_a=double,
+        distance=double, part=double, first_a=double, plane_a=double,
         plane_j=double, max_v=double, outer_a=double, outer_j=double, best_t=double, speed=double,
         centre_a=double, turned_j=double, free_a=double, ramp_a=double, crossing_j=double,
         jerk=double, time=double, _=int
@@ -109,4 +113,4 @@ cdef class SegmentLimits:
     cdef double speed_of(self, double speed, double max_speed) noexcept nogil
     cdef double axis_jerk(self, Py_ssize_t index) noexcept nogil
     cdef double axis_acceleration(self, Py_ssize_t index) noexcept nogil
-    cdef double min_acceleration(self, Py_ssize_t index) noexcept nogil
+    cdef double slope_acceleration(self, Py_ssize_t index) noexcept nogil

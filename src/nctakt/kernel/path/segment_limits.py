@@ -25,7 +25,8 @@ class SegmentLimits:
     """The limits of one channel's axes, and what they allow on a segment.
 
     An axis is ``linear`` or not; ``rapid_…`` limits hold for rapid motions, ``feed_…`` for the
-    others, ``…_slope_a`` with limited jerk. A speed is at most ``max_factor`` times the programmed
+    others, ``…_slope_a`` with limited jerk: each slope has accelerations of its own. ``axis_a`` and
+    ``axis_j``: those of the newest segment. A speed is at most ``max_factor`` times the programmed
     one (P-CHAN-00056). ``has_jerk_limit``: a segment had a limit of the jerk.
 
     Programs change the limits between two segments. ``is_reduced``: they are not those of the
@@ -50,6 +51,8 @@ class SegmentLimits:
         self.feed_slope_a = memoryview(bytearray(room)).cast("d")
         self.rapid_j = memoryview(bytearray(room)).cast("d")
         self.feed_j = memoryview(bytearray(room)).cast("d")
+        self.axis_a = memoryview(bytearray(room)).cast("d")
+        self.axis_j = memoryview(bytearray(room)).cast("d")
         self.listed_v = memoryview(bytearray(room)).cast("d")
         self.listed_a = memoryview(bytearray(room)).cast("d")
         self.kept_rapid_a = memoryview(bytearray(room)).cast("d")
@@ -66,10 +69,7 @@ class SegmentLimits:
         self.arcs = ArcLimits(count, self.room)
         self.arcs.share(self.listed_v, self.listed_a)
         self.transformed = TransformedLimits(count, self.linear, self.room)
-        self.transformed.limit(self.rapid_v, self.max_v, self.rapid_a, self.feed_a)
-        self.transformed.limit_slope(
-            self.rapid_slope_a, self.feed_slope_a, self.rapid_j, self.feed_j
-        )
+        self.transformed.limit(self.rapid_v, self.max_v, self.axis_a, self.axis_j)
         self.direction = memoryview(bytearray(room)).cast("d")
         self.unused = memoryview(bytearray(room)).cast("d")
         self.has_jerk_limit = False
@@ -181,6 +181,7 @@ class SegmentLimits:
         Return the share of the acceleration of an arc's plane that the centripetal part takes.
         """
         share = 0.0
+        self.choose(segments, row)
         segments[row + rows.LENGTH] = self.straight_length(segments, row)
         if segments[row + rows.TRANSFORMATION] > 0.0:
             return self.measure_bent(segments, row)
@@ -196,6 +197,18 @@ class SegmentLimits:
             self.limit_tap(segments, row)
         segments[row + rows.CORNER_SPEED] = 0.0
         return share
+
+    def choose(self, segments: memoryview[float], row: int) -> None:
+        """Take the accelerations and jerks of the axes by motion and slope of a segment."""
+        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
+        is_smooth = segments[row + rows.HAS_JERK_LIMIT] > 0.0
+        for i in range(self.count):
+            if is_rapid:
+                self.axis_a[i] = self.rapid_slope_a[i] if is_smooth else self.rapid_a[i]
+                self.axis_j[i] = self.rapid_j[i]
+            else:
+                self.axis_a[i] = self.feed_slope_a[i] if is_smooth else self.feed_a[i]
+                self.axis_j[i] = self.feed_j[i]
 
     def measure_bent(self, segments: memoryview[float], row: int) -> float:
         """Prepare a segment on which the way of the axes is bent; return as ``measure``."""
@@ -232,25 +245,19 @@ class SegmentLimits:
             self.stand_at_end(segments, row)
 
     def limit_jerk(self, segments: memoryview[float], row: int) -> None:
-        """Limit acceleration and jerk for the jerk-limited slope."""
+        """Limit the jerk of a line, or of all that an arc takes."""
         self.has_jerk_limit = True
-        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
         start = row + rows.START
         target = start + self.count
-        limit_a = 1e300
         limit_j = 1e300
         for i in range(self.count):
             distance = segments[target + i] - segments[start + i]
             if distance == 0.0 or self.in_plane(segments, row, i):
                 continue
             part = (distance if distance > 0.0 else 0.0 - distance) / segments[row + rows.LENGTH]
-            slope_a = self.rapid_slope_a[i] if is_rapid else self.feed_slope_a[i]
-            slope_j = self.rapid_j[i] if is_rapid else self.feed_j[i]
-            limit_a = min(limit_a, slope_a / part)
-            limit_j = min(limit_j, slope_j / part)
+            limit_j = min(limit_j, self.axis_j[i] / part)
         if self.is_reduced:
             limit_j = min(limit_j, self.vector_limit(segments, row, rows.VECTOR_JERK))
-        segments[row + rows.ACCELERATION] = min(segments[row + rows.ACCELERATION], limit_a)
         segments[row + rows.JERK] = limit_j
         if segments[row + rows.SHAPE] == rows.ARC:
             self.limit_jerk_on_arc(segments, row, self.unused, self.unused)
@@ -275,9 +282,8 @@ class SegmentLimits:
         turn = segments[row + rows.ARC_ANGLE] * 0.017453292519943295
         distance = radius * (turn if turn > 0.0 else 0.0 - turn)
         part = distance / segments[row + rows.LENGTH]
-        first_a = min(self.feed_a[first], self.feed_slope_a[first])
-        second_a = min(self.feed_a[second], self.feed_slope_a[second])
-        plane_a = min(first_a - shares[first], second_a - shares[second])
+        first_a = self.feed_slope_a[first] - shares[first]
+        plane_a = min(first_a, self.feed_slope_a[second] - shares[second])
         plane_j = min(self.feed_j[first] - turns[first], self.feed_j[second] - turns[second])
         max_v = (
             min(segments[row + rows.SPEED] * self.max_factor, segments[row + rows.MAX_SPEED]) * part
@@ -369,7 +375,7 @@ class SegmentLimits:
             part = (distance if distance > 0.0 else 0.0 - distance) / segments[row + rows.LENGTH]
             rapid = min(rapid, self.rapid_v[i] / part)
             highest = min(highest, self.max_v[i] / part)
-            limit_a = min(limit_a, (self.rapid_a[i] if is_rapid else self.feed_a[i]) / part)
+            limit_a = min(limit_a, self.axis_a[i] / part)
         if is_rapid:
             segments[row + rows.SPEED] = rapid
         segments[row + rows.MAX_SPEED] = highest
@@ -434,13 +440,13 @@ class SegmentLimits:
         part = distance / length
         if self.is_reduced:
             self.limit_radially(segments, row, radius, part)
-        plane_a = min(self.feed_a[first], self.feed_a[second])
         highest = min(
             segments[row + rows.MAX_SPEED], min(self.max_v[first], self.max_v[second]) / part
         )
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
             segments[row + rows.MAX_SPEED] = highest
             return 0.0
+        plane_a = min(self.feed_a[first], self.feed_a[second])
         commanded_v = segments[row + rows.SPEED] * self.max_factor
         if self.is_reduced:
             commanded_v = min(commanded_v, highest)
@@ -506,7 +512,6 @@ class SegmentLimits:
         """Acceleration of an axis that both segments of a corner allow."""
         return min(self.rapid_a[index], self.feed_a[index])
 
-    def min_acceleration(self, index: int) -> float:
-        """Acceleration of an axis that both slopes of both segments allow."""
-        min_a = min(self.rapid_slope_a[index], self.feed_slope_a[index])
-        return min(min_a, self.rapid_a[index], self.feed_a[index])
+    def slope_acceleration(self, index: int) -> float:
+        """``axis_acceleration`` with limited jerk."""
+        return min(self.rapid_slope_a[index], self.feed_slope_a[index])

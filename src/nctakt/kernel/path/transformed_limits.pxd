@@ -24,12 +24,8 @@ cdef class TransformedLimits:
     cdef long long[::1] linear
     cdef double[::1] rapid_v
     cdef double[::1] max_v
-    cdef double[::1] rapid_a
-    cdef double[::1] feed_a
-    cdef double[::1] rapid_slope_a
-    cdef double[::1] feed_slope_a
-    cdef double[::1] rapid_j
-    cdef double[::1] feed_j
+    cdef double[::1] axis_a
+    cdef double[::1] axis_j
     cdef double free_a
     cdef double free_j
     cdef double turn
@@ -103,14 +99,12 @@ cdef class TransformedLimits:
     cdef double bent_acceleration(self, double[::1] limits, double speed) noexcept nogil
     @cython.locals(limit_j=double, i=Py_ssize_t, bend=double, left_j=double)
     cdef double jerk(self, double[::1] limits, double speed, double ramp_a) noexcept nogil
-    @cython.locals(is_rapid=bint, speed=double, limit_a=double)
+    @cython.locals(speed=double)
     cdef double measure(
         self, double[::1] segments, Py_ssize_t row, double max_factor
     ) noexcept nogil
     @cython.locals(speed=double, limit_a=double)
-    cdef void limit_jerk(
-        self, double[::1] segments, Py_ssize_t row, bint is_rapid
-    ) noexcept nogil
+    cdef void limit_jerk(self, double[::1] segments, Py_ssize_t row) noexcept nogil
     @cython.locals(
         first=Py_ssize_t, second=Py_ssize_t, x=double, y=double, distance=double, length2=double,
         start=Py_ssize_t, i=Py_ssize_t, rise=double

@@ -49,12 +49,8 @@ class TransformedLimits:
         room = 8 * places
         self.rapid_v = memoryview(bytearray(room)).cast("d")
         self.max_v = memoryview(bytearray(room)).cast("d")
-        self.rapid_a = memoryview(bytearray(room)).cast("d")
-        self.feed_a = memoryview(bytearray(room)).cast("d")
-        self.rapid_slope_a = memoryview(bytearray(room)).cast("d")
-        self.feed_slope_a = memoryview(bytearray(room)).cast("d")
-        self.rapid_j = memoryview(bytearray(room)).cast("d")
-        self.feed_j = memoryview(bytearray(room)).cast("d")
+        self.axis_a = memoryview(bytearray(room)).cast("d")
+        self.axis_j = memoryview(bytearray(room)).cast("d")
         self.transformations = Transformations(1)
         self.free_a = 1.0 - BEND_A
         self.free_j = 1.0 - BEND_J - BEND_RAMP_J
@@ -102,27 +98,14 @@ class TransformedLimits:
         self,
         rapid_v: memoryview[float],
         max_v: memoryview[float],
-        rapid_a: memoryview[float],
-        feed_a: memoryview[float],
+        axis_a: memoryview[float],
+        axis_j: memoryview[float],
     ) -> None:
-        """Share the axes' speeds and accelerations."""
+        """Share the axes' speeds, and their accelerations and jerks on the newest segment."""
         self.rapid_v = rapid_v
         self.max_v = max_v
-        self.rapid_a = rapid_a
-        self.feed_a = feed_a
-
-    def limit_slope(
-        self,
-        rapid_slope_a: memoryview[float],
-        feed_slope_a: memoryview[float],
-        rapid_j: memoryview[float],
-        feed_j: memoryview[float],
-    ) -> None:
-        """Share the axes' accelerations and jerks with limited jerk."""
-        self.rapid_slope_a = rapid_slope_a
-        self.feed_slope_a = feed_slope_a
-        self.rapid_j = rapid_j
-        self.feed_j = feed_j
+        self.axis_a = axis_a
+        self.axis_j = axis_j
 
     def locate(self, segments: memoryview[float], row: int, part: float, sample: int) -> None:
         """Put the axes after ``part`` of a segment into a sample; beyond the ends it goes on."""
@@ -373,40 +356,29 @@ class TransformedLimits:
             self.survey(segments, row)
         else:
             self.survey_cubic(segments, row)
-        is_rapid = segments[row + rows.MOTION] == rows.RAPID_MOTION
-        if is_rapid:
+        if segments[row + rows.MOTION] == rows.RAPID_MOTION:
             segments[row + rows.SPEED] = self.highest_speed(self.rapid_v)
         speed = min(
             segments[row + rows.SPEED] * max_factor,
             self.highest_speed(self.max_v),
-            self.bent_speed(self.rapid_a if is_rapid else self.feed_a),
+            self.bent_speed(self.axis_a),
         )
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
-            speed = min(
-                speed,
-                self.bent_speed(self.rapid_slope_a if is_rapid else self.feed_slope_a),
-                self.bent_jerk_speed(self.rapid_j if is_rapid else self.feed_j),
-            )
+            speed = min(speed, self.bent_jerk_speed(self.axis_j))
         segments[row + rows.MAX_SPEED] = speed
-        limit_a = self.acceleration(self.rapid_a if is_rapid else self.feed_a, speed)
-        segments[row + rows.ACCELERATION] = limit_a
+        segments[row + rows.ACCELERATION] = self.acceleration(self.axis_a, speed)
         segments[row + rows.CORNER_SPEED] = 0.0
         if segments[row + rows.HAS_JERK_LIMIT] > 0.0:
-            self.limit_jerk(segments, row, is_rapid)
-        return self.bend_share(self.rapid_a if is_rapid else self.feed_a, speed)
+            self.limit_jerk(segments, row)
+        return self.bend_share(self.axis_a, speed)
 
-    def limit_jerk(self, segments: memoryview[float], row: int, is_rapid: int) -> None:
+    def limit_jerk(self, segments: memoryview[float], row: int) -> None:
         """Limit acceleration and jerk for the jerk-limited slope."""
         speed = segments[row + rows.MAX_SPEED]
-        limit_a = min(
-            segments[row + rows.ACCELERATION],
-            self.acceleration(self.rapid_slope_a if is_rapid else self.feed_slope_a, speed),
-            self.bent_acceleration(self.rapid_j if is_rapid else self.feed_j, speed),
-        )
+        limit_a = self.bent_acceleration(self.axis_j, speed)
+        limit_a = min(segments[row + rows.ACCELERATION], limit_a)
         segments[row + rows.ACCELERATION] = limit_a
-        segments[row + rows.JERK] = self.jerk(
-            self.rapid_j if is_rapid else self.feed_j, speed, limit_a
-        )
+        segments[row + rows.JERK] = self.jerk(self.axis_j, speed, limit_a)
 
     def arc_length(self, segments: memoryview[float], row: int) -> float:
         """Length of an arc, of a helix where further linear axes move."""

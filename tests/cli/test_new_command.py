@@ -26,6 +26,7 @@ def without_files(machine: Machine) -> tuple[object, ...]:
     channels = tuple(
         replace(
             one,
+            ignored_variables=(),
             startup=replace(
                 one.startup,
                 parameters=None,

@@ -68,7 +68,7 @@ def impossible_inputs(
 
 
 def _with_places(script: Script, failure: Failure) -> Iterator[Diagnostic]:
-    """Yield what has a place in the comments; which machine counts is told for all programs."""
+    """Yield the findings with a place in the comments; the note about the machine comes once."""
     return (found for found in script.placed(failure).diagnostics if found.span is not None)
 
 
@@ -78,7 +78,7 @@ def _has_plc(script: Script, program: Path, access: FileAccess) -> bool:
         return True
     try:
         project = find_project(program, access)
-    except Failure:  # it is told where the machine of the program is looked for
+    except Failure:  # reported with the choice of the program's machine
         return True
     if project is None:
         return False

@@ -32,13 +32,13 @@ from nctakt.comparison.lengths import (
 )
 from nctakt.trace.events import Event
 
-#: How many delays are looked for; more would be no delays, but another program.
+#: The largest number of delays; with more, the log is probably one of another program.
 MAX_DELAYS = 10
 #: The first stretch of the run in which the next delay is looked for; then four times as long.
 _STRETCH_US, _LONGER = 60e6, 4.0
 #: The misfit before a place, as a share of a signal's span, with which the place is sure.
 _SURE = 1e-3
-#: How many blocks in which something moves are tried before the one that is late, and after it.
+#: The number of moving blocks that are tried before the late one, and after it.
 _BESIDE = 2
 
 
@@ -91,7 +91,7 @@ class DelaySearch:
             if len(found) == MAX_DELAYS or not fits(self._signals, alignment, begin_us, late_us):
                 return Delays(found, is_cut=bool(found))
             at = self._number(late_us)
-            # one may be too short to tell; where the log is earlier, the one before is told
+            # The block of a short delay, or the one where the log is early, may be a neighbour.
             earlier = self._moving(range(at - 1, -1, -1), begin_us, _BESIDE + 1)
             later = self._moving(range(at + 1, len(self._blocks)), begin_us, _BESIDE)
             numbers = [at, *earlier[:_BESIDE], *later]

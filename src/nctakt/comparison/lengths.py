@@ -22,36 +22,36 @@ from nctakt.comparison.log import Samples
 REACH_US = 20e6
 #: How long the stretches after a place are that are fitted, in µs.
 _STRETCHES = tuple(0.5e6 * 2.0**power for power in range(8))
-#: The same after the first motion of the log, and what share of its span is one.
+#: The same after the first motion of the log, and the share of its span that counts as motion.
 _BEGINNINGS = tuple(0.125e6 * 2.0 ** (power / 2.0) for power in range(18))
 _MOTION = 0.01
-#: Misfits that are tried there one after another, as shares of a signal's span.
+#: Misfits that are allowed there, tried in this order, as shares of a signal's span.
 _MISFITS = (1e-5, 1e-4, 1e-3, 5e-3)
-#: The grid of lengths, in µs, and how many that are apart are refined.
+#: The step of the grid of lengths, in µs, and the largest number of minima that are refined.
 _GRID_US, _REFINED = 4000.0, 8
-#: A length that is known less exactly than by so many steps of the grid is not known.
+#: A minimum wider than this number of grid steps says nothing about the length.
 _WIDEST = 8
-#: How far a gain may be from 1.
+#: The largest difference of a gain from 1.
 _GAIN = 0.1
-#: Shares of a signal's span below which a misfit says nothing: on the grid, and at the stamps.
+#: Misfits below these shares of a signal's span are ignored: on the grid, and at the stamps.
 _GRID_FLOOR, _FLOOR = 1e-4, 1e-5
-#: A fit is as good as that before the place up to this factor.
+#: A fit may be worse than the one before the place by up to this factor.
 _AS_GOOD = 2.0
-#: The share of a signal's span from which on a misfit is none of noise.
+#: A misfit above this share of a signal's span is no noise.
 _MISFIT = 0.01
-#: Another length is excluded if it fits worse by so many squares of errors.
+#: Another length is excluded if its sum of squares is larger by this many squared errors.
 _EXCLUDED = 50.0
-#: Errors that a length has to be known to, and how exactly: in µs, and as a share of the length.
+#: This many standard errors must be at most so long: in µs, or as a share of the length.
 _SIGNIFICANT, _EXACT_US, _EXACT = 5.0, 500.0, 0.005
-#: After the place something has to move by so many sizes of the noise.
+#: After the place, some signal must move by at least this many times the noise.
 _CLEAR = 20.0
-#: How long the parts of a stretch are that are looked at for being late, in µs.
+#: The length of the parts of a stretch that are checked for a delay of their own, in µs.
 _PART_US = 0.1e6
 #: The shortest length, in µs.
 MIN_LENGTH_US = 500.0
-#: Rounds of the refinement, and a step in µs that ends it.
+#: The largest number of rounds of the refinement, and the step in µs that ends it.
 _ROUNDS, _SETTLED_US = 12, 0.01
-#: Samples of a signal that are fitted at most; fewer than ``_MIN_SAMPLES`` say nothing.
+#: The largest number of samples of a signal that are fitted, and the smallest that says enough.
 _MAX_FITTED, _MIN_SAMPLES = 10_000, 20
 
 Signals = Sequence[tuple[Samples, Curve]]

@@ -6,6 +6,7 @@ What is called here cannot be seen from Python where it is compiled: the tests r
 
 from __future__ import annotations
 
+import math
 from types import SimpleNamespace
 from typing import Any
 
@@ -139,6 +140,26 @@ def test_a_record_has_no_room_behind_its_last_row() -> None:
     assert record.has_room(0, 0) == 1
     record.take_row()
     assert record.has_room(0, 0) == 0
+
+
+def test_a_reduced_record_keeps_lowest_and_highest_values() -> None:
+    """With those before the first tick; what was once no number stays none until it is taken."""
+    memory = bytearray(24)
+    values = memoryview(memory).cast("d")
+    record = Record(memory, row_capacity=4)
+    record.select([0, 2], reduced=True)
+    for first, third in ((3.0, -1.0), (1.0, math.nan), (2.0, 5.0)):
+        values[0], values[2] = first, third
+        record.take_row()
+    assert record.row_count == 3
+    lowest, lost, highest, gone = memoryview(record.take_extent()).cast("d")
+    assert (lowest, highest) == (0.0, 3.0)
+    assert math.isnan(lost)
+    assert math.isnan(gone)
+    assert record.row_count == 0
+    values[0] = 7.0
+    record.take_row()
+    assert memoryview(record.take_extent()).cast("d").tolist() == [2.0, 5.0, 7.0, 5.0]
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])

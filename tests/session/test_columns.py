@@ -17,7 +17,7 @@ from nctakt.kernel import rows
 from nctakt.session.core import SessionCore
 from nctakt.session.history import columns
 from nctakt.session.history.branch import Branch
-from nctakt.session.history.columns import ColumnRecord, ColumnTrail, Necessary
+from nctakt.session.history.columns import ColumnRecord, ColumnTrail, Necessary, extent_end
 from nctakt.session.process.worker import can_fork
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.setup import Setup
@@ -37,6 +37,11 @@ def holds(needed: Necessary, before: float, value: float) -> bool:
     return is_true(value, needed.number) and not is_true(before, needed.number)
 
 
+def extent_of(lowest: float, highest: float) -> memoryview[float]:
+    """What a controller leaves of one signal."""
+    return memoryview(np.array([lowest, highest]).tobytes()).cast("d")
+
+
 @each_seed(20, 20)
 def test_no_tick_in_which_a_stop_holds_is_left_out(seed: int, monkeypatch: Any) -> None:
     """Signals that stand, step and swing, recorded in parts of any length on two branches."""
@@ -51,11 +56,10 @@ def test_no_tick_in_which_a_stop_holds_is_left_out(seed: int, monkeypatch: Any) 
     branch = Branch(2, parent, cut)
     for own, first, last in ((parent, 0, 300), (branch, cut, 300)):
         trail, tick = ColumnTrail(), first
-        trail.begin([values[first]])
         while tick < last:
-            count = min(last - tick, chance.randint(1, 40))
-            part = np.array(values[tick + 1 : tick + 1 + count])
-            trail.rows(tick, memoryview(part.tobytes()).cast("d"), 1)
+            end = min(last, extent_end(tick), tick + chance.randint(1, 40))
+            count, part = end - tick, values[tick : end + 1]
+            trail.extent(tick, count, extent_of(min(part), max(part)))
             own.record.add([], b"", trail.take())
             tick += count
     for name in ("changes", *OPERATORS):
@@ -73,12 +77,11 @@ def test_ticks_that_are_not_recorded_are_possible() -> None:
     never = Necessary(0, ">", 9.0)
     assert own.possible_end(never, 50) == 50
     trail = ColumnTrail()
-    trail.begin([0.0])
-    trail.rows(20, memoryview(np.zeros(10).tobytes()).cast("d"), 1)
+    trail.extent(20, 10, extent_of(0.0, 0.0))
     own.record.add([], b"", trail.take())
     assert own.possible_end(never, 40) == 40
     assert own.possible_end(never, 30) == 20
-    trail.rows(30, memoryview(np.full(5, np.nan).tobytes()).cast("d"), 1)
+    trail.extent(30, 5, extent_of(np.nan, np.nan))
     own.record.add([], b"", trail.take())
     assert own.possible_end(never, 35) == 35
 

@@ -8,6 +8,7 @@ reactions to come, made in a thread of its own, and why they end where they do.
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Sequence
 from functools import partial
 from typing import Any
@@ -21,6 +22,9 @@ from nctakt.session.session import Session
 
 #: How long the inputs stay as they are before the future is drawn anew, in seconds.
 _REST_S = 0.3
+
+#: How long browsers draw what is known while the rest is looked for, in seconds.
+_DISTANCE_S = 0.3
 
 #: Ticks of a branch after which its future is looked for again: it reaches farther than that.
 _AGAIN_TICKS = 250_000
@@ -94,12 +98,17 @@ class Ahead:
 
     def _look(self, subject: FutureOf, session: Session) -> None:
         futures = session.future(*subject.signals)
+        future, due_s = None, 0.0
         for future in futures:
             if self._is_closed or self._wish is None or self._wish[0] != subject:
                 close = getattr(futures, "close", None)  # the copy ends with it
                 if close is not None:
                     close()
                 return
+            if time.monotonic() >= due_s:
+                self._known = subject, drawn(future, subject.signals, subject.file)
+                due_s = time.monotonic() + _DISTANCE_S
+        if future is not None:
             self._known = subject, drawn(future, subject.signals, subject.file)
 
     def close(self) -> None:

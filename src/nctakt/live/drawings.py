@@ -31,6 +31,9 @@ _MODULES = {
 }
 
 
+#: Increments under way to a browser that has not drawn them yet.
+MAX_UNDER_WAY = 2
+
 #: Sides from which the path can be seen.
 _VIEWS = ("space", "top", "front", "side")
 
@@ -54,6 +57,7 @@ class Drawings:
         self._seen: dict[str, Seen] = {}
         self._sent: dict[str, Any] = {}
         self._has_sent_log = False
+        self._number = self._drawn = 0
         self._stretches = Newest(self._send_stretch)
         self._build_scope()
         self._build_path()
@@ -100,6 +104,7 @@ class Drawings:
             self._scope.props["name"] = texts["scope_name"]
             self._scope.on("travel", self._travel)
             self._scope.on("stretch", self._wish_stretch)
+            ui.on("nctakt_taken", self.note_drawn)
             self._scope.on("kept", self._restore_filter)
 
     def _build_filter(self) -> None:
@@ -142,6 +147,16 @@ class Drawings:
 
     # --- following ------------------------------------------------------------------------------
 
+    @property
+    def are_behind(self) -> bool:
+        """Whether the browser has not drawn yet what was sent: it is busy, or asleep."""
+        return self._number - self._drawn >= MAX_UNDER_WAY
+
+    def note_drawn(self, event: Any) -> None:
+        """Take up to which increment a browser has drawn."""
+        if isinstance(event.args, int) and self._drawn < event.args <= self._number:
+            self._drawn = event.args
+
     def follow(self, texts: dict[str, str]) -> None:
         """Send what is new; ``texts``: those of the readings that have changed."""
         shared, snapshot = self._shared, self._shared.snapshot
@@ -178,7 +193,8 @@ class Drawings:
             self._has_sent_log = True
             news["logged"] = shared.logged
         if news:
-            self._scope.run_method("take", news)
+            self._number += 1
+            self._scope.run_method("take", news | {"number": self._number})
 
     def _lanes_shown(self, conditions: Sequence[Condition]) -> list[int]:
         """Return the places of the conditions that fit the filter, and say how many they are."""

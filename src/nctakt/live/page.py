@@ -7,12 +7,14 @@ from ``view`` and ``track``.
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import json
 from collections.abc import Awaitable, Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nicegui import context, ui
+from nicegui import Client, context, ui
 
 from nctakt.live import view
 from nctakt.live.document import Document
@@ -109,6 +111,23 @@ class Page:
         ui.on("nctakt_key", self._key)
         ui.on("nctakt_dark", self._show_dark)
         ui.timer(_LOOK_S, self._follow)
+        self._follow_commands(context.client)
+
+    def _follow_commands(self, client: Client) -> None:
+        """Look as well as soon as a command has been carried out."""
+        loop = asyncio.get_running_loop()
+
+        def look() -> None:
+            if client.has_socket_connection:
+                with client:
+                    self._follow()
+
+        def watch() -> None:
+            with contextlib.suppress(RuntimeError):  # the server has ended
+                loop.call_soon_threadsafe(look)
+
+        self._shared.watchers.add(watch)
+        client.on_delete(lambda: self._shared.watchers.discard(watch))
 
     # --- layout ---------------------------------------------------------------------------------
 
@@ -183,7 +202,9 @@ class Page:
     # --- following ------------------------------------------------------------------------------
 
     def _follow(self) -> None:
-        """Show what is new."""
+        """Show what is new, once the browser has drawn what was before."""
+        if self._drawings.are_behind:
+            return
         shared, snapshot = self._shared, self._shared.snapshot
         self._looks += 1
         subject = (snapshot.serial, shared.channel, shared.file)

@@ -52,7 +52,8 @@ class SharedSession:
     command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
     those that persons have given to branches. ``logged``: curves of a machine's log.
     ``plcs``: the files of the session's PLCs, whose ``plc_files`` may be saved meanwhile.
-    ``transformed``: channels whose positions may be those of the tool's tip.
+    ``transformed``: channels whose positions may be those of the tool's tip. ``watchers`` are
+    called, from the session's thread, when a command or its end has changed what there is to see.
     """
 
     def __init__(
@@ -88,10 +89,12 @@ class SharedSession:
         self._passing: StopAt | None = None
         self.lock = threading.Lock()
         self._wake = threading.Event()
+        self._listener: Listener | None = None
+        self.watchers: set[Callable[[], None]] = set()
         self._is_closed = False
         self._serial = self._number = 0
         self.track = Track()
-        self.explainer = Explainer(self._wake.set)
+        self.explainer = Explainer(self._look_now)
         self.ahead = Ahead()
         self._start(self._opened())
         self._thread = threading.Thread(target=self._watch, name="nctakt live", daemon=True)
@@ -163,7 +166,7 @@ class SharedSession:
             return command(self.session)
         finally:
             self.busy -= 1
-            self._wake.set()
+            self._look_now()
 
     def go_to_next(self, stop: StopAt) -> None:
         """Run to the next such moment, or to a stop; the page shows the way, and may pause it."""
@@ -172,13 +175,13 @@ class SharedSession:
             self.session.set_stops(*self.stops, stop)
             self.session.play(rests=True)
             self._passing = stop
-        self._wake.set()
+        self._look_now()
 
     def set_stops(self, stops: Sequence[str]) -> None:
         """Let the session stop at these; raises ``Failure``, and keeps the old ones."""
         self.session.set_stops(*stops)
         self.stops = list(stops)
-        self._wake.set()
+        self._look_now()
 
     def acknowledge_after(self, delay: int | None) -> None:
         """Let functions be acknowledged after this many ticks, by the CNC (0), or by a person."""
@@ -189,7 +192,7 @@ class SharedSession:
             self.session.write(dict.fromkeys(names, present), PAGE)
         self.session.acknowledge_after(delay or None)
         self.delay = delay
-        self._wake.set()
+        self._look_now()
 
     def reopen(self, program: str | None = None) -> None:
         """Run the programs again from the start, or one; raises ``Failure``, keeps the old run."""
@@ -204,14 +207,14 @@ class SharedSession:
             old = self.session
             self._start(session)
         old.close()
-        self._wake.set()
+        self._look_now()
 
     def choose(self, signals: Sequence[str]) -> None:
         """Show these signals in the scope; unknown ones are left out."""
         with self.lock:
             self.scope = [name for name in signals if name in self.units]
             self._show()
-        self._wake.set()
+        self._look_now()
 
     def look_at(self, channel: int, file: str) -> None:
         """Show this channel and this program."""
@@ -221,7 +224,7 @@ class SharedSession:
             self.track.clear()
             self._set_axes()
             self._looked_at = ()
-        self._wake.set()
+        self._look_now()
 
     def why(self, line: int, language: Language, file: str = "") -> str:
         """Return why the condition in a line of the program is as it is; raises ``Failure``.
@@ -251,7 +254,7 @@ class SharedSession:
     def name_branch(self, number: int, name: str) -> None:
         """Give a branch of the tape a name, for all browsers."""
         self.branch_names[number] = name
-        self._wake.set()
+        self._look_now()
 
     def close(self) -> None:
         """End the session."""
@@ -261,18 +264,25 @@ class SharedSession:
     def leave(self) -> None:
         """Look at the session no more; it goes on."""
         self._is_closed = True
-        self._wake.set()
+        self._look_now()
         self._thread.join()
         self.explainer.close()
         self.ahead.close()
 
     # --- the thread -----------------------------------------------------------------------------
 
+    def _look_now(self) -> None:
+        """Let the thread look at the session at once."""
+        self._wake.set()
+        if self._listener is not None:
+            self._listener.wake()
+
     def _watch(self) -> None:
         while not self._is_closed:
             session = self.session
             try:
                 with session.listen(rate_hz=RATE_HZ) as listener:
+                    self._listener = listener
                     while not self._is_closed and session is self.session:
                         self._take(session, listener)
                         if listener.is_dropped:
@@ -309,6 +319,9 @@ class SharedSession:
             is_new = frame is not None or was_woken or bool(notices)
             if is_new:
                 self.snapshot = self.snapshot_of(frame)
+        if was_woken or (is_new and not self.snapshot.is_playing):
+            for watcher in list(self.watchers):
+                watcher()
         if is_new and not self.snapshot.is_playing:
             self._look_back(session)
         if frame is None and not was_woken and not notices and not session.is_playing:
@@ -357,7 +370,8 @@ class SharedSession:
             state_view.channels[self.channel - 1].awaited,
             None if is_playing else session.statement,
         )
-        if self.path_signals:
+        is_fast = is_playing and session.speed is None
+        if self.path_signals and not is_fast:  # else it would be the present before it is drawn
             self.ahead.wish(self.future_subject, session)
         if is_playing:
             self.explainer.forget_wish()
@@ -425,7 +439,7 @@ class SharedSession:
         if log.lacks_some:
             with contextlib.suppress(Failure):  # the next look tries it again
                 log.complete(session.happened)
-                self._wake.set()
+                self._look_now()
         key, end = self._past_key(session), session.branches[session.branch]
         if key == self._looked_at or end == 0:
             return

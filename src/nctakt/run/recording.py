@@ -22,7 +22,7 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event, EventDecoder
 from nctakt.trace.recorded import EventList
-from nctakt.trace.sinks import RowSink, Signal, Sink, TraceHeader
+from nctakt.trace.sinks import ExtentSink, RowSink, Signal, Sink, TraceHeader
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
@@ -69,6 +69,7 @@ class Recording:
         self._events = EventDecoder(machine.configuration.cycle_time_us, machine.registry)
         self._sinks: Sequence[Sink] = ()
         self._row_sinks: Sequence[RowSink] = ()
+        self._extent_sinks: Sequence[ExtentSink] = ()
         self._steps: list[EventList] = []
         self._probes: ProbeLog | None = None
         self._noticed: set[tuple[str, Span | None]] = set()
@@ -166,6 +167,7 @@ class Recording:
         self._sinks = sinks
         # Asking the protocol takes longer than a short run's decoding.
         self._row_sinks = [cast(RowSink, sink) for sink in sinks if hasattr(sink, "rows")]
+        self._extent_sinks = [cast(ExtentSink, one) for one in sinks if hasattr(one, "extent")]
 
     @property
     def is_empty(self) -> bool:
@@ -184,7 +186,8 @@ class Recording:
         if self._probes is not None:
             self._probes.add(probes, event_rows)
         events = EventChunk(self._events, event_rows)
-        signals = memoryview(record.take_rows()).cast("d")
+        values = record.take_extent() if record.is_reduced else record.take_rows()
+        signals = memoryview(values).cast("d")
         if len(events):
             has_presences = bool(self._machine.access.presences)
             watched = events.of_kinds(_WATCHED_BESIDE_PLC if has_presences else _ANY_WATCHED)
@@ -194,7 +197,10 @@ class Recording:
                 sink.events(events)
         for note in self._functions.notes():
             self._report(note)
-        if rows_count:
+        if rows_count and record.is_reduced:
+            for extent_sink in self._extent_sinks:
+                extent_sink.extent(first_tick, rows_count, signals)
+        elif rows_count:
             for row_sink in self._row_sinks:
                 row_sink.rows(first_tick, signals, record.signal_count)
 

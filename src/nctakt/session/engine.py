@@ -45,7 +45,7 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.channel_states import ChannelState, channel_states
 from nctakt.session.decoders import DecoderState, decoder_state
-from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary
+from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary, extent_end
 from nctakt.session.history.evidence import necessary
 from nctakt.session.history.trail import Mark, Trail, now_us
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
@@ -215,7 +215,7 @@ class Engine:
         self._trail.follow(memories_of(plc))
         self._loop.connect(plc, has_plc=not setup.acknowledges)
         self._recorded_cells = tuple(self._signals[name][0] for name in recorded)
-        self._selected: Sequence[int] | None = None
+        self._selected: tuple[Sequence[int], bool] | None = None
         self._columns = {cell: number for number, cell in enumerate(self._recorded_cells)}
         self._run.load()
         self.statements = self._stop_builder.statements
@@ -359,10 +359,8 @@ class Engine:
         if resting:
             return self._slice(first, [], events=True, resting=resting)
         found: list[Mark] = []
-        self._trail.keeps = False
-        self._select(self._recorded_cells if marks is None else ())
-        if marks is None:
-            self._trail.explore([self._machine.cells[cell] for cell in self._recorded_cells])
+        self._trail.keeps = marks is None
+        self._select(self._recorded_cells if marks is None else (), reduced=marks is None)
         while True:
             bound = min(end, self._next_look) if rests else end
             if marks is None:
@@ -380,11 +378,16 @@ class Engine:
         done = replace(done, marks=tuple(found), rows=rows, columns=columns)
         return done if since is None else since_tick(done, since, self._cycle_us)
 
-    def _select(self, cells: Sequence[int]) -> None:
-        """Record these cells in each tick from now on: what no one keeps takes only time."""
-        if self._selected != cells:
-            self._machine.record.select(list(cells))
-            self._selected = cells
+    def _select(self, cells: Sequence[int], *, reduced: bool = False) -> None:
+        """Record these cells in each tick from now on: what no one keeps takes only time.
+
+        ``reduced``: only their lowest and highest values.
+        """
+        if self._selected != (cells, reduced):
+            self._machine.record.select(list(cells), reduced=reduced)
+            self._selected = cells, reduced
+        elif reduced:
+            self._machine.record.begin_extent()
 
     @property
     def _next_look(self) -> int:
@@ -398,7 +401,7 @@ class Engine:
         """
         while True:
             before, begin_us = self.tick, now_us()
-            bound = min(end, before + self._trail.part)
+            bound = min(end, before + self._trail.part, extent_end(before))
             bound = bound if resting is None else min(bound, self._next_look)
             is_stopped = self._run.advance(bound)
             is_due = self._trail.note(self.tick - before, now_us() - begin_us)

@@ -85,6 +85,7 @@ class Listener:
         self._frame: Frame | None = None
         self._notices: deque[Notice] = deque()
         self._missed = 0
+        self._is_woken = False
         self.is_dropped = False
 
     def is_due(self) -> bool:
@@ -112,11 +113,18 @@ class Listener:
                 self._notices.append(notice)
             self._changed.notify_all()
 
+    def wake(self) -> None:
+        """Let whoever waits for a frame, or does so next, wait no longer."""
+        with self._changed:
+            self._is_woken = True
+            self._changed.notify_all()
+
     def take(self, timeout_s: float = 0.0) -> Frame | None:
         """Return the latest frame, waiting for one up to a time in seconds; else ``None``."""
         with self._changed:
-            if self._frame is None and timeout_s > 0.0:
-                self._changed.wait_for(lambda: self._frame is not None, timeout_s)
+            if timeout_s > 0.0:
+                self._changed.wait_for(lambda: self._frame is not None or self._is_woken, timeout_s)
+            self._is_woken = False
             frame, self._frame = self._frame, None
             if frame is None:
                 return None

@@ -90,6 +90,16 @@ class RowSink(Sink, Protocol):
         """Receive rows of consecutive ticks from ``first_tick`` on, ``width`` float64 each."""
 
 
+class ExtentSink(Sink, Protocol):
+    """Receives, where rows are reduced, what is left of them."""
+
+    def extent(self, first_tick: int, count: int, values: memoryview[float]) -> None:
+        """Receive the lowest values of the signals in some ticks, then the highest ones.
+
+        Those before the first of the ticks are among them.
+        """
+
+
 def check_suffix(path: Path) -> None:
     """Raise ``Failure`` (900506) for a file whose suffix is not that of a format."""
     known = (*SUFFIXES, PARQUET, MF4)

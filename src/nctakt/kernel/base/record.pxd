@@ -24,10 +24,15 @@ cdef class Record:
     cdef public bint records_writes
     cdef public bint records_series
     cdef public bint records_answers
+    cdef readonly bint is_reduced
 
     cdef int has_awaited(self) noexcept nogil
     @cython.locals(i=Py_ssize_t, row=Py_ssize_t)
     cdef void take_row(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, count=Py_ssize_t, value=double)
+    cdef void reduce_row(self) noexcept nogil
+    @cython.locals(count=Py_ssize_t)
+    cdef void widen(self, Py_ssize_t i, double value) noexcept nogil
     @cython.locals(row=Py_ssize_t, bit=cython.longlong)
     cdef void event(
         self, int kind, long long source, long long subject=*, double a=*, double b=*, double c=*

@@ -17,6 +17,7 @@ class Record:
     """Rows, events and probes of the ticks since they were last taken.
 
     ``memory`` is the machine's; ``signals`` (``select``) are the cells that a row holds.
+    ``is_reduced``: of all rows their lowest and highest values are kept, and those before them.
     """
 
     def __init__(
@@ -46,16 +47,30 @@ class Record:
         self.records_series = False
         self.records_answers = False
 
-    def select(self, signals: list[int]) -> None:
-        """Set the cells of a row; rows that were not taken are dropped."""
+    def select(self, signals: list[int], *, reduced: bool = False) -> None:
+        """Set the cells of a row; rows that were not taken are dropped.
+
+        ``reduced``: what follows is taken by ``take_extent``, not by ``take_rows``.
+        """
         for cell in signals:
             check_index(cell, len(self.cells), "cell")
         self.signal_count = len(signals)
         self.signals = memoryview(bytearray(8 * max(1, len(signals)))).cast("q")
         for i, cell in enumerate(signals):
             self.signals[i] = cell
-        self.rows = memoryview(bytearray(8 * max(1, self.row_capacity * len(signals)))).cast("d")
+        kept = 2 if reduced else self.row_capacity
+        self.rows = memoryview(bytearray(8 * max(1, kept * len(signals)))).cast("d")
+        self.is_reduced = reduced
+        self.begin_extent()
+
+    def begin_extent(self) -> None:
+        """Forget all rows; where they are reduced, begin with the values of now."""
         self.row_count = 0
+        if self.is_reduced:
+            for i in range(self.signal_count):
+                value = self.cells[self.signals[i]]
+                self.rows[i] = value
+                self.rows[self.signal_count + i] = value
 
     def has_awaited(self) -> int:
         """Return whether an event of the kinds that somebody waits for has not been taken yet."""
@@ -63,10 +78,33 @@ class Record:
 
     def take_row(self) -> None:
         """Copy the signals' cells as the row of this tick."""
+        if self.is_reduced:
+            self.reduce_row()
+            return
         row = self.row_count * self.signal_count
         for i in range(self.signal_count):
             self.rows[row + i] = self.cells[self.signals[i]]
         self.row_count += 1
+
+    def reduce_row(self) -> None:
+        """Let the lowest and highest values be those of this tick, too."""
+        count = self.signal_count
+        for i in range(count):
+            value = self.cells[self.signals[i]]
+            if not self.rows[i] <= value <= self.rows[count + i]:
+                self.widen(i, value)
+        self.row_count += 1
+
+    def widen(self, i: int, value: float) -> None:
+        """Widen what is kept of a signal; once it was no number, it stays none."""
+        count = self.signal_count
+        if value != value:
+            self.rows[i] = value
+            self.rows[count + i] = value
+        elif value < self.rows[i]:
+            self.rows[i] = value
+        elif value > self.rows[count + i]:
+            self.rows[count + i] = value
 
     def event(
         self,
@@ -156,6 +194,12 @@ class Record:
         """The rows recorded since the last call, row after row of float64."""
         taken = bytes(memoryview(self.rows)[: self.row_count * self.signal_count])
         self.row_count = 0
+        return taken
+
+    def take_extent(self) -> bytes:
+        """The lowest values of the signals since the last call, then the highest ones."""
+        taken = bytes(memoryview(self.rows)[: 2 * self.signal_count])
+        self.begin_extent()
         return taken
 
     def take_events(self) -> bytes:

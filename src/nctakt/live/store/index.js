@@ -15,13 +15,22 @@ export const run = {
   from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
-let isDue = false;
+let isDue = false, taken = 0, told = 0;
 
 export const listen = (listener) => { listeners.add(listener); return () => listeners.delete(listener); };
 export const changed = () => {
   if (isDue) return;
   isDue = true;
-  requestAnimationFrame(() => { isDue = false; for (const listener of listeners) listener(); });
+  requestAnimationFrame(draw);
+};
+// The server hears up to which increment all has been drawn: to a page that sleeps it sends no more.
+const draw = () => {
+  isDue = false;
+  try {
+    for (const listener of listeners) listener();
+  } finally {
+    if (taken !== told) { told = taken; emitEvent("nctakt_taken", taken); }
+  }
 };
 
 const trim = (list, size) => { if (list.length > size) list.splice(0, list.length - size); };
@@ -53,6 +62,7 @@ export const take = (news) => {
   if (news.detail) run.detail = news.detail;
   if (news.texts) showTexts(news.texts);
   if (run.follows) follow();
+  taken = news.number ?? taken;
   frames.count += 1;
   changed();
 };

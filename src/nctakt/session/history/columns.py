@@ -21,7 +21,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.kernel import rows
 from nctakt.session.stops import EventFilter
 
-#: Ticks whose lowest and highest values are kept together.
+#: Ticks whose lowest and highest values are kept together; they are recorded no farther at once.
 EXTENT_TICKS = 4096
 
 #: Signals that a session records at most by default.
@@ -39,6 +39,11 @@ _WRITTEN = (rows.EVENT_KIND, rows.EVENT_CHANNEL, rows.EVENT_A, rows.EVENT_TICK)
 
 #: Rows of writes that wait to be joined at most.
 _MAX_WAITING = 100_000
+
+
+def extent_end(tick: int) -> int:
+    """Return up to where ticks from this one on are recorded together at most."""
+    return (tick // EXTENT_TICKS + 1) * EXTENT_TICKS
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,26 +101,14 @@ class ColumnTrail:
     """Gathers what the ticks of a controller leave of signals and writes, until it is taken."""
 
     def __init__(self) -> None:
-        self._before: NDArray[np.float64] = np.empty(0)
         self._extents: list[Extent] = []
         self._writes: list[NDArray[np.float64]] = []
         self._waiting = 0
 
-    def begin(self, values: Sequence[float]) -> None:
-        """Note the values of the signals before the next tick."""
-        self._before = np.array(values, np.float64)
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Gather the values of the signals after some ticks."""
-        values: NDArray[np.float64] = np.asarray(rows).reshape(-1, width)
-        while len(values):
-            count = min(len(values), EXTENT_TICKS - first_tick % EXTENT_TICKS)
-            part, before = values[:count], self._before
-            lowest = np.minimum(part.min(axis=0), before)
-            highest = np.maximum(part.max(axis=0), before)
-            _append(self._extents, Extent(first_tick, count, lowest, highest))
-            self._before = part[-1].copy()
-            values, first_tick = values[count:], first_tick + count
+    def extent(self, first_tick: int, count: int, values: memoryview[float]) -> None:
+        """Gather the lowest values of the signals in some ticks, and the highest ones."""
+        lowest, highest = np.asarray(values).reshape(2, -1)
+        _append(self._extents, Extent(first_tick, count, lowest, highest))
 
     def writes(self, events: NDArray[np.float64]) -> None:
         """Gather writes, but for those of the decoder."""

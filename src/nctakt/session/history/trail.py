@@ -68,15 +68,10 @@ class Trail:
     def open(self, header: TraceHeader) -> None:
         """Do nothing."""
 
-    def explore(self, signals: Sequence[float]) -> None:
-        """Keep all that ticks leave from now on; ``signals``: their values before the next one."""
-        self.keeps = True
-        self._columns.begin(signals)
-
-    def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
-        """Keep the values of the signals."""
+    def extent(self, first_tick: int, count: int, values: memoryview[float]) -> None:
+        """Keep the lowest and highest values of the signals."""
         if self.keeps:
-            self._columns.rows(first_tick, rows, width)
+            self._columns.extent(first_tick, count, values)
 
     def events(self, events: Sequence[Event]) -> None:
         """Digest events."""

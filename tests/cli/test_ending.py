@@ -41,6 +41,8 @@ vary = [{ variable = "V.E.VALUE", from = 1, to = 20000, step = 1 }]
 measure.end = "X at end"
 """
 
+CAPABILITIES: dict[str, object] = {"capabilities": {}}
+
 SLOW = "import time\nclass P:\n  def cycle(self, hli):\n    time.sleep(0.0001)\n"
 
 
@@ -217,13 +219,26 @@ def test_a_language_server_ends_though_its_editor_waits(
     else:
         assert server.process.stdin is not None
         server.process.stdin.write(
-            framed(
-                {"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": {"capabilities": {}}}
-            )
+            framed({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": CAPABILITIES})
         )
         server.process.stdin.flush()
         server.until("Content-Length")
     assert server.end(number) == 0
+
+
+def test_a_language_server_ends_as_its_editor_says(start: Start) -> None:
+    """Exit code 0 and nothing more is said, though standard output is closed then."""
+    pytest.importorskip("pygls")
+    server = start("lsp", ignores=False)
+    to = server.process.stdin
+    assert to is not None
+    to.write(framed({"jsonrpc": "2.0", "id": 1, "method": "initialize", "params": CAPABILITIES}))
+    to.write(framed({"jsonrpc": "2.0", "id": 2, "method": "shutdown"}))
+    to.write(framed({"jsonrpc": "2.0", "method": "exit"}))
+    to.flush()
+    said = server.output.read().decode()
+    assert server.process.wait(60) == 0
+    assert "Traceback" not in said
 
 
 @pytest.mark.nightly

@@ -5,7 +5,10 @@ from __future__ import annotations
 
 import json
 import os
+import struct
+import sys
 from collections.abc import Callable
+from importlib.util import cache_from_source
 from pathlib import Path
 
 import pytest
@@ -246,6 +249,9 @@ def test_confined_runs_take_no_file_from_outside(told: Told) -> None:
     assert find_project(Path("programs"), FileAccess(["programs"])) is None
 
 
+#: Tags of entries in access lists (ACL), as Linux keeps them.
+_USER, _GROUP = 2, 8
+
 PROOF_PLC = """from pathlib import Path
 
 Path(__file__).with_name("ran").touch()
@@ -357,6 +363,91 @@ def test_a_link_does_not_lend_its_target_to_somebody_else(told: Told, cell: Path
     others_may_write(Path("elsewhere"))
     assert "902025" in told("run", "elsewhere/b.nc")[2]
     assert not cell.exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+@pytest.mark.parametrize("name", ["helper.py", "package/inner.py", "wave.py", "__pycache__"])
+def test_what_the_code_imports_counts_too(told: Told, cell: Path, name: str) -> None:
+    """Beside it, in a package, in place of a module of Python's own, as Python translated it."""
+    imports = "import helper\nimport package.inner\ndef later():\n    import wave\n"
+    write("cell.py", imports + PROOF_PLC)
+    translated = cache_from_source("cell.py")
+    for file in ("helper.py", "package/inner.py", "wave.py", "unused.py", translated):
+        write(file, "")
+    others_may_write(Path("unused.py"))
+    assert told("run", "programs/a.nc", "--quiet")[0] == 0
+    cell.unlink()
+    others_may_write(Path(name))
+    code, _, err = told("run", "programs/a.nc", "--quiet")
+    assert (code, "902025" in err, name in err, cell.exists()) == (2, True, True, False)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="no access lists in Linux's form")
+@pytest.mark.parametrize(
+    ("entries", "code"),
+    [
+        ([(_USER, 6, 65534)], 2),
+        ([(_GROUP, 6, 65534)], 2),
+        ([(_USER, 4, 65534), (_GROUP, 4, 65534)], 0),
+        ([(_USER, 6, os.geteuid())], 0),
+    ],
+    ids=["another user", "another group", "they may read", "the user"],
+)
+def test_access_lists_count(
+    told: Told, cell: Path, entries: list[tuple[int, int, int]], code: int
+) -> None:
+    """Who may write by a list (ACL) is not seen in the mode, where the group is the owner's own."""
+    own = [(1, 6, 2**32 - 1), (4, 4, 2**32 - 1), (16, 6, 2**32 - 1), (32, 4, 2**32 - 1)]
+    packed = (struct.pack("<HHI", *entry) for entry in sorted([*own, *entries]))
+    data = struct.pack("<I", 2) + b"".join(packed)
+    try:
+        os.setxattr("cell.py", "system.posix_acl_access", data)  # type: ignore[attr-defined, unused-ignore]
+    except OSError:
+        pytest.skip("the file system has no access lists")
+    assert told("run", "programs/a.nc", "--quiet")[0] == code
+    assert cell.exists() is (code == 0)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+@pytest.mark.parametrize(
+    ("entry", "place"),
+    [('plc = "cell.py"', "plan.toml:1:1"), ('measure.own = "python cell.py:own"', "plan.toml:1:9")],
+    ids=["PLC", "measure"],
+)
+def test_plans_that_others_may_have_written(told: Told, cell: Path, entry: str, place: str) -> None:
+    """902970 at the entry, and its code has not been run; --trust runs it."""
+    write("nctakt.toml", 'machine = "demo5"\n')
+    write("cell.py", PROOF_PLC + "\n\ndef own(run):\n    return 1\n")
+    write(
+        "plan.toml",
+        entry + '\nprogram = "programs/a.nc"\n'
+        'vary = [{variable = "V.E.WORD", from = 1, to = 2, step = 1}]\nmeasure.end = "X at end"\n',
+    )
+    others_may_write(Path("plan.toml"))
+    code, _, err = told("study", "plan.toml", "--yes")
+    assert (code, err.startswith(f"{place}: error 902970: ")) == (2, True), err
+    assert not cell.exists()
+    assert told("study", "plan.toml", "--yes", "--trust")[0] == 0
+    assert cell.exists()
+
+
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+@pytest.mark.parametrize(
+    ("name", "word"),
+    [
+        ("conftest.py", "programs/a.nc"),
+        ("programs/conftest.py", "."),
+        ("pytest.ini", "programs"),
+        ("programs/test_cell.py", "programs/test_cell.py::test_it"),
+    ],
+)
+def test_tests_that_others_may_have_written(told: Told, cell: Path, name: str, word: str) -> None:
+    """902971, before pytest begins; it would take settings from any folder above, too."""
+    write(name, "" if name.endswith(".ini") else PROOF_PLC)
+    others_may_write(Path(name))
+    code, out, err = told("test", word)
+    assert (code, out, "902971" in err, str(Path(name).absolute()) in err) == (2, "", True, True)
+    assert not Path(name).with_name("ran").exists()
 
 
 def test_what_only_reads_runs_no_code_of_a_project(told: Told, cell: Path) -> None:

@@ -4,7 +4,10 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -112,6 +115,23 @@ def test_the_same_run_gives_the_same_bytes(tmp_path: Path, suffix: str) -> None:
     data = (tmp_path / f"one.{suffix}").read_bytes()
     assert data == (tmp_path / f"two.{suffix}").read_bytes()
     assert len(data) > 10_000
+
+
+@pytest.mark.parametrize("suffix", [".svg", ".png"])
+def test_settings_of_the_working_directory_change_no_picture(tmp_path: Path, suffix: str) -> None:
+    """A "matplotlibrc" may be anybody's: TeX would be run, and the same run drawn otherwise."""
+    (tmp_path / "part.nc").write_text(PART, "utf-8")
+    (tmp_path / "matplotlibrc").write_text("text.usetex: True\nlines.linewidth: 9\n", "utf-8")
+    (tmp_path / "empty").mkdir()
+    environment = {name: value for name, value in os.environ.items() if name != "MATPLOTLIBRC"}
+    words = (sys.executable, "-P", "-m", "nctakt", "run", str(tmp_path / "part.nc"), "--quiet")
+    pictures = []
+    for folder in (tmp_path, tmp_path / "empty"):
+        picture = folder / f"part{suffix}"
+        done = [*words, "--plot", str(picture)]
+        subprocess.run(done, cwd=folder, env=environment, check=True, timeout=120)
+        pictures.append(picture.read_bytes())
+    assert pictures[0] == pictures[1]
 
 
 @pytest.mark.nightly

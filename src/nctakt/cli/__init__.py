@@ -174,7 +174,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         with handling(signal.default_int_handler, only_termination=True):
             code = _run(arguments)
-        sys.stdout.flush()
+        if not sys.stdout.closed:  # a language server closes it at its end
+            sys.stdout.flush()
     except BrokenPipeError as error:  # the reader has closed the pipe
         silence(sys.stdout)
         complain_notes(error)

@@ -7,6 +7,7 @@ JUnit file if asked for, and the exit code as that of ``nctakt check``.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from importlib.metadata import entry_points
 from itertools import takewhile
 from pathlib import Path
@@ -18,13 +19,15 @@ from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.cli import EXIT_INTERNAL, EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.common.help import described, option
-from nctakt.cli.common.options import language_option
+from nctakt.cli.common.options import TRUST_OPTION, language_option
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
+from nctakt.messages.commands.project import TESTS_NOT_TRUSTED
 from nctakt.messages.files import FILE_MISSING, MISSPELT_FILE
 from nctakt.messages.plcs.unit_tests import NOTHING_TESTED, PYTEST_MISSING
+from nctakt.project.trust import list_of_trusted, why_distrusted
 
 #: The plugins of nctakt, where the installation does not announce them.
 _PLUGINS = ("nctakt.testing.plugin", "nctakt.studies.fixture")
@@ -38,6 +41,13 @@ _CODES = {
     5: EXIT_USAGE,
 }
 _NO_TESTS = 5
+#: What pytest takes from folders above, and runs of those that are named.
+_SETTINGS = (
+    "conftest.py",
+    *(f"{dot}pytest.{kind}" for dot in ("", ".") for kind in ("ini", "toml")),
+    *("pyproject.toml", "tox.ini", "setup.cfg"),
+)
+_TESTS = ("conftest.py", "test_*.py", "*_test.py")
 
 
 @described(
@@ -88,6 +98,7 @@ _NO_TESTS = 5
     group="files",
     text=Text("Write the results as JUnit XML.", "Die Ergebnisse als JUnit-XML schreiben."),
 )
+@TRUST_OPTION
 @language_option()
 def command(
     paths: tuple[str, ...],
@@ -112,6 +123,7 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
     except ImportError as error:
         raise Failure(diagnostic(PYTEST_MISSING)) from error
     _check_there(paths)
+    _check_trusted(paths)
     known = {one.name for one in entry_points(group="pytest11")}
     plugins = [] if "nctakt" in known else [part for name in _PLUGINS for part in ("-p", name)]
     # This process has imported what pytest would rewrite: no assert of nctakt is a test's.
@@ -137,12 +149,42 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
     return _CODES.get(code, EXIT_INTERNAL)
 
 
+def _check_trusted(words: list[str]) -> None:
+    """Raise ``Failure`` (902971) if pytest would run what may be somebody else's.
+
+    It takes settings and ``conftest.py`` from the folders of the tests and all above.
+    """
+    for path in [Path(word.partition("::")[0]) for word in _paths(words)] or [Path()]:
+        folder = path.absolute() if path.is_dir() else path.absolute().parent
+        files = [one / name for one in (folder, *folder.parents) for name in _SETTINGS]
+        files += [path] if path.suffix == ".py" else []
+        files += [one for pattern in _TESTS for one in sorted(path.rglob(pattern))]
+        for file in filter(Path.is_file, files):
+            beside = file.absolute().parent
+            reason = why_distrusted([file], beside)
+            if reason is not None:
+                raise Failure(
+                    diagnostic(
+                        TESTS_NOT_TRUSTED,
+                        file=str(file),
+                        reason=reason,
+                        folder=str(beside),
+                        list=str(list_of_trusted()),
+                    )
+                )
+
+
+def _paths(words: list[str]) -> Iterator[str]:
+    """Return an iterator over the words in front of pytest's options."""
+    return takewhile(lambda one: not one.startswith("-"), words)
+
+
 def _check_there(words: list[str]) -> None:
     """Raise ``Failure`` for a file or folder that is not there; what follows an option is pytest's.
 
     A test within a file has its name behind ``::``.
     """
-    for word in takewhile(lambda one: not one.startswith("-"), words):
+    for word in _paths(words):
         path = Path(word.partition("::")[0])
         if path.exists():
             continue

@@ -116,7 +116,9 @@ def new_sheet(height_in: float, kind: Any = None) -> Iterator[Any]:
     # names of files, axes and cells are not formulas, and may have signs that the font lacks
     settings: dict[Any, Any] = {"svg.hashsalt": "nctakt", "svg.fonttype": "path"}
     settings["text.parse_math"] = False
-    with matplotlib.rc_context(settings), warnings.catch_warnings():
+    with matplotlib.rc_context(), warnings.catch_warnings():
+        matplotlib.rcdefaults()  # a "matplotlibrc" in the working directory may be anybody's
+        matplotlib.rcParams.update(settings)
         warnings.filterwarnings("ignore", message="Glyph .* missing")
         sheet = (kind or PlainFigure)(
             figsize=(_WIDTH_IN, height_in), dpi=_DPI, layout="constrained"

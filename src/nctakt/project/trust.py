@@ -2,10 +2,10 @@
 """Whose settings may run code: those that no one else can write, or of a folder that is trusted.
 
 In: files that name code, or have it. Out: why they do not count. A project file in a folder above
-may be anybody's; it has code run only if it and its folder belong to the user or to root and no one
-else may write them, if the user trusts the folder (a line in ``nctakt/trusted`` below the folder of
-the user's settings), or if he trusts all of them for a command (``--trust``). Systems without
-owners in Python's sense (Windows) are not asked.
+may be anybody's; it has code run only if it, the code, what Python imports beside that, and their
+folders belong to the user or to root and no one else may write them, if the user trusts the folder
+(a line in ``nctakt/trusted`` below the folder of the user's settings), or if he trusts all of them
+for a command (``--trust``). Systems without owners in Python's sense (Windows) are not asked.
 """
 
 from __future__ import annotations
@@ -13,10 +13,13 @@ from __future__ import annotations
 import contextlib
 import os
 import stat
+import struct
+import sys
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 from nctakt.base.diagnostics import Text
+from nctakt.project.imports import with_imports
 
 try:
     import grp
@@ -26,6 +29,9 @@ except ImportError:  # Windows
 
 #: The variable with the folder of the user's settings, and the list in it.
 _SETTINGS_VARIABLE, _LIST = "XDG_CONFIG_HOME", "nctakt/trusted"
+
+#: Where Linux keeps the access list (ACL) of a file, and what its entries are (acl(5)).
+_ACCESS_LIST, _ENTRY, _LISTED_USER, _LISTED_GROUP = "system.posix_acl_access", "<HHI", 2, 8
 
 _is_all_trusted = False
 
@@ -51,11 +57,12 @@ def list_of_trusted() -> Path:
 def why_distrusted(files: Iterable[Path], folder: Path) -> Text | None:
     """Return why files of a folder may not have code run; ``None`` if they may.
 
-    ``folder``: of the project, which the user may trust.
+    ``folder``: of the project, which the user may trust. Of a Python file what it imports counts,
+    too.
     """
     if pwd is None or _is_all_trusted:
         return None
-    reason = _first_reason(files)
+    reason = _first_reason(with_imports(files))
     if reason is None:
         return None
     trusted = list_of_trusted()
@@ -94,7 +101,8 @@ def _reason(path: Path) -> Text | None:
         return Text(
             f"{path} belongs to {_user(owner)}", f"{path} gehört dem Benutzer {_user(owner)}"
         )
-    if state.st_mode & stat.S_IWOTH or (state.st_mode & stat.S_IWGRP and _is_shared(state)):
+    is_shared = state.st_mode & stat.S_IWGRP and (_is_shared(state) or _is_listed(path))
+    if state.st_mode & stat.S_IWOTH or is_shared:
         return Text(f"others may write {path}", f"andere dürfen {path} schreiben")
     return None
 
@@ -121,6 +129,24 @@ def _is_shared(state: os.stat_result) -> bool:
         return True
     owner = _user(state.st_uid)
     return group.gr_name != owner or any(member != owner for member in group.gr_mem)
+
+
+def _is_listed(path: Path) -> bool:
+    """Return whether the access list of a file lets other users, or further groups, write it.
+
+    A file that has one shows in its mode, as what its group may, what any in the list may.
+    """
+    if sys.platform != "linux":
+        return False
+    try:
+        entries = os.getxattr(path, _ACCESS_LIST)[4:]  # behind the version
+    except OSError:  # it has none
+        return False
+    return any(
+        tag == _LISTED_GROUP or (tag == _LISTED_USER and number not in _own_users())
+        for tag, permissions, number in struct.iter_unpack(_ENTRY, entries)
+        if permissions & stat.S_IWOTH
+    )
 
 
 def _user(number: int) -> str:

@@ -119,8 +119,8 @@ TRUST_OPTION = option(
     callback=_trust,
     group="machine",
     text=Text(
-        "Run the code that the project file names, whoever may write it.",
-        "Code ausführen, den die Projektdatei nennt, wer immer ihn schreiben darf.",
+        "Run the code of the project, whoever may write it.",
+        "Code des Projekts ausführen, wer immer ihn schreiben darf.",
     ),
 )
 ISOLATE_OPTION = option(

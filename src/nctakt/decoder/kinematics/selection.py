@@ -21,8 +21,6 @@ from nctakt.lists.machine.transformations.universal_kinematic import (
     UnusableKinematicError,
 )
 
-#: Types whose signs no source settles: a note says that plain geometry decides.
-DECIDED_TYPES = frozenset(FIXED_TYPES)
 _TUBE_HEADS = 90
 _PLANES = (13, 14, 15)
 

@@ -5,6 +5,13 @@ from __future__ import annotations
 
 from nctakt.messages.catalogue import error, note
 
+_ENTRY = ("the entry", "der Eintrag")
+_REASON = (
+    "who owns it, or that others may write to it",
+    "wem es gehört, oder dass andere es ändern dürfen",
+)
+_LIST = ("the file with the trusted folders", "die Datei mit den vertrauenswürdigen Ordnern")
+
 INVALID_PROJECT_FILE = error(
     901060,
     en="the project file is not valid TOML: {reason}",
@@ -47,13 +54,39 @@ PROJECT_NOT_TRUSTED = error(
     "you or to root, and no one else can write to them.",
     cause_de="Code eines Projekts wird nur ausgeführt, wenn er, die Projektdatei und deren Ordner "
     "dem Benutzer oder root gehören und niemand sonst sie ändern darf.",
-    key=("the entry", "der Eintrag"),
-    reason=(
-        "who owns it, or that others may write to it",
-        "wem es gehört, oder dass andere es ändern dürfen",
-    ),
+    key=_ENTRY,
+    reason=_REASON,
     folder=("the folder of the project", "der Ordner des Projekts"),
-    list=("the file with the trusted folders", "die Datei mit den vertrauenswürdigen Ordnern"),
+    list=_LIST,
+)
+PLAN_NOT_TRUSTED = error(
+    902970,
+    en="the plan: {key} is not run: {reason}",
+    de="der Plan: {key} wird nicht ausgeführt: {reason}",
+    remedy_en="If you trust the plan, use --trust, or add {folder} to {list}.",
+    remedy_de="Bei Vertrauen in den Plan --trust verwenden oder {folder} in {list} eintragen.",
+    cause_en="Code of a plan is run only if it, the plan and their folders belong to you or to "
+    "root, and no one else can write to them.",
+    cause_de="Code eines Plans wird nur ausgeführt, wenn er, der Plan und deren Ordner dem "
+    "Benutzer oder root gehören und niemand sonst sie ändern darf.",
+    key=_ENTRY,
+    reason=_REASON,
+    folder=("the folder of the plan", "der Ordner des Plans"),
+    list=_LIST,
+)
+TESTS_NOT_TRUSTED = error(
+    902971,
+    en="no test is run, because pytest would use {file}: {reason}",
+    de="kein Test wird ausgeführt, denn pytest würde {file} verwenden: {reason}",
+    remedy_en="If you trust it, use --trust, or add {folder} to {list}.",
+    remedy_de="Bei Vertrauen --trust verwenden oder {folder} in {list} eintragen.",
+    cause_en="pytest runs conftest.py and takes its settings from folders above the tests, too, "
+    "such as /tmp, where anybody may have written them.",
+    cause_de="pytest führt conftest.py auch aus Ordnern über den Tests aus und liest dort seine "
+    "Einstellungen, etwa in /tmp, wo sie von jedem stammen können.",
+    reason=_REASON,
+    folder=("its folder", "dessen Ordner"),
+    list=_LIST,
 )
 PLC_NOT_RUN = note(
     902026,

@@ -932,10 +932,6 @@ class Resolver:
         if kind.pou.is_abstract and variable.section is not Section.IN_OUT:
             self._report(TYPE_IS_ABSTRACT, node, name=kind.name)
 
-    def pending_scope(self, variable: Variable) -> PendingVariable | None:
-        """Return node and scope of a variable that is not completed."""
-        return self._pending.get(variable)
-
     def is_incomplete(self, kind: Pou | Type | None) -> bool:
         """Whether a block or structure has a base that is not known."""
         if isinstance(kind, BlockType):

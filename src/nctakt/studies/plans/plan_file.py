@@ -26,8 +26,10 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.machine.schedules.scheduling import load_rtconf
 from nctakt.lists.machine.schedules.scheduling_profile import PROFILES
 from nctakt.messages import Collector, diagnostic
+from nctakt.messages.commands.project import PLAN_NOT_TRUSTED
 from nctakt.messages.commands.studies import EMPTY_STUDY, INVALID_PLAN, NAME_TAKEN
 from nctakt.project.run_settings import DEFAULT_PLC, Named, RunSettings, run_settings
+from nctakt.project.trust import list_of_trusted, why_distrusted
 from nctakt.run.access.stimuli import parse_assignment
 from nctakt.run.option_kinds import UnfitDataError
 from nctakt.run.options import RUN_OPTIONS, accepted_by
@@ -35,6 +37,7 @@ from nctakt.run.program_loader import NcText
 from nctakt.studies.measuring.measure_nodes import Constant, Node
 from nctakt.studies.measuring.measure_text import Reader
 from nctakt.studies.measuring.measures import Expectation, Measure, read_expectation, read_measure
+from nctakt.studies.measuring.python_measure import PythonMeasure
 from nctakt.studies.plans.changed_schedule import FAMILY
 from nctakt.studies.plans.plan import (
     DESIGNS,
@@ -93,8 +96,8 @@ def read_plan(path: Path, default_machine: Path | None = None) -> Plan:
 
     Raises one ``Failure`` with all mistakes: not TOML (901300), unknown entries (901301), values
     (901302), missing entries (901303), measures (901306), expectations (901307), names that are
-    taken (901390), times (900510), assignments (900511, 900512); for a file that cannot be read as
-    ``FileAccess.read_bytes``.
+    taken (901390), times (900510), assignments (900511, 900512), code that may be somebody else's
+    (902970); for a file that cannot be read as ``FileAccess.read_bytes``.
     """
     text = decode_text(FileAccess().read_bytes(path)).text
     try:
@@ -207,6 +210,7 @@ class _Reader(PlanReader):
             tuple(self._further(tables)),
         )
         plan = replace(plan, places=self._places(plan))
+        self._check_trusted(plcs, plan.measures)
         self._check_names(plan)
         self._check_kinds(plan)
         self._check_distributions(plan)
@@ -251,6 +255,26 @@ class _Reader(PlanReader):
             if one.count != count:
                 expected = _as_many(count, plan.dimensions[0].name)
                 self.wrong("values", one.count, expected, "vary", number)
+
+    def _check_trusted(self, plcs: Sequence[Path], measures: Sequence[Measure]) -> None:
+        """Note code that the plan's file names, and that may be somebody else's (902970)."""
+        if not self._file:
+            return  # the tables are a program's own
+        code = [(path, "plc", "") for path in plcs if path != Path(DEFAULT_PLC)]
+        for measure in measures:
+            if isinstance(measure.node, PythonMeasure):
+                code.append((measure.node.file, measure.name, "measure"))
+        for path, key, table in code:
+            reason = why_distrusted((Path(self._file), path), self.folder)
+            if reason is not None:
+                found = diagnostic(
+                    PLAN_NOT_TRUSTED,
+                    key=key,
+                    reason=reason,
+                    folder=str(self.folder.absolute()),
+                    list=str(list_of_trusted()),
+                )
+                self.report(found, self.location(key, table, 0))
 
     def _places(self, plan: Plan) -> dict[Entry, Place]:
         """Return where the entries are whose names machine and program have to have."""

@@ -9,7 +9,6 @@ user's, and a machine that makes runs has to have it installed, too.
 
 from __future__ import annotations
 
-import ast
 import importlib.machinery
 import importlib.util
 import sys
@@ -21,6 +20,7 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import UPLOAD_TOO_LARGE
+from nctakt.project.imports import imported_names
 
 #: The most bytes of files that go along with the runs of a study.
 MAX_BYTES = 64 << 20
@@ -45,7 +45,7 @@ class UserModules:
         known = dict.fromkeys(waiting)
         while waiting:
             path = waiting.pop()
-            for name in _imported(path):
+            for name in imported_names(path):
                 for new in self._add(name, path.parent):
                     if new not in known:
                         known[new] = None
@@ -114,21 +114,3 @@ def _spec(name: str, folder: Path) -> importlib.machinery.ModuleSpec | None:
         return beside or importlib.util.find_spec(name)
     except (ImportError, ValueError):  # what cannot be found is reported when it is imported
         return None
-
-
-def _imported(path: Path) -> Iterator[str]:
-    """Yield the first part of each name that a Python file imports."""
-    try:
-        tree = ast.parse(path.read_bytes())
-    except (OSError, SyntaxError, ValueError, RecursionError):  # reported by who imports it
-        return
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
-            yield from (alias.name.partition(".")[0] for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
-            yield node.module.partition(".")[0]
-        elif isinstance(node, ast.Call) and node.args:
-            word = getattr(node.func, "attr", getattr(node.func, "id", ""))
-            name = getattr(node.args[0], "value", None)
-            if word in ("import_module", "__import__") and isinstance(name, str):
-                yield name.partition(".")[0]

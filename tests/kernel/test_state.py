@@ -15,7 +15,7 @@ from pathlib import Path
 
 import nctakt
 from nctakt.kernel import state_fields
-from nctakt.kernel.state import ARRAYS, COPIERS, SAME
+from nctakt.kernel.state import ARRAYS, COPIED, EXCHANGED
 
 SOURCES = Path(nctakt.__file__).parent
 
@@ -131,6 +131,6 @@ def test_each_name_of_a_table_is_a_field() -> None:
 
 def test_both_forms_have_the_same_classes() -> None:
     """The compiled tables and the plain ones are for the classes that the C types name."""
-    for table, kind in ((COPIERS, "copied"), (ARRAYS, "arrays"), (SAME, "exchanged")):
+    for table, kind in ((COPIED, "copied"), (ARRAYS, "arrays"), (EXCHANGED, "exchanged")):
         names = {(cls.__module__, cls.__name__) for cls in table}
         assert names == {key for key, found in CLASSES.items() if getattr(found, kind)}

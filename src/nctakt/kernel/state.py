@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: MIT
 """What copies the state of the realtime part's objects, and what returns their arrays.
 
-In: the fields that ``state_fields`` finds in the C types. Out: ``COPIERS`` (class -> a function
-that copies from one object to another), ``ARRAYS`` (class -> a function that returns the arrays
-whose content is kept), ``SAME`` (class -> a function that says whether two objects have the same
-ones of the arrays that are exchanged) and ``ArrayCopies``, which keeps that content; what a base
-class declares, its own entries copy. Compiled, they are in ``_state``, which the build writes;
-plain, they are made here.
+In: the fields that ``state_fields`` finds in the C types. Out: ``ObjectCopies``, which keeps the
+numbers of objects; ``ARRAYS`` (class -> a function that returns the arrays whose content is kept)
+and ``ArrayCopies``, which keeps that content; ``COPIED`` and ``EXCHANGED``, the classes that have
+numbers to keep, and arrays that others may take the place of. What a base class declares, its own
+entries copy. Compiled, they are in ``_state``, which the build writes; plain, they are made here.
 """
 
 from __future__ import annotations
 
+import functools
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple, Protocol
@@ -20,28 +20,79 @@ from typing import Any, NamedTuple, Protocol
 from nctakt.base.mode import is_compiled
 from nctakt.kernel.state_fields import TypedClass, typed_classes
 
-Copier = Callable[[Any, Any], None]
 Arrays = Callable[[Any], tuple[Any, ...]]
-Comparison = Callable[[Any, Any], bool]
 
 
-class KeptArrays(Protocol):
-    """The content of arrays at some moment."""
+class Kept(Protocol):
+    """Numbers of objects, or the content of arrays, at some moment."""
 
     def take(self) -> None:
-        """Take the present content."""
+        """Take the present ones."""
 
     def put_back(self) -> None:
-        """Put the content back as it was when it was taken."""
+        """Put them back as they were when they were taken."""
+
+
+class KeptNumbers(Kept, Protocol):
+    """Numbers of objects, and which arrays they had."""
+
+    def have_same_arrays(self) -> bool:
+        """Return whether all arrays are still those that they were."""
 
 
 class Tables(NamedTuple):
-    """What there is for each class, and what keeps the content of arrays."""
+    """What there is for each class, and what keeps numbers of objects and content of arrays."""
 
-    copiers: dict[type, Copier]
+    copied: Collection[type]
     arrays: dict[type, Arrays]
-    same: dict[type, Comparison]
-    array_copies: Callable[[list[bytearray]], KeptArrays]
+    exchanged: Collection[type]
+    object_copies: Callable[[list[object]], KeptNumbers]
+    array_copies: Callable[[list[bytearray]], Kept]
+
+
+class PlainObjectCopies:
+    """The numbers of objects, taken when it is made; ``copied``, ``exchanged``: fields by class."""
+
+    def __init__(
+        self,
+        copied: Mapping[type, Sequence[str]],
+        exchanged: Mapping[type, Sequence[str]],
+        parts: list[object],
+    ) -> None:
+        self._triples: list[tuple[Any, dict[str, Any], Sequence[str]]] = []
+        self._exchanged: list[tuple[Any, dict[str, Any], Sequence[str]]] = []
+        for part in parts:
+            kept: dict[str, Any] = {}
+            for cls in type(part).__mro__:
+                if cls in copied:
+                    self._triples.append((part, kept, copied[cls]))
+                    self._exchanged.append((part, kept, exchanged.get(cls, ())))
+        self.take()
+
+    def take(self) -> None:
+        """Take the present numbers."""
+        for part, kept, names in self._triples:
+            for name in names:
+                kept[name] = _separate(getattr(part, name))
+
+    def put_back(self) -> None:
+        """Put the numbers back as they were when they were taken."""
+        for part, kept, names in self._triples:
+            for name in names:
+                setattr(part, name, _separate(kept[name]))
+
+    def have_same_arrays(self) -> bool:
+        """Return whether all arrays are still those that they were."""
+        return all(
+            getattr(part, name) is kept[name]
+            for part, kept, names in self._exchanged
+            for name in names
+        )
+
+
+def _separate(value: Any) -> Any:
+    """Return a number as it is, a list as another one."""
+    return list(value) if type(value) is list else value
 
 
 class PlainArrayCopies:
@@ -61,53 +112,41 @@ class PlainArrayCopies:
             live[:] = kept
 
 
-def _copier(found: TypedClass) -> Copier:
-    """Return what copies the fields of a class in plain Python."""
-    names = tuple(found.copied)
-
-    def copy(source: Any, target: Any) -> None:
-        for name in names:
-            value = getattr(source, name)
-            setattr(target, name, list(value) if type(value) is list else value)
-
-    return copy
-
-
 def _arrays(found: TypedClass) -> Arrays:
     """Return what returns the arrays of an object of a class in plain Python."""
     names = tuple(found.arrays)
     return lambda part: tuple(getattr(part, name) for name in names)
 
 
-def _same(found: TypedClass) -> Comparison:
-    """Return what compares the arrays of two objects of a class in plain Python."""
-    names = tuple(found.exchanged)
-    return lambda one, other: all(getattr(one, name) is getattr(other, name) for name in names)
-
-
 def _plain() -> Tables:
     """Return the tables of the plain classes."""
-    tables = Tables({}, {}, {}, PlainArrayCopies)
+    copied: dict[type, Sequence[str]] = {}
+    arrays: dict[type, Arrays] = {}
+    exchanged: dict[type, Sequence[str]] = {}
     for found in typed_classes(Path(__file__).parent):
         if found.copied or found.arrays:
             cls = getattr(importlib.import_module(found.module), found.name)
             if found.copied:
-                tables.copiers[cls] = _copier(found)
+                copied[cls] = found.copied
             if found.arrays:
-                tables.arrays[cls] = _arrays(found)
+                arrays[cls] = _arrays(found)
             if found.exchanged:
-                tables.same[cls] = _same(found)
-    return tables
+                exchanged[cls] = found.exchanged
+    object_copies = functools.partial(PlainObjectCopies, copied, exchanged)
+    return Tables(copied, arrays, exchanged, object_copies, PlainArrayCopies)
 
 
 def _compiled() -> Tables:
     """Return the tables of the compiled classes."""
     module = importlib.import_module("nctakt.kernel._state")
-    return Tables(module.COPIERS, module.ARRAYS, module.SAME, module.ArrayCopies)
+    return Tables(
+        module.COPIED, module.ARRAYS, module.EXCHANGED, module.ObjectCopies, module.ArrayCopies
+    )
 
 
 _FOUND = _compiled() if is_compiled() else _plain()
-COPIERS = MappingProxyType(_FOUND.copiers)
+COPIED = frozenset(_FOUND.copied)
 ARRAYS = MappingProxyType(_FOUND.arrays)
-SAME = MappingProxyType(_FOUND.same)
+EXCHANGED = frozenset(_FOUND.exchanged)
+ObjectCopies = _FOUND.object_copies
 ArrayCopies = _FOUND.array_copies

@@ -35,8 +35,10 @@ REFERENCES = {
     "When": ("others",),
 }  # fmt: skip
 #: Arrays of which nothing is read before it is written again. Of the path's history only the rows
-#: of segments that have begun count: ``Path.history`` has them.
+#: of segments that have begun count, of the queue those that were ever written: ``Path.history``
+#: and ``CommandQueue.used_rows`` have them.
 UNREAD = {
+    "CommandQueue": ("rows",),
     "Kernel": ("input_slots",),
     "Notes": ("numbers", "reals", "values"),
     "PathAxes": ("history_rows",),
@@ -115,11 +117,59 @@ class TypedClass(NamedTuple):
         return [name for name in self.arrays if name in REFERENCES.get(self.name, ())]
 
 
-#: What keeps the content of arrays, in the compiled module: one block of memory for all of them.
-ARRAY_COPIES = """
+#: The begin of the compiled module.
+HEAD = """# Written by a build from the C types of the realtime part.
+cimport cython
 from cpython.buffer cimport PyBUF_WRITABLE, PyBuffer_Release, PyObject_GetBuffer
 from libc.stdlib cimport free, malloc
 from libc.string cimport memcpy
+ctypedef int (*Copier)(object, object) except -1
+ctypedef int (*Comparison)(object, object) except -1"""
+#: What copies objects, and what keeps the content of arrays, in the compiled module: one block of
+#: memory for all of them.
+COPIES = """
+cdef class ObjectCopies:
+    cdef list live
+    cdef list kept
+    cdef Copier* copiers
+    cdef Comparison* comparisons
+    def __init__(self, list parts):
+        cdef Py_ssize_t i
+        if self.copiers:
+            raise TypeError("the objects are given once")
+        pairs = []
+        for part in parts:
+            kept = type(part).__new__(type(part))
+            for cls in type(part).__mro__:
+                if cls in COPIED:
+                    pairs.append((part, kept, COPIED[cls], EXCHANGED.get(cls, 0)))
+        self.live = [part for part, _, _, _ in pairs]
+        self.kept = [kept for _, kept, _, _ in pairs]
+        self.copiers = <Copier*>malloc((len(pairs) + 1) * sizeof(Copier))
+        self.comparisons = <Comparison*>malloc((len(pairs) + 1) * sizeof(Comparison))
+        if not self.copiers or not self.comparisons:
+            raise MemoryError
+        for i in range(len(pairs)):
+            self.copiers[i] = _copiers[<Py_ssize_t>pairs[i][2]]
+            self.comparisons[i] = _comparisons[<Py_ssize_t>pairs[i][3]]
+        self.take()
+    def __dealloc__(self):
+        free(self.copiers)
+        free(self.comparisons)
+    def take(self):
+        cdef Py_ssize_t i
+        for i in range(len(self.live)):
+            self.copiers[i](self.live[i], self.kept[i])
+    def put_back(self):
+        cdef Py_ssize_t i
+        for i in range(len(self.live)):
+            self.copiers[i](self.kept[i], self.live[i])
+    def have_same_arrays(self):
+        cdef Py_ssize_t i
+        for i in range(len(self.live)):
+            if not self.comparisons[i](self.live[i], self.kept[i]):
+                return False
+        return True
 
 cdef class ArrayCopies:
     cdef Py_buffer* live
@@ -184,27 +234,37 @@ def typed_classes(kernel: Path) -> Iterator[TypedClass]:
 
 
 def compiled_source(kernel: Path) -> str:
-    """Return the source of the compiled module: ``COPIERS``, ``ARRAYS``, ``SAME`` by class."""
+    """Return the source of the compiled module: ``COPIED``, ``ARRAYS``, ``EXCHANGED`` by class."""
     kept = [found for found in typed_classes(kernel) if found.copied or found.arrays]
-    lines = ["# Written by a build from the C types of the realtime part."]
-    lines += ["cimport cython"]
-    lines += [f"from {found.module} cimport {found.name}" for found in kept]
-    for found in kept:
-        lines += [f"def copy_{found.name}({found.name} source, {found.name} target):", "    pass"]
+    copied = [found for found in kept if found.copied]
+    exchanged = [found for found in copied if found.exchanged]
+    lines = [HEAD, *(f"from {found.module} cimport {found.name}" for found in kept)]
+    for found in copied:
+        lines += [f"cdef int copy_{found.name}(object one, object other) except -1:"]
+        lines += [f"    source, target = <{found.name}>one, <{found.name}>other"]
         for name in found.copied:
             is_list = found.fields[name].kind == "list"
             value = f"list(source.{name})" if is_list else f"source.{name}"
             lines.append(f"    target.{name} = {value}")
+    for found in kept:
         items = "".join(f"part.{name}, " for name in found.arrays)
         lines += [f"def arrays_of_{found.name}({found.name} part):", f"    return ({items})"]
-        if found.exchanged:
-            same = " and ".join(f"&one.{name}[0] == &other.{name}[0]" for name in found.exchanged)
-            lines += ["@cython.boundscheck(False)"]
-            lines += [f"def same_{found.name}({found.name} one, {found.name} other):"]
-            lines += [f"    return {same}"]
-    copiers = "".join(f"{one.name}: copy_{one.name}, " for one in kept if one.copied)
+    lines += ["cdef int has_same_arrays(object one, object other) except -1:", "    return 1"]
+    for found in exchanged:
+        same = " and ".join(f"&live.{name}[0] == &kept.{name}[0]" for name in found.exchanged)
+        lines += ["@cython.boundscheck(False)"]
+        lines += [f"cdef int has_same_arrays_{found.name}(object one, object other) except -1:"]
+        lines += [f"    live, kept = <{found.name}>one, <{found.name}>other"]
+        lines += [f"    return {same}"]
     arrays = "".join(f"{one.name}: arrays_of_{one.name}, " for one in kept if one.arrays)
-    same = "".join(f"{one.name}: same_{one.name}, " for one in kept if one.exchanged)
-    lines += [f"COPIERS = {{{copiers}}}", f"ARRAYS = {{{arrays}}}", f"SAME = {{{same}}}"]
-    lines += [ARRAY_COPIES]
-    return "\n".join(lines)
+    functions = [f"copy_{one.name}" for one in copied]
+    comparisons = ["has_same_arrays", *(f"has_same_arrays_{one.name}" for one in exchanged)]
+    lines += [f"ARRAYS = {{{arrays}}}"]
+    for name, classes, first in (("COPIED", copied, 0), ("EXCHANGED", exchanged, 1)):
+        numbers = "".join(f"{one.name}: {number}, " for number, one in enumerate(classes, first))
+        lines += [f"{name} = {{{numbers}}}"]
+    lines += [f"cdef Copier[{len(functions)}] _copiers"]
+    lines += [f"_copiers[{number}] = {name}" for number, name in enumerate(functions)]
+    lines += [f"cdef Comparison[{len(comparisons)}] _comparisons"]
+    lines += [f"_comparisons[{number}] = {name}" for number, name in enumerate(comparisons)]
+    return "\n".join([*lines, COPIES])

@@ -12,7 +12,7 @@ import array
 import functools
 import types
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from decimal import Decimal
 from fractions import Fraction
 from os import stat_result
@@ -20,6 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from nctakt.base.mode import is_compiled
+from nctakt.run.kept_content import KeptContent
 
 #: What never changes, whatever it holds.
 _UNCHANGING = (
@@ -73,37 +74,13 @@ class KeptObjects:
         self._replaced = frozenset(replaced)
         self._renewed = renewed
         self._without = list(without)
-        self._dicts: list[tuple[dict[str, Any], dict[str, Any], int]] = []
-        self._slots: list[tuple[object, str, Any]] = []
-        self._empty: list[tuple[object, str]] = []
-        self._new: list[tuple[object, str, Callable[[Any], Any], Any]] = []
-        self._lists: list[tuple[Any, Any]] = []
-        self._others: list[tuple[Any, Any]] = []
+        self._content = KeptContent(self._replaced)
         self._held: list[object] = []
         self._walk(root)
 
     def put_back(self) -> None:
         """Put everything back as it was."""
-        for attributes, kept, count in self._dicts:
-            if len(attributes) != count:
-                for name in attributes.keys() - kept.keys() - self._replaced:
-                    del attributes[name]
-            attributes.update(kept)
-        for one, name, value in self._slots:
-            setattr(one, name, value)
-        for one, name in self._empty:
-            if hasattr(one, name):
-                delattr(one, name)
-        for one, name, kind, content in self._new:
-            setattr(one, name, kind(content))
-        for items, kept_items in self._lists:
-            if kept_items or items:
-                items[:] = kept_items
-        for container, kept_items in self._others:
-            if container:
-                container.clear()
-            if kept_items:
-                (container.extend if type(container) is deque else container.update)(kept_items)
+        self._content.put_back()
 
     # --- finding them ---------------------------------------------------------------------------
 
@@ -122,26 +99,19 @@ class KeptObjects:
         kind = type(one)
         if isinstance(one, tuple):
             return iter(one)
-        if isinstance(one, dict | set | deque):
-            return self._container(one)
-        if kind is list:
-            self._lists.append((one, list(one)))
-            return list(one)
+        if kind is list or isinstance(one, dict | set | deque):
+            self._content.keep_container(one)
+            return [*one, *one.values()] if isinstance(one, dict) else list(one)
         if kind is memoryview:
             return (one.obj,)
         if kind is bytearray:
-            self._lists.append((memoryview(one), bytes(one)))
+            self._content.keep_container(one)
             return ()
         if isinstance(one, array.array):
             raise NotKeptError(kind)
         if kind is types.MappingProxyType:
             return list(one.values())
         return self._of_function(one) if callable(one) else self._of_object(one)
-
-    def _container(self, one: Any) -> Iterable[object]:
-        kept: Any = dict(one) if isinstance(one, dict) else list(one)
-        self._others.append((one, kept))
-        return [*kept, *kept.values()] if isinstance(one, dict) else list(kept)
 
     def _of_function(self, one: Any) -> Iterable[object]:
         if isinstance(one, types.MethodType | types.MethodWrapperType):
@@ -167,11 +137,11 @@ class KeptObjects:
             if name in self._replaced:
                 continue
             if not hasattr(one, name):
-                self._empty.append((one, name))
+                self._content.keep_empty(one, name)
                 continue
             value = getattr(one, name)
             if isinstance(one, self._renewed) and type(value) in (list, dict, set):
-                self._new.append((one, name, type(value), type(value)(value)))
+                self._content.keep_new(one, name, value)
                 values += [*value, *(value.values() if isinstance(value, dict) else ())]
             else:
                 kept[name] = value
@@ -182,9 +152,10 @@ class KeptObjects:
     def _keep(self, one: object, kept: dict[str, Any]) -> None:
         attributes = getattr(one, "__dict__", None)
         if attributes is not None and attributes.keys() >= kept.keys():
-            self._dicts.append((attributes, kept, len(attributes)))
+            self._content.keep_attributes(attributes, kept)
         else:
-            self._slots += [(one, name, value) for name, value in kept.items()]
+            for name, value in kept.items():
+                self._content.keep_slot(one, name, value)
 
 
 def _attributes(one: object) -> Iterator[str]:

@@ -7,33 +7,28 @@ of its tree put back. Only one run at a time may have them.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
-from typing import Any
+from collections.abc import Hashable
 
 from nctakt.base.held_objects import held_objects
-from nctakt.kernel.state import COPIERS
+from nctakt.kernel.state import KeptNumbers, ObjectCopies
 
 #: Trees that are kept; then all are forgotten.
 MAX_KEPT = 64
-
-#: What copies, from, to.
-Copy = tuple[Callable[..., None], Any, Any]
 
 
 class KeptTrees:
     """What has a tree, by what the tree depends on."""
 
     def __init__(self) -> None:
-        self._kept: dict[Hashable, tuple[object, list[Copy]]] = {}
+        self._kept: dict[Hashable, tuple[object, KeptNumbers]] = {}
 
     def find(self, key: Hashable) -> object | None:
         """Return what was kept with this key, as it was then; ``None`` if there is nothing."""
         kept = self._kept.get(key)
         if kept is None:
             return None
-        found, copies = kept
-        for copy, source, target in copies:
-            copy(source, target)
+        found, numbers = kept
+        numbers.put_back()
         return found
 
     def keep(self, key: Hashable, owner: object, tree: object) -> None:
@@ -43,11 +38,4 @@ class KeptTrees:
         """
         if len(self._kept) == MAX_KEPT:
             self._kept.clear()
-        copies: list[Copy] = []
-        for part in held_objects(tree, "nctakt.kernel."):
-            kept = type(part).__new__(type(part))
-            for cls in type(part).__mro__:
-                if cls in COPIERS:
-                    COPIERS[cls](part, kept)
-                    copies.append((COPIERS[cls], kept, part))
-        self._kept[key] = owner, copies
+        self._kept[key] = owner, ObjectCopies(list(held_objects(tree, "nctakt.kernel.")))

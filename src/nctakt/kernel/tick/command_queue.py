@@ -45,6 +45,14 @@ class CommandQueue:
         self.has_early = False
         self.end_row = memoryview(bytearray(8 * self.width)).cast("d")
 
+    def used_rows(self) -> tuple[memoryview[float], int]:
+        """Return the rows, and how many of their cells count: those that were ever written.
+
+        The first row after them counts, too: it may be read while the queue is empty.
+        """
+        count = self.tail + 1 if self.tail < self.capacity else self.capacity
+        return self.rows, count * self.width
+
     def put(self, command: list[float]) -> None:
         """Append a command; the row may be shorter than the queue's width."""
         bounds.check_range(len(command), 1, self.width, "length of a command")

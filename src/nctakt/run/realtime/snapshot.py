@@ -9,13 +9,14 @@ Putting back takes a hundredth of the time that building the part anew takes.
 from __future__ import annotations
 
 import operator
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any
 
 from nctakt.base.held_objects import held_objects
 from nctakt.kernel.cycles.cycles import RealtimeCycle
 from nctakt.kernel.path.path import Path
-from nctakt.kernel.state import ARRAYS, COPIERS, SAME, ArrayCopies
+from nctakt.kernel.state import ARRAYS, ArrayCopies, ObjectCopies
+from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.nc.vocabulary.variables.cells import CELL_BYTES
 from nctakt.run.realtime.realtime_part import RealtimePart
 
@@ -30,22 +31,15 @@ class Snapshot:
 
     def __init__(self, realtime: RealtimePart) -> None:
         self._realtime = realtime
-        self._copies: list[tuple[Callable[[Any, Any], None], Any, Any]] = []
-        self._exchanged: list[tuple[Callable[[Any, Any], bool], Any, Any]] = []
-        self._paths: list[Path] = []
+        parts = list(held_objects(realtime.kernel, _KERNEL))
         buffers: dict[int, bytearray] = {id(realtime.memory): realtime.memory}
-        for part in held_objects(realtime.kernel, _KERNEL):
-            kept = type(part).__new__(type(part))
-            for cls in type(part).__mro__:
-                if cls in COPIERS:
-                    self._copies.append((COPIERS[cls], part, kept))
-                if cls in SAME:
-                    self._exchanged.append((SAME[cls], part, kept))
+        for part in parts:
             buffers |= {id(buffer): buffer for buffer in _buffers_of(part)}
-            if isinstance(part, Path):
-                self._paths.append(part)
+        self._paths = [part for part in parts if isinstance(part, Path)]
+        self._queues = [part for part in parts if isinstance(part, CommandQueue)]
+        self._objects = ObjectCopies(parts)
         self._arrays = ArrayCopies(list(buffers.values()))
-        self._histories: list[tuple[memoryview, bytes]] = []
+        self._used: list[tuple[memoryview, bytes]] = []
         self._cycles = self._loaded_cycles()
         self._take()
 
@@ -59,7 +53,7 @@ class Snapshot:
             len(one) == len(other) and all(map(operator.is_, one, other))
             for one, other in zip(cycles, self._cycles, strict=True)
         )
-        if not are_same or not all([same(part, kept) for same, part, kept in self._exchanged]):
+        if not are_same or not self._objects.have_same_arrays():
             return False
         self._take()
         return True
@@ -70,22 +64,22 @@ class Snapshot:
             raise ValueError("a snapshot has neither a shared image nor stops")
         if record.row_count or record.event_count or record.probe_count:
             raise ValueError("the record has not been emptied")
-        for copy, part, kept in self._copies:
-            copy(part, kept)
+        self._objects.take()
         self._arrays.take()
-        self._histories = []
-        for one in self._paths:
-            rows, cells = one.history()
-            history = memoryview(_buffer_of(rows))[: CELL_BYTES * cells]
-            self._histories.append((history, bytes(history)))
+        self._used = []
+        for rows, cells in (
+            *(path.history() for path in self._paths),
+            *(queue.used_rows() for queue in self._queues),
+        ):
+            used = memoryview(_buffer_of(rows))[: CELL_BYTES * cells]
+            self._used.append((used, bytes(used)))
 
     def put_back(self) -> None:
         """Put everything back as it was when the snapshot was taken."""
-        for copy, part, kept in self._copies:
-            copy(kept, part)
+        self._objects.put_back()
         self._arrays.put_back()
-        for history, kept_rows in self._histories:
-            history[:] = kept_rows
+        for used, kept_rows in self._used:
+            used[:] = kept_rows
 
 
 def _buffers_of(part: object) -> Iterator[bytearray]:

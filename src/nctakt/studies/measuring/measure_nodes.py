@@ -7,7 +7,6 @@ what is computed from them. Rounding to a binary number comes where a result is 
 
 from __future__ import annotations
 
-import itertools
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -16,6 +15,7 @@ from typing import Literal, Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time
+from nctakt.studies.measuring import courses
 from nctakt.studies.measuring.outcome import NotMeasuredError, Outcome
 from nctakt.testing.queries import NcRun, Occurrences
 
@@ -37,6 +37,20 @@ COMPARISONS = MappingProxyType(
         "==": operator.eq,
         "<>": operator.ne,
         "!=": operator.ne,
+    }
+)
+
+#: By which values a condition is met: those below its limit, equal to it, above it, no numbers.
+_MET_BY = MappingProxyType(
+    {
+        "<": (True, False, False, False),
+        "<=": (True, True, False, False),
+        ">": (False, False, True, False),
+        ">=": (False, True, True, False),
+        "=": (False, True, False, False),
+        "==": (False, True, False, False),
+        "<>": (True, False, True, True),
+        "!=": (True, False, True, True),
     }
 )
 
@@ -105,24 +119,18 @@ class Condition:
     word: str
     limit: float
 
-    def _held(self, values: Sequence[float]) -> Iterator[bool]:
-        """Yield for each value of the signal whether it holds."""
-        return map(COMPARISONS[self.word], values, itertools.repeat(self.limit))
-
     def first_tick(self, outcome: Outcome, begin: int) -> int | None:
         """Return the first tick from ``begin`` on in which it holds."""
-        held = self._held(outcome.values_from(self.name, begin))
-        return next(itertools.compress(itertools.count(begin), held), None)
+        values, first_tick = outcome.course(self.name)
+        begin = max(begin - first_tick, 0)
+        found = courses.first(memoryview(values), begin, self.limit, *_MET_BY[self.word])
+        return None if found < 0 else first_tick + found
 
     def times_us(self, outcome: Outcome) -> list[int]:
         """Return the times at which it becomes true; 0 if it is true from the begin on."""
-        was_true = False
-        times = []
-        for tick, is_true in enumerate(self._held(outcome.values(self.name))):
-            if is_true and not was_true:
-                times.append(tick * outcome.run.cycle_time_us)
-            was_true = is_true
-        return times
+        values, first_tick = outcome.course(self.name)
+        found = courses.begins(memoryview(values), self.limit, *_MET_BY[self.word])
+        return [(first_tick + tick) * outcome.run.cycle_time_us for tick in found]
 
     def signals(self) -> Iterator[str]:
         """Yield its signal."""

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Sequence
 from functools import cached_property
 
@@ -34,7 +35,7 @@ class Outcome:
         self.run = run
         self.queries = NcRun(run)
         self.injected_us = injected_us
-        self._columns: dict[str, Sequence[float]] = {}
+        self._columns: dict[str, array[float]] = {}
         #: The times of events that were looked for, by event.
         self.times_us: dict[object, list[int]] = {}
 
@@ -51,15 +52,17 @@ class Outcome:
 
     def values(self, name: str) -> Sequence[float]:
         """Return the values of a signal at the begin of each tick, and at the end of the run."""
+        return self.course(name)[0]
+
+    def course(self, name: str) -> tuple[array[float], int]:
+        """Return the values of a signal that are there, and the tick of the first one."""
         signal = signal_of(self.queries, name)
         if signal not in self._columns:
             assert self.run.trace is not None
-            self._columns[signal] = [self.run.before[signal], *self.run.trace[signal].tolist()]
-        return self._columns[signal]
-
-    def values_from(self, name: str, tick: int) -> Sequence[float]:
-        """Return the values of a signal from a tick on."""
-        return self.values(name)[tick:]
+            values = array("d", [self.run.before[signal]])
+            values.frombytes(self.run.trace[signal].tobytes())
+            self._columns[signal] = values
+        return self._columns[signal], 0
 
     def value_at(self, name: str, time_us: int) -> float:
         """Return a signal at a time, as a realtime cycle reads it then."""

@@ -93,18 +93,15 @@ class WindowOutcome(Outcome):
 
     def values(self, name: str) -> Sequence[float]:
         """Return the values of a signal from the injection on."""
-        return ValuesFrom(self._injection.tick, self._column(name))
+        values, first_tick = self.course(name)
+        return ValuesFrom(first_tick, values)
 
-    def values_from(self, name: str, tick: int) -> Sequence[float]:
-        """Return the values of a signal from a tick on; there are none before the injection."""
-        return self._column(name)[tick - self._injection.tick :]
-
-    def _column(self, name: str) -> array[float]:
-        """Return the values of a signal that are there."""
+    def course(self, name: str) -> tuple[array[float], int]:
+        """Return the values of a signal from the injection on, and its tick."""
         if name not in self._found:
             number = self._signals.index(signal_of(self.queries, name))
             self._found[name] = self._rows[number :: len(self._signals)]
-        return self._found[name]
+        return self._found[name], self._injection.tick
 
 
 def decided_run(ticks: int, cycle_time_us: int, before: Mapping[str, float]) -> Run:

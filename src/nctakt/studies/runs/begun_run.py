@@ -6,7 +6,6 @@ Out: ``FinishedRun`` with the outcome of the run and a digest of its trace.
 
 from __future__ import annotations
 
-import copy
 import hashlib
 from array import array
 from collections.abc import Sequence
@@ -62,11 +61,11 @@ class Digest:
 
     def with_more(self, events: bytes, rows: bytes) -> str:
         """Return the digits of the trace with further events and rows, which it does not keep."""
-        more = copy.copy(self)
-        more._events, more._rows = self._events.copy(), self._rows.copy()
-        more._events.update(events)
-        more._rows.update(rows)
-        return more.text()
+        all_events, all_rows = self._events.copy(), self._rows.copy()
+        all_events.update(events)
+        all_rows.update(rows)
+        all_events.update(all_rows.digest())
+        return all_events.hexdigest()
 
     def text(self) -> str:
         """Return the digits."""

@@ -2,8 +2,9 @@
 """Injections that share the beginning of their runs, which is run once.
 
 In: a runner whose plan injects a value at each tick. Out: the same rows as ``StudyRunner.row``
-makes. The unchanged run goes forward from injection to injection. At each, the ticks after it are
-tried and the realtime part is put back (``trial.py``). What cannot be tried is made by a copy of
+makes. The unchanged run goes forward by some ticks at a time. Where it waits, the ticks up to the
+next injections and after them are tried, and the realtime part is put back (``trial.py``). What
+cannot be tried is made by a copy of
 the process (``fork``), which goes on until the injection is decided and hands its row over; a
 process that does so has one thread. Where a copy takes longer than the beginning, or must not be
 made, the run is made from its start: that is measured, and changes no row.
@@ -29,6 +30,9 @@ from nctakt.studies.plans.plan import Plan
 from nctakt.studies.runs.begun_run import BegunRun, FinishedRun
 from nctakt.studies.runs.study_runner import Row, StudyRunner, crashed_row
 from nctakt.studies.runs.trial import Trials
+
+#: An injection is tried off a run that waits less than so many ticks before it.
+MAX_LEAD = 32
 
 #: From which length of the unchanged run on copying may be cheaper than running from the start.
 MIN_COPIED_TICKS = 10_000
@@ -78,21 +82,24 @@ class SharedBeginning:
             return runner.row(number)
         tick = -(-injected_us // runner.cycle_time_us)
         try:
+            finished = None if injection is None else self._tried(injection, point)
+            if finished is not None:
+                return runner.row_head(number, point) | runner.judge(finished)
+            if not self._may_copy:
+                return runner.row(number)
             begun = self._advanced(tick)
         except Failure:
             self._begun = None
             return runner.row(number)
-        if begun.controller.tick != tick:  # the unchanged run has ended before
-            return runner.row(number)
-        finished = None if injection is None else self._tried(begun, injection, point)
-        if finished is not None:
-            return runner.row_head(number, point) | runner.judge(finished)
-        if self._may_copy and self._copying_pays():
+        if begun.controller.tick == tick and self._copying_pays():
             return self._copied(begun, number, point)
         return runner.row(number)
 
     def _advanced(self, tick: int) -> BegunRun:
-        """Return the unchanged run at a tick, and note how long it takes to get there."""
+        """Return the unchanged run at a tick, and note how long it takes to get there.
+
+        If it ends before, it is there at its end.
+        """
         begin_s = time.perf_counter()
         if self._begun is None or self._begun.controller.tick > tick:
             plan = self._runner.plan
@@ -106,25 +113,41 @@ class SharedBeginning:
 
     # --- trials ---------------------------------------------------------------------------------
 
-    def _tried(
+    def _tried(self, injection: Injection, point: Sequence[Value]) -> FinishedRun | None:
+        """Return the run that a trial has made; ``None`` if there can be no trial.
+
+        It is made off the unchanged run where that waits, or else at the injection's tick.
+        """
+        begun = self._begun
+        if begun is not None and 0 <= injection.tick - begun.controller.tick < MAX_LEAD:
+            finished = self._tried_off(begun, injection, point)
+            if finished is not None or begun.controller.tick == injection.tick:
+                return finished
+        return self._tried_off(self._advanced(injection.tick), injection, point)
+
+    def _tried_off(
         self, begun: BegunRun, injection: Injection, point: Sequence[Value]
     ) -> FinishedRun | None:
-        """Return the run that a trial has made; ``None`` if there can be no trial."""
+        """Return the run that a trial off the unchanged run has made, as ``_tried``."""
         runner, controller = self._runner, begun.controller
-        is_due = any(injection.tick <= one.tick < injection.end for one in self._planned)
-        has_errors = any(one.severity is Severity.ERROR for one in controller.diagnostics)
-        if is_due or has_errors or runner.plan.plcs or injection.end > begun.run.end:
+        tick = controller.tick
+        is_due = any(tick <= one.tick < injection.end for one in self._planned)
+        if is_due or tick > injection.tick or injection.end > begun.run.end:
             return None
-        if controller.state != "running" or begun.lent is None:
+        if runner.plan.plcs or controller.state != "running" or begun.lent is None:
+            return None
+        if any(one.severity is Severity.ERROR for one in controller.diagnostics):
             return None
         if self._trials is None:
             names = names_of_machine(runner.machine)
-            self._trials = Trials(begun.lent.part, names, runner.signals)
+            known = names.signals()
+            cells = {name: known[name].cell for name in runner.signals}
+            self._trials = Trials(begun.lent.part, names, cells)
         inputs = inputs_of(runner.plan, point, runner.cycle_time_us)
         own = [Stimulus(*one) for one in inputs.stimuli[len(runner.plan.stimuli) :]]
         try:
             tried = self._trials.make(
-                injection, as_inputs(own, 0, runner.cycle_time_us), begun.before, begun.values()
+                injection, as_inputs(own, 0, runner.cycle_time_us), begun.before
             )
         except Failure:
             return None

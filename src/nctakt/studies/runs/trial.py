@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """A trial: what an injection does in the ticks after it, off a run that goes on without it.
 
-In: an unchanged run at a tick. Out: the rest of the run with the injection, up to where it is
-decided, and the realtime part put back to that tick. Only ticks are tried, nothing of Python's
-side: where the decoder, the PLC or another stimulus is due before, or an error comes, there is no
-trial, and the run has to be made from its start.
+In: an unchanged run that waits at the injection's tick or some ticks before. Out: the rest of the
+run with the injection, up to where it is decided, and the realtime part put back to where the run
+waits. Only ticks are tried, nothing of Python's side: where the decoder, the PLC or another
+stimulus is due before, or an error comes, there is no trial, and the run has to be made from its
+start.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ _ANSWERED = frozenset((rows.EVENT_ERROR, rows.EVENT_NOTICE, rows.EVENT_USER_ERRO
 
 @dataclass(frozen=True, slots=True)
 class Tried:
-    """What a trial has made: its outcome, and the events and rows since the injection."""
+    """What a trial has made: its outcome, and the events and rows since the run waits."""
 
     outcome: WindowOutcome
     events: bytes
@@ -35,65 +36,79 @@ class Tried:
 
 
 class Trials:
-    """Trials off one realtime part; ``signals`` are those of its rows."""
+    """Trials off one realtime part; ``cells`` are those of its rows' signals, by their names."""
 
-    def __init__(self, part: RealtimePart, names: MachineNames, signals: Sequence[str]) -> None:
+    def __init__(self, part: RealtimePart, names: MachineNames, cells: Mapping[str, int]) -> None:
         self._part = part
         self._access = VariableAccess(names.layout.tables, names.panels, part.memory, part.kernel)
-        self._signals = tuple(signals)
+        self._signals = tuple(cells)
+        self._cells = tuple(cells.values())
         self._snapshot: Snapshot | None = None
+        self._tick = -1
 
     def make(
-        self,
-        injection: Injection,
-        inputs: Sequence[Input],
-        before: Mapping[str, float],
-        values: Sequence[float],
+        self, injection: Injection, inputs: Sequence[Input], before: Mapping[str, float]
     ) -> Tried | None:
-        """Try inputs from the present tick on, which is the injection's.
+        """Go on from the present tick to that of the injection, and try these inputs there.
 
-        ``values``: the present ones of the signals. Returns ``None`` if there can be no trial;
-        raises ``Failure`` for an input that the machine does not take.
+        Returns ``None`` if there can be no trial; raises ``Failure`` for an input that the machine
+        does not take.
         """
-        if self._snapshot is None or not self._snapshot.take_again():
-            self._snapshot = Snapshot(self._part)
+        tick = self._part.kernel.tick
+        if self._snapshot is None or tick != self._tick:
+            if self._snapshot is None or not self._snapshot.take_again():
+                self._snapshot = Snapshot(self._part)
+            self._tick = tick
         try:
-            return self._tried(injection, list(inputs), before, array("d", values))
+            return self._tried(injection, list(inputs), before)
         finally:
             self._snapshot.put_back()
 
     def _tried(
-        self,
-        injection: Injection,
-        inputs: list[Input],
-        before: Mapping[str, float],
-        values: array[float],
+        self, injection: Injection, inputs: list[Input], before: Mapping[str, float]
     ) -> Tried | None:
-        kernel, record = self._part.kernel, self._part.record
-        events, taken = [], []
+        lead = self._run(injection.tick, ())
+        if lead is None:
+            return None
+        events, taken = [lead[0]], [lead[1]]
+        values = array("d", map(self._part.cells.__getitem__, self._cells))
+        if injection.tick == 0:
+            values = array("d", before.values())
         for look in injection.looks():
-            while kernel.tick < look:
-                due = self._post(inputs, look)
-                kernel.reserve()
-                reason = kernel.run(due - kernel.tick)
-                if reason not in (codes.DONE, codes.FULL):
-                    return None
-                new, data = record.take_events(), record.take_rows()
-                record.take_probes()
-                if not _ANSWERED.isdisjoint(
-                    memoryview(new).cast("d")[rows.EVENT_KIND :: rows.EVENT_WIDTH]
-                ):
-                    return None
-                events.append(new)
-                taken.append(data)
-                values.frombytes(data)
+            made = self._run(look, inputs)
+            if made is None:
+                return None
+            events.append(made[0])
+            taken.append(made[1])
+            values.frombytes(made[1])
             run = decided_run(look, injection.cycle_time_us, before)
             outcome = WindowOutcome(run, injection, self._signals, values)
             if injection.is_decided(outcome):
                 break
         return Tried(outcome, b"".join(events), b"".join(taken))
 
-    def _post(self, inputs: list[Input], end: int) -> int:
+    def _run(self, end: int, inputs: list[Input] | tuple[()]) -> tuple[bytes, bytes] | None:
+        """Run up to a tick with these inputs; return events and rows, ``None`` if it stops."""
+        kernel, record = self._part.kernel, self._part.record
+        events, taken = b"", b""
+        while kernel.tick < end:
+            due = self._post(inputs, end)
+            kernel.reserve()
+            reason = kernel.run(due - kernel.tick)
+            if reason not in (codes.DONE, codes.FULL):
+                return None
+            if record.event_count:
+                new = record.take_events()
+                kinds = memoryview(new).cast("d")[rows.EVENT_KIND :: rows.EVENT_WIDTH]
+                if not _ANSWERED.isdisjoint(kinds):
+                    return None
+                events += new
+            taken += record.take_rows()
+            if record.probe_count:
+                record.take_probes()
+        return events, taken
+
+    def _post(self, inputs: list[Input] | tuple[()], end: int) -> int:
         """Post the inputs of the coming tick; return up to which tick nothing else is due."""
         tick = self._part.kernel.tick
         while inputs and inputs[0].tick <= tick:

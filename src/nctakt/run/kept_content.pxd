@@ -13,7 +13,9 @@ cdef class KeptContent:
     cdef readonly list memories
     cdef readonly list dicts
     cdef readonly list others
-    @cython.locals(attributes=dict, container=dict, cells=list, kept=dict, items=list, kept_items=list)
+    @cython.locals(
+        attributes=dict, container=dict, cells=list, kept=dict, items=list, kept_items=list
+    )
     cpdef put_back(self)
     cdef put_attributes_back(self, dict attributes, dict kept)
 

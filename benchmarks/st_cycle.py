@@ -5,10 +5,15 @@ Everything is measured in one run, beside the same loops in C compiled with -O2 
 (bounds of arrays, a bound on instructions), since wall-clock figures differ from machine to machine
 and hour to hour: the ratios count. Other work on the machine only ever adds time, so both sides run
 in slices and the best slice is taken.
+
+``--ticks N --only WORD`` runs N ticks of the one program whose name has WORD, nothing else: under
+``valgrind --tool=callgrind`` the difference of two runs is what a cycle costs in instructions,
+whatever else the machine does.
 """
 
 from __future__ import annotations
 
+import argparse
 import platform
 import shutil
 import subprocess
@@ -83,8 +88,8 @@ int main(int argc, char **argv) {{
 """
 
 
-def ns_per_tick(plc_text: str | None, ticks: int, part: str = "G04 100000\nM30") -> float:
-    """The best time of a tick in ns, with a PLC or without."""
+def started(plc_text: str | None, part: str = "G04 100000\nM30") -> Controller:
+    """A controller that runs this PLC, or none, beside a program."""
     controller = Controller()
     plc = None
     with tempfile.TemporaryDirectory() as folder:
@@ -94,6 +99,12 @@ def ns_per_tick(plc_text: str | None, ticks: int, part: str = "G04 100000\nM30")
             plc = load_structured(path)
     controller.start(NcText("benchmark.nc", part), plc=plc)
     controller.step(100)
+    return controller
+
+
+def ns_per_tick(plc_text: str | None, ticks: int, part: str = "G04 100000\nM30") -> float:
+    """The best time of a tick in ns, with a PLC or without."""
+    controller = started(plc_text, part)
     best = 1e9
     for _ in range(SLICES):
         begin = time.perf_counter()
@@ -143,8 +154,23 @@ def large_plc() -> str:
     return program(" ".join(variables), "\n".join(body))
 
 
+def only(word: str, ticks: int) -> None:
+    """Run ticks of one program."""
+    texts = {loop.name: program(loop.variables, loop.body * loop.times) for loop in LOOPS}
+    texts |= {"500 statements": large_plc(), "without statements": program("n : INT;", ";")}
+    (found,) = [text for name, text in texts.items() if word in name]
+    started(found).step(ticks)
+
+
 def main() -> int:
-    """Print the figures."""
+    """Print the figures, or run one program."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--ticks", type=int, help="run so many ticks of one program")
+    parser.add_argument("--only", default="filters", help="the word in its name")
+    asked = parser.parse_args()
+    if asked.ticks:
+        only(asked.only, asked.ticks)
+        return 0
     print(f"{platform.machine()}, Python {platform.python_version()}, compiled: {is_compiled()}")
     idle = ns_per_tick(None, 2000)
     print(f"{'a tick without a PLC':45}{idle / 1000:8.2f} us")

@@ -12,6 +12,7 @@ from support.random_seeds import each_seed
 from nctakt.kernel.st import chains, kinds
 from nctakt.kernel.st.blocks_of_bytes import FillBytes, MoveBytes
 from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.kept import WholeAfter
 from nctakt.kernel.st.reals import (
     AddReal,
     LoadRealFixed,
@@ -24,15 +25,23 @@ from nctakt.kernel.st.reals import (
     SubtractReal,
     WholeOfReal,
 )
-from nctakt.kernel.st.steps import CopyBytes, StoreAt
+from nctakt.kernel.st.steps import CopyBytes, StoreAt, StoreFixed
 from nctakt.kernel.st.text.conversions import RealOfString, StringOfReal
 from nctakt.kernel.st.text.texts import ChangeString, FindString, PartOfString, StringPart
+from nctakt.kernel.st.updates import updated
 from nctakt.kernel.st.wholes import (
     AddWhole,
+    AndBits,
     CompareUnsigned,
     DivideWhole,
     ElementPlace,
+    FramePlace,
+    InstancePlace,
     LoadAt,
+    LoadElement,
+    LoadFixed,
+    LoadFrame,
+    LoadInstance,
     MoveBits,
     MultiplyWhole,
     PointedPlace,
@@ -172,6 +181,64 @@ def test_a_chain_is_what_its_operations_are(seed: int) -> None:
         assert found[1] or found[0] == expected[0]
         faults.add(context.fault)
     assert faults == {0, kinds.INVALID}
+
+
+def a_place(draw: random.Random, kind: int) -> tuple[Whole, Whole]:
+    """A variable or an element: its address, and the node that reads it."""
+    at = 8 * draw.randrange(8)
+    index = draw.choice((WholeConstant(draw.randint(-3, 9)), LoadFrame(16, kinds.I8)))
+    match draw.randrange(4):
+        case 0:
+            return WholeConstant(FIRST + at), LoadFixed(FIRST + at, kind, FIRST + DATA)
+        case 1:
+            return FramePlace(at), LoadFrame(at, kind)
+        case 2:
+            return InstancePlace(at), LoadInstance(at, kind)
+    array = draw.choice((WholeConstant(FIRST + 128), FramePlace(64), WholeConstant(1 << 40)))
+    parts = array, index, -2, 8, 8
+    return ElementPlace(*parts), LoadElement(*parts, 0, kind)
+
+
+@each_seed(compiled=6, plain=3)
+def test_a_change_in_place_is_what_load_and_store_are(seed: int) -> None:
+    """ST-311, ST-502, ST-830: to the byte, with all faults, whatever the variable is."""
+    draw = random.Random(seed)
+    faults = set()
+    for _ in range(300):
+        kind, other_kind = (draw.randint(kinds.I8, kinds.U64) for _ in range(2))
+        address, loaded = a_place(draw, kind)
+        operand = draw.choice((a_place(draw, other_kind)[1], WholeConstant(draw.choice(EDGES))))
+        operator, tree = draw.choice(
+            ((kinds.ADD, AddWhole), (kinds.SUBTRACT, SubtractWhole), (kinds.AND, AndBits))
+        )
+        content, results = draw.randbytes(DATA + 256), []
+        max_steps = draw.choice((2, 3, 100))
+        for step in (
+            updated(address, kind, operator, operand, 7, 3),
+            StoreAt(address, kind, tree(loaded, operand), 7, 3),
+        ):
+            context, memory = a_context()
+            memory[FIRST : FIRST + len(content)] = content
+            memory[FIRST + DATA + 16] = content[0] & 7
+            context.instance = FIRST + 256
+            context.max_steps = max_steps
+            end = step.execute(context)
+            faulty = context.fault, context.fault_source, context.fault_a
+            results.append((end, context.steps, faulty, context.dump()))
+        assert results[0] == results[1]
+        faults.add(context.fault)
+    assert faults == {0, kinds.BUDGET, kinds.INDEX, kinds.PLACE}
+
+
+def test_the_index_of_an_element_is_evaluated_once() -> None:
+    """ST-502: an index that assigns does so once, also where the element does not exist."""
+    context, memory = a_context()
+    count = LoadFixed(FIRST, kinds.I32, FIRST + DATA)
+    counted = StoreFixed(FIRST, kinds.I32, AddWhole(count, WholeConstant(1)), 1, 1, FIRST + DATA)
+    index = WholeAfter(counted, WholeConstant(9))
+    LoadElement(WholeConstant(FIRST + 8), index, 0, 3, 4, 0, kinds.I32).measure(context)
+    assert context.fault == kinds.INDEX
+    assert memory[FIRST] == 1
 
 
 @each_seed(compiled=3, plain=2)

@@ -21,12 +21,11 @@ from nctakt.kernel.st.steps import (
     steps_in_order,
 )
 from nctakt.kernel.st.text.texts import AssignString, StringPart
-from nctakt.kernel.st.updates import UpdateAt, UpdateElement
+from nctakt.kernel.st.updates import updated
 from nctakt.kernel.st.wholes import (
     AddWhole,
     AndBits,
     BinaryWhole,
-    ElementPlace,
     OrBits,
     SubtractWhole,
     Whole,
@@ -163,9 +162,7 @@ class Statements(Calls):
         if operator is None or not isinstance(node, BinaryWhole):
             return self.store(target, node, source, self.take_cost())
         address, cost = target.address(), self.take_cost()
-        if isinstance(address, ElementPlace):
-            return UpdateElement(address, target.kind, operator, node.right, source, cost)
-        return UpdateAt(address, target.kind, operator, node.right, source, cost)
+        return updated(address, target.kind, operator, node.right, source, cost)
 
     def store(self, location: Location, value: Whole, source: int, cost: int) -> Step:
         """Return the assignment of a whole number, or of a bit."""

@@ -201,18 +201,20 @@ class For(Sourced):
         if context.fault:
             return context.stop_at(self.source)
         words.store(context.memory, at, self.kind, value)
+        value = words.wrap(value, self.kind)
         while True:
             context.steps += self.cost
             if context.steps > context.max_steps:
                 return context.over_budget(self.source)
-            value = words.load(context.memory, at, self.kind) ^ self.bias
+            value ^= self.bias
             if value > limit if step > 0 else value < limit:
                 return kinds.GOES_ON
             end = self.body.run(context)
             if end and end != kinds.CONTINUES:
                 return kinds.GOES_ON if end == kinds.EXITS else end
-            value = words.load(context.memory, at, self.kind)
-            words.store(context.memory, at, self.kind, words.add(value, step))
+            value = words.add(words.load(context.memory, at, self.kind), step)
+            words.store(context.memory, at, self.kind, value)
+            value = words.wrap(value, self.kind)
 
 
 class While(Sourced):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # C types of chains.py.
 cimport cython
-from nctakt.kernel.st cimport kinds, real_leaves, reals
+from nctakt.kernel.st cimport kinds, real_leaves
 from nctakt.kernel.st.context cimport PlcContext
 from nctakt.kernel.st.reals cimport Real
 
@@ -9,6 +9,5 @@ cdef class RealChain(Real):
     cdef readonly Real start
     cdef readonly tuple parts
     cdef long long[::1] links
-    cdef double[::1] constants
     @cython.locals(number=double)
     cdef double number(self, PlcContext context) noexcept nogil

@@ -5,7 +5,7 @@ cdef extern from *:
 
 from nctakt.kernel.st cimport kinds, words
 from nctakt.kernel.st.context cimport PlcContext
-from nctakt.kernel.st.wholes cimport Whole
+from nctakt.kernel.st.wholes cimport ElementPlace, Whole
 
 cdef inline long long value_of(Whole node, PlcContext context) noexcept nogil:
     cdef long long at = node.offset
@@ -44,6 +44,14 @@ cdef inline long long near_place(Whole node, PlcContext context) noexcept nogil:
     if node.leaf == kinds.CONSTANT:
         return node.offset
     return node.offset + (context.instance if node.leaf < kinds.FRAME_PLACE else context.frame)
+
+cdef inline long long near_element(Whole node, PlcContext context) noexcept nogil:
+    cdef long long number = near_value((<ElementPlace>node).index, context)
+    number = words.subtract(number, (<ElementPlace>node).lowest)
+    if <unsigned long long>number >= <unsigned long long>(<ElementPlace>node).count:
+        return 0
+    number *= (<ElementPlace>node).stride
+    return near_place((<ElementPlace>node).address, context) + node.offset + number
 
 cdef inline long long target_of(Whole node, PlcContext context) noexcept nogil:
     cdef long long at = place_of(node, context)

@@ -7,7 +7,9 @@ Constants and variables are most of a tree. Compiled modules have C functions of
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, cast
+
+from nctakt.kernel.st import kinds, words
 
 if TYPE_CHECKING:
     from nctakt.kernel.st.context import PlcContext
@@ -18,6 +20,17 @@ class WholeNode(Protocol):
 
     def value(self, context: PlcContext) -> int:
         """Evaluate the node."""
+
+
+class ElementNode(Protocol):
+    """An element of an array."""
+
+    address: WholeNode
+    index: WholeNode
+    lowest: int
+    count: int
+    stride: int
+    offset: int
 
 
 def value_of(node: WholeNode, context: PlcContext) -> int:
@@ -31,8 +44,8 @@ def place_of(node: WholeNode, context: PlcContext) -> int:
 
 
 def is_near(node: WholeNode) -> bool:
-    """Return whether a node is evaluated without a call: plain Python does not care."""
-    return True
+    """Return whether a node is evaluated without a call: a constant or a variable."""
+    return getattr(node, "leaf", kinds.COMPUTED) > kinds.COMPUTED
 
 
 def near_value(node: WholeNode, context: PlcContext) -> int:
@@ -41,13 +54,23 @@ def near_value(node: WholeNode, context: PlcContext) -> int:
 
 
 def is_near_place(node: WholeNode) -> bool:
-    """Return whether an address is evaluated without a call: plain Python does not care."""
-    return True
+    """Return whether an address is evaluated without a call."""
+    leaf = getattr(node, "leaf", kinds.COMPUTED)
+    return leaf == kinds.CONSTANT or leaf < kinds.COMPUTED
 
 
 def near_place(node: WholeNode, context: PlcContext) -> int:
     """Return the address of a node that is evaluated without a call."""
     return node.value(context)
+
+
+def near_element(node: WholeNode, context: PlcContext) -> int:
+    """Return the address of an element whose parts need no call; 0 where it is outside."""
+    element = cast("ElementNode", node)
+    number = words.subtract(element.index.value(context), element.lowest)
+    if number < 0 or number >= element.count:
+        return 0
+    return element.address.value(context) + element.offset + number * element.stride
 
 
 def target_of(node: WholeNode, context: PlcContext) -> int:

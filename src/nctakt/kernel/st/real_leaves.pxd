@@ -3,6 +3,12 @@
 # call.
 cdef extern from *:
     """
+    #include <string.h>
+    #if defined(__GNUC__)
+    #define NCTAKT_NEVER __builtin_unreachable()
+    #else
+    #define NCTAKT_NEVER break
+    #endif
     static inline double nctakt_follow(
         const long long *link, long long count, double number, const unsigned char *memory,
         long long frame, long long instance
@@ -25,7 +31,8 @@ cdef extern from *:
                 case 5: memcpy(&s, p, 4); number = s - number; break;
                 case 6: memcpy(&v, p, 8); number *= v; break;
                 case 7: memcpy(&s, p, 4); number *= s; break;
-                default: number = (float)number;
+                case 8: number = (float)number; break;
+                default: NCTAKT_NEVER;
             }
             link += 4;
         } while (link != end);
@@ -51,9 +58,16 @@ cdef inline double number_of(Real node, PlcContext context) noexcept nogil:
         at += context.frame if node.leaf == kinds.IN_FRAME else context.instance
     return words.load_real(context.memory, at, node.kind)
 
+cdef inline double valid(PlcContext context, double result) noexcept nogil:
+    if result != result and context.stops_at_invalid:
+        context.fail(kinds.INVALID, 0, 0)
+    return result
+
 cdef inline double followed(
-    long long[::1] links, double[::1] constants, double number, PlcContext context
+    long long[::1] links, double number, PlcContext context
 ) noexcept nogil:
-    return nctakt_follow(
+    if links.shape[0] == 0:
+        return number
+    return valid(context, nctakt_follow(
         &links[0], links.shape[0], number, &context.memory[0], context.frame, context.instance
-    )
+    ))

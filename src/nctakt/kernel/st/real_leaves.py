@@ -7,6 +7,7 @@ Constants and variables are most of a tree. Compiled modules have C functions of
 
 from __future__ import annotations
 
+import struct
 from typing import TYPE_CHECKING, Protocol
 
 from nctakt.kernel.st import kinds, words
@@ -27,17 +28,24 @@ def number_of(node: RealNode, context: PlcContext) -> float:
     return node.number(context)
 
 
-def followed(
-    links: memoryview, constants: memoryview[float], number: float, context: PlcContext
-) -> float:
+def valid(context: PlcContext, result: float) -> float:
+    """Return a result; what is not a number is an invalid operation (ST-305)."""
+    if result != result and context.stops_at_invalid:
+        context.fail(kinds.INVALID, 0, 0)
+    return result
+
+
+def followed(links: memoryview, number: float, context: PlcContext) -> float:
     """Return what the links of a chain make of a number (``chains.py``)."""
+    if not links:
+        return number
     begins = (0, 0, context.frame, context.instance)
     for at in range(0, len(links), kinds.LINK_WIDTH):
         source, operation = links[at + kinds.LINK_SOURCE], links[at + kinds.LINK_OPERATION] // 2
         if operation == kinds.LINK_ROUND:
             number = words.single(number)
             continue
-        operand = constants[at + kinds.LINK_CONSTANT]
+        (operand,) = struct.unpack("<d", struct.pack("<q", links[at + kinds.LINK_CONSTANT]))
         if source:
             address = begins[source] + links[at + kinds.LINK_OFFSET]
             kind = kinds.F32 if links[at + kinds.LINK_OPERATION] % 2 else kinds.F64
@@ -50,4 +58,4 @@ def followed(
             number = operand - number
         else:
             number *= operand
-    return number
+    return valid(context, number)

@@ -31,13 +31,11 @@ cdef class LoadRealAt(Real):
     cdef double number(self, PlcContext context) noexcept nogil
 
 cdef class UnaryReal(Real):
-    cdef Real operand
+    cdef readonly Real operand
 
 cdef class BinaryReal(Real):
-    cdef Real left
-    cdef Real right
-
-cdef double valid(PlcContext context, double result) noexcept nogil
+    cdef readonly Real left
+    cdef readonly Real right
 
 cdef class AddReal(BinaryReal):
     @cython.locals(left=double)

@@ -108,19 +108,12 @@ class BinaryReal(Real):
         self.right = right
 
 
-def valid(context: PlcContext, result: float) -> float:
-    """Return a result; what is not a number is an invalid operation (ST-305)."""
-    if result != result and context.stops_at_invalid:
-        context.fail(kinds.INVALID, 0, 0)
-    return result
-
-
 class AddReal(BinaryReal):
     """``+``."""
 
     def number(self, context: PlcContext) -> float:
         left = real_leaves.number_of(self.left, context)
-        return valid(context, left + real_leaves.number_of(self.right, context))
+        return real_leaves.valid(context, left + real_leaves.number_of(self.right, context))
 
 
 class SubtractReal(BinaryReal):
@@ -128,7 +121,7 @@ class SubtractReal(BinaryReal):
 
     def number(self, context: PlcContext) -> float:
         left = real_leaves.number_of(self.left, context)
-        return valid(context, left - real_leaves.number_of(self.right, context))
+        return real_leaves.valid(context, left - real_leaves.number_of(self.right, context))
 
 
 class MultiplyReal(BinaryReal):
@@ -136,7 +129,7 @@ class MultiplyReal(BinaryReal):
 
     def number(self, context: PlcContext) -> float:
         left = real_leaves.number_of(self.left, context)
-        return valid(context, left * real_leaves.number_of(self.right, context))
+        return real_leaves.valid(context, left * real_leaves.number_of(self.right, context))
 
 
 class DivideReal(BinaryReal):
@@ -150,7 +143,7 @@ class DivideReal(BinaryReal):
                 context.fail(kinds.DIVISION, 0, 0)
                 return 0.0
             return functions.quotient_by_zero(left, right)
-        return valid(context, left / right)
+        return real_leaves.valid(context, left / right)
 
 
 class NegateReal(UnaryReal):
@@ -176,7 +169,7 @@ class FunctionOfReal(Real):
 
     def number(self, context: PlcContext) -> float:
         operand = real_leaves.number_of(self.operand, context)
-        return valid(context, functions.of_real(self.function, operand))
+        return real_leaves.valid(context, functions.of_real(self.function, operand))
 
 
 class FunctionOfTwo(Real):
@@ -190,7 +183,7 @@ class FunctionOfTwo(Real):
     def number(self, context: PlcContext) -> float:
         left = real_leaves.number_of(self.left, context)
         right = real_leaves.number_of(self.right, context)
-        return valid(context, functions.of_two(self.function, left, right))
+        return real_leaves.valid(context, functions.of_two(self.function, left, right))
 
 
 class ExtremeReal(Real):

@@ -55,6 +55,7 @@ cdef class StoreReal(Sourced):
     cdef long long target
     cdef int kind
     cdef Real operand
+    cdef long long[::1] links
 
 cdef class StoreRealFixed(StoreReal):
     @cython.locals(number=double)

@@ -12,7 +12,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds, leaves, real_leaves, words
+from nctakt.kernel.st import chains, kinds, leaves, real_leaves, words
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.wholes import Whole
@@ -181,13 +181,14 @@ class StoreAt(Sourced):
 
 
 class StoreReal(Sourced):
-    """Base of an assignment of a real number."""
+    """Base of an assignment of a real number, which follows the links of a chain by itself."""
 
     def __init__(self, target: int, kind: int, operand: Real, source: int, cost: int) -> None:
         super().__init__(source, cost)
         self.target = target
         self.kind = kind
-        self.operand = operand
+        self.operand, parts = chains.opened(operand)
+        self.links = chains.links_of(parts)
 
 
 class StoreRealFixed(StoreReal):
@@ -204,6 +205,7 @@ class StoreRealFixed(StoreReal):
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
         number = real_leaves.number_of(self.operand, context)
+        number = real_leaves.followed(self.links, number, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, self.target, self.kind, number)
@@ -224,6 +226,7 @@ class StoreRealFrame(StoreReal):
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
         number = real_leaves.number_of(self.operand, context)
+        number = real_leaves.followed(self.links, number, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, context.frame + self.target, self.kind, number)
@@ -242,6 +245,7 @@ class StoreRealInstance(StoreReal):
         if context.steps > context.max_steps:
             return context.over_budget(self.source)
         number = real_leaves.number_of(self.operand, context)
+        number = real_leaves.followed(self.links, number, context)
         if context.fault:
             return context.stop_at(self.source)
         words.store_real(context.memory, context.instance + self.target, self.kind, number)

@@ -7,7 +7,7 @@ from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds, leaves, words
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.steps import Sourced
-from nctakt.kernel.st.wholes import ElementPlace, Whole
+from nctakt.kernel.st.wholes import ElementPlace, LoadElement, Whole
 
 
 def changed(operator: int, left: int, right: int) -> int:
@@ -47,34 +47,72 @@ class UpdateAt(Sourced):
         return kinds.GOES_ON
 
 
+def change(node: UpdateAt, at: int, operand: int, context: PlcContext) -> int:
+    """Change the variable at an address that needs no more checks; return that all goes on."""
+    context.steps += node.cost
+    left = words.load(context.memory, at, node.kind)
+    words.store(context.memory, at, node.kind, changed(node.operator, left, operand))
+    return kinds.GOES_ON
+
+
+class UpdateVariable(UpdateAt):
+    """``x := x + y`` of two variables, or of a variable and a constant."""
+
+    def run(self, context: PlcContext) -> int:
+        at = leaves.near_place(self.address, context)
+        is_inside = kinds.NULL_BYTES <= at < context.plain_end
+        if is_inside and context.steps + self.cost <= context.max_steps:
+            return change(self, at, leaves.near_value(self.operand, context), context)
+        return UpdateAt.run(self, context)
+
+
 class UpdateElement(UpdateAt):
-    """The same of an element of an array, where nothing is computed by a call."""
+    """``v[i] := v[i] + y``, where nothing is computed by a call."""
+
+    def run(self, context: PlcContext) -> int:
+        at = leaves.near_element(self.address, context)
+        is_inside = kinds.NULL_BYTES <= at < context.plain_end
+        if is_inside and context.steps + self.cost <= context.max_steps:
+            return change(self, at, leaves.near_value(self.operand, context), context)
+        return UpdateAt.run(self, context)
+
+
+class UpdateByElement(UpdateAt):
+    """``x := x + v[i]``, where nothing is computed by a call."""
 
     def __init__(
         self,
-        element: ElementPlace,
+        address: Whole,
         kind: int,
         operator: int,
-        operand: Whole,
+        element: LoadElement,
         source: int,
         cost: int,
     ) -> None:
-        super().__init__(element, kind, operator, operand, source, cost)
+        super().__init__(address, kind, operator, element, source, cost)
         self.element = element
-        self.is_near = leaves.is_near(operand)
 
     def run(self, context: PlcContext) -> int:
-        if self.is_near and self.element.is_near:
-            number = leaves.near_value(self.element.index, context)
-            number = words.subtract(number, self.element.lowest)
-            if 0 <= number < self.element.count:
-                at = leaves.near_place(self.element.address, context)
-                at += number * self.element.stride
-                steps = context.steps + self.cost
-                if kinds.NULL_BYTES <= at < context.plain_end and steps <= context.max_steps:
-                    context.steps = steps
-                    left = words.load(context.memory, at, self.kind)
-                    right = leaves.near_value(self.operand, context)
-                    words.store(context.memory, at, self.kind, changed(self.operator, left, right))
-                    return kinds.GOES_ON
+        at = leaves.near_place(self.address, context)
+        origin = leaves.near_element(self.element, context)
+        is_inside = kinds.NULL_BYTES <= at < context.plain_end
+        is_inside = is_inside and kinds.NULL_BYTES <= origin <= context.end
+        if is_inside and context.steps + self.cost <= context.max_steps:
+            operand = words.load(context.memory, origin, self.element.kind)
+            return change(self, at, operand, context)
         return UpdateAt.run(self, context)
+
+
+def updated(
+    address: Whole, kind: int, operator: int, operand: Whole, source: int, cost: int
+) -> UpdateAt:
+    """Return ``x := x + y`` as the node that suits its variable and its operand."""
+    node = UpdateAt
+    if leaves.is_near_place(address):
+        if isinstance(operand, LoadElement) and operand.is_near:
+            return UpdateByElement(address, kind, operator, operand, source, cost)
+        if leaves.is_near(operand):
+            node = UpdateVariable
+    elif isinstance(address, ElementPlace) and address.is_near and leaves.is_near(operand):
+        node = UpdateElement
+    return node(address, kind, operator, operand, source, cost)

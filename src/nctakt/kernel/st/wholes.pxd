@@ -51,12 +51,12 @@ cdef class ElementPlace(Whole):
     cdef long long lowest
     cdef long long count
     cdef long long stride
-    cdef bint is_near
+    cdef readonly bint is_near
     @cython.locals(address=cython.longlong, index=cython.longlong, number=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
 
 cdef class LoadElement(ElementPlace):
-    @cython.locals(at=cython.longlong, number=cython.longlong)
+    @cython.locals(at=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
     @cython.locals(at=cython.longlong, index=cython.longlong, number=cython.longlong)
     cdef long long far_value(self, PlcContext context) noexcept nogil

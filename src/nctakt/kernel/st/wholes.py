@@ -162,6 +162,7 @@ class ElementPlace(Whole):
         self.lowest = lowest
         self.count = count
         self.stride = stride
+        self.offset = 0
         self.is_near = leaves.is_near_place(address) and leaves.is_near(index)
 
     def value(self, context: PlcContext) -> int:
@@ -194,12 +195,9 @@ class LoadElement(ElementPlace):
 
     def value(self, context: PlcContext) -> int:
         if self.is_near:
-            number = words.subtract(leaves.near_value(self.index, context), self.lowest)
-            if 0 <= number < self.count:
-                at = leaves.near_place(self.address, context) + self.offset
-                at += number * self.stride
-                if kinds.NULL_BYTES <= at <= context.end:
-                    return words.load(context.memory, at, self.kind)
+            at = leaves.near_element(self, context)
+            if kinds.NULL_BYTES <= at <= context.end:
+                return words.load(context.memory, at, self.kind)
         return self.far_value(context)
 
     def far_value(self, context: PlcContext) -> int:

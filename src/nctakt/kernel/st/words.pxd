@@ -55,11 +55,11 @@ cdef extern from *:
         return r == -1 ? 0 : l % r;
     }
     static inline long long nctakt_wrap(long long v, int kind) {
+        if (NCTAKT_USUAL(kind == 3)) return (int)v;
         switch (kind) {
             case 0: return v != 0;
             case 1: return (signed char)v;
             case 2: return (short)v;
-            case 3: return (int)v;
             case 5: return (unsigned char)v;
             case 6: return (unsigned short)v;
             case 7: return (unsigned int)v;

@@ -214,7 +214,7 @@ _Static_assert(sizeof(hli_spindle) == 88, "hli_spindle");
 typedef struct hli_command {
     uint16_t override_command_w; /* the operator's override of the path (0.1 %) */
     uint8_t feedhold_command_w; /* 1: the path brakes to a standstill and stays there */
-    uint8_t single_block_command_w; /* 1: the channel stops in front of each block */
+    uint8_t single_block_command_w; /* 1: the channel stops before each block */
     uint8_t continue_on_command_w; /* START: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t reset_command_w; /* RESET: the PLC writes 1, the CNC takes it and writes 0 */
     uint8_t plc_present_w; /* 1: the PLC acknowledges functions, 0: the CNC itself */

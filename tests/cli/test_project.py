@@ -110,6 +110,23 @@ def test_the_machine_around_a_program_counts_behind_the_file(told: Told) -> None
     assert "programs/a.nc runs on demo, shop/nc/b.nc on shop/hochlauf.lis" in err
 
 
+def test_a_start_up_list_of_another_name_beside_a_program_is_named(told: Told) -> None:
+    """The program runs on the demo machine, and 902944 names the list and its option."""
+    assert told("new", "shop", "--from", "demo5")[0] == 0
+    Path("shop/hochlauf.lis").rename("shop/cell7.lis")
+    write("shop/b.nc", "N10 G01 X1 F1000\nM30\n")
+    code, _, err = told("run", "shop/b.nc")
+    assert code == 0
+    assert (
+        "note 902944: the program runs on the demo machine: shop/cell7.lis has no usual name" in err
+    )
+    assert "--machine shop/cell7.lis" in err
+    assert "902944" not in told("run", "shop/b.nc", "--machine", "shop/cell7.lis")[2]
+    write("other/b.nc", "N10 G01 X1 F1000\nM30\n")
+    write("other/achse.lis", "getriebe[0].slope_profil.a_beschl 1000\n")
+    assert "902944" not in told("run", "other/b.nc")[2]
+
+
 def test_a_check_of_folders_takes_each_project(told: Told) -> None:
     """Programs in one folder, checked for the machines of their own projects."""
     write("one/nctakt.toml", 'machine = "demo"\n')

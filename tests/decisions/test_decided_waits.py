@@ -227,6 +227,20 @@ def test_the_line_that_holds_the_path_is_named() -> None:
     assert (freed.state, numbers(freed)) == ("ended", [])
 
 
+def test_a_line_of_another_file_is_named_with_its_file(tmp_path: Path) -> None:
+    """The path stands in part.nc, the cycle is defined in the subprogram hold.nc."""
+    cycle, rest = HELD.format(frequency="", first=0, end="").split("G01 X100", 1)
+    (tmp_path / "hold.nc").write_text(f"{cycle}M17\n", "utf-8")
+    part = tmp_path / "part.nc"
+    part.write_text(f"L hold.nc\nG01 X100{rest}", "utf-8")
+    found = Controller().run(part, ticks=2000).diagnostics[-1]
+    other = (tmp_path / "hold.nc").as_posix()
+    assert f"to 0 % in {other}:3 of cycle 7, under $IF V.RTA" in found.text()
+    assert f"== 0 in {other}:2" in found.text()
+    assert found.remedy().startswith(f"It is held as long as {other}:2 runs; now ")
+    assert found.remedy("de").startswith(f"Es wird gehalten, solange {other}:2 läuft; ")
+
+
 def test_a_latched_branch_is_no_way_out() -> None:
     """RC-203: what ALWAYS has begun goes on, so only the branch around it can end it."""
     inner = {"frequency": "$IF ALWAYS V.E.VALUE == 0\n", "first": 0, "end": "$ENDIF\n"}

@@ -89,6 +89,31 @@ def test_a_function_that_takes_its_time_may_still_reach_the_plc(
     assert (values_in_main(plc, "nSeen"), len(notes(run))) == ([seen], told)
 
 
+@pytest.mark.parametrize(
+    ("function", "lists"),
+    [("H77", "h_synch[77] MVS_SVS"), ("T1", "tool.synch MVS_SVS")],
+)
+def test_functions_of_other_letters_are_told_as_well(
+    tmp_path: Path, function: str, lists: str
+) -> None:
+    """P-CHAN-00027 and P-CHAN-00086: H77 and T1 are MVS_SVS, so that the program waits for them."""
+    machine = machine_with(tmp_path / "machine", default_sda=lists)
+    run = Controller(machine).run(
+        NcText("part.nc", f"{function}\nG04 0.02\nM30"), plc=loaded(tmp_path, GATE)
+    )
+    assert notes(run) == [TOLD.format(2).replace("M7", function)]
+
+
+def test_each_of_several_plcs_may_be_the_one_that_answers(tmp_path: Path) -> None:
+    """With a second PLC that stays away the first one is the one that announced itself."""
+    away = GATE.replace("plc_present_w := TRUE", "plc_present_w := FALSE")
+    for name in ("near", "far"):
+        (tmp_path / name).mkdir()
+    plcs = [loaded(tmp_path / "far", away), loaded(tmp_path / "near", GATE)]
+    run = Controller().run(NcText("part.nc", "M7\nG04 0.02\nM30"), plc=plcs)
+    assert notes(run) == [TOLD.format(2)]
+
+
 def test_a_session_tells_it_as_soon_as_the_plc_is_there(tmp_path: Path) -> None:
     """The diagnostics of a session's slices have the same note: M7 of tick 0, told in tick 2."""
     cell = tmp_path / "cell.st"

@@ -20,7 +20,7 @@ from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
 from nctakt.checking.channel_uses import ProgramUses, report_missing_partners
 from nctakt.checking.check_memory import CheckMemory, Poll
 from nctakt.checking.cycle_links import LinkedProgram, report_unlinked_cycles
-from nctakt.checking.inputs import LIST_SUFFIX, Finding, PlcInput, gather
+from nctakt.checking.inputs import Finding, PlcInput, gather
 from nctakt.checking.plc_interface import report_interface_uses
 from nctakt.checking.program import Checked, check_program
 from nctakt.checking.scripts import ScriptedProgram, impossible_firings, impossible_inputs
@@ -29,7 +29,7 @@ from nctakt.checking.targets import Target, Targets
 from nctakt.files.access import BEGIN_BYTES
 from nctakt.lists.all_parameters import SCHEMAS
 from nctakt.lists.format.without_effect import Detail
-from nctakt.lists.machine.files import startup_list_around
+from nctakt.lists.machine.files import LIST_SUFFIX, startup_list_around
 from nctakt.lists.machine.list_kinds import check_list_alone, is_startup_list, kind_of
 from nctakt.lists.machine.machine import Machine, load_machine, load_startup
 from nctakt.lists.machine.schedules.scheduling_profile import STANDARD_OPTIONS, RtconfOptions

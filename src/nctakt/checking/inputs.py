@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.lists.format.xml_reader import is_xml
-from nctakt.lists.machine.files import is_startup_name
+from nctakt.lists.machine.files import LIST_SUFFIX, is_startup_name
 from nctakt.lists.machine.list_kinds import kind_of
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.checking import NOTHING_TO_CHECK
@@ -35,7 +35,7 @@ from nctakt.st.files.suffixes import (
 
 #: Suffixes of programs in folders.
 PROGRAM_SUFFIXES = (".nc", ".ncp", ".cnc", ".sub", ".cyc", ".ecy")
-LIST_SUFFIX, XML_SUFFIX = ".lis", ".xml"
+XML_SUFFIX = ".xml"
 LIST_SUFFIXES = (LIST_SUFFIX, XML_SUFFIX)
 
 

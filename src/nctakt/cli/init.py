@@ -20,7 +20,7 @@ import click
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Severity, Text
 from nctakt.base.failure import Failure
-from nctakt.checking.inputs import LIST_SUFFIX, gather
+from nctakt.checking.inputs import gather
 from nctakt.checking.python_check import check
 from nctakt.cli import EXIT_RAN, EXIT_USAGE
 from nctakt.cli.common.ci_files import CI_FILES, WHEELS
@@ -28,7 +28,7 @@ from nctakt.cli.common.help import described, option
 from nctakt.cli.common.options import language_option, table_option
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
-from nctakt.lists.machine.files import STARTUP_NAMES
+from nctakt.lists.machine.files import LIST_SUFFIX, STARTUP_NAMES
 from nctakt.lists.machine.list_kinds import is_startup_list
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.project import (

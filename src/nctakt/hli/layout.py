@@ -161,7 +161,7 @@ PANEL = (
         "single_block",
         "BOOLEAN",
         "",
-        "1: the channel stops in front of each block",
+        "1: the channel stops before each block",
         path="gpCh[0]^.bahn_mc_control.single_block.command_w",
     ),
     Entry(

@@ -14,13 +14,25 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.files.access import FileAccess
-from nctakt.lists.machine.files import DEMO_FOLDER, machine_folder, startup_list_around
+from nctakt.lists.machine.files import (
+    DEMO_FOLDER,
+    LIST_SUFFIX,
+    machine_folder,
+    startup_list_around,
+)
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.project import MACHINE_OF_SETTING, RUN_ON_MACHINE_OF_FILE
+from nctakt.messages.commands.project import (
+    MACHINE_OF_SETTING,
+    RUN_ON_DEMO_MACHINE,
+    RUN_ON_MACHINE_OF_FILE,
+)
 from nctakt.project.project_file import Project, find_project
 
 #: The environment variable for the machine.
 MACHINE_VARIABLE = "NCTAKT_MACHINE"
+
+#: Lists beside a program that are read to find a start-up list of an unusual name, at most.
+_MAX_LISTS = 50
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,11 +40,13 @@ class MachineChoice:
     """A machine's folder or start-up list, and the setting that names it.
 
     ``setting``: the environment variable or the project file; empty for the machine around the
-    program and for the built-in one.
+    program and for the built-in one. ``overlooked``: a list beside a program on the built-in
+    machine that has the entries of a start-up list, but no usual name.
     """
 
     path: Path
     setting: str = ""
+    overlooked: Path | None = None
 
     @property
     def is_demo(self) -> bool:
@@ -46,9 +60,14 @@ class MachineChoice:
         return self.path.name if is_built_in else self.path.as_posix()
 
     def note(self) -> Diagnostic | None:
-        """Return the note that names the machine (901064, 900816); ``None`` if it is the demo."""
+        """Return the note that names the machine (901064, 900816).
+
+        That of the demo machine names the overlooked list (902944); ``None`` if there is none.
+        """
         if self.setting:
             return diagnostic(MACHINE_OF_SETTING, machine=self.shown, source=self.setting)
+        if self.overlooked is not None:
+            return diagnostic(RUN_ON_DEMO_MACHINE, file=self.overlooked.as_posix())
         return None if self.is_demo else diagnostic(RUN_ON_MACHINE_OF_FILE, file=self.shown)
 
 
@@ -70,10 +89,26 @@ def choose_machine(
         return from_environment
     if project is not None and project.machine is not None:
         return MachineChoice(project.machine, project.file.as_posix())
-    startup = None if program is None else startup_list_around(program)
-    if startup is None or not access.admits(startup):
+    if program is None:
         return MachineChoice(DEMO_FOLDER)
+    startup = startup_list_around(program)
+    if startup is None or not access.admits(startup):
+        return MachineChoice(DEMO_FOLDER, overlooked=_overlooked_list(program.parent, access))
     return MachineChoice(startup)
+
+
+def _overlooked_list(folder: Path, access: FileAccess) -> Path | None:
+    """Return the first list in a folder that is a start-up list by its entries alone."""
+    try:
+        paths = sorted(path for path in folder.iterdir() if path.suffix.lower() == LIST_SUFFIX)
+    except OSError:
+        return None
+    if not paths:
+        return None
+    from nctakt.lists.machine.list_kinds import is_startup_list  # noqa: PLC0415 - seldom needed
+
+    found = (path for path in paths[:_MAX_LISTS] if is_startup_list(path, access))
+    return next(found, None)
 
 
 def machine_of(program: Path, access: FileAccess) -> MachineChoice:

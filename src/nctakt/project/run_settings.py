@@ -114,8 +114,7 @@ def run_settings(
         machine = machine_folder(named.machine, named.base)
     else:
         choice = _machine_of_all(programs, project, access)
-        if not choice.is_demo:
-            machine, note = choice.path, choice.note()
+        machine, note = None if choice.is_demo else choice.path, choice.note()
     is_limited = named.is_limited or named.until is not None
     of_project = {} if project is None else project.values
     return RunSettings(

@@ -28,6 +28,8 @@ BUILT_IN_MACHINES = ("demo", "demo5")
 _MACHINES = Path(__file__).parent.parent.parent / "machines"
 #: The folder of the first of them.
 DEMO_FOLDER = _MACHINES / BUILT_IN_MACHINES[0]
+#: How the name of a list in ASCII ends.
+LIST_SUFFIX = ".lis"
 #: Usual names of the start-up list of a machine.
 STARTUP_NAMES = ("hochlauf.lis", "startup.lis", "hochlauf.xml", "startup.xml")
 #: Further names of start-up lists in the field.

@@ -135,6 +135,14 @@ RUN_ON_MACHINE_OF_FILE = note(
         "die Hochlaufliste, in deren Ordner das Programm liegt",
     ),
 )
+RUN_ON_DEMO_MACHINE = note(
+    902944,
+    en="the program runs on the demo machine: {file} has no usual name of a start-up list",
+    de="das Programm läuft auf der Demo-Maschine: {file} heißt nicht wie eine Hochlaufliste",
+    remedy_en="By its entries it is one: --machine {file}, or name it so in nctakt.toml.",
+    remedy_de="Nach ihren Einträgen ist sie eine: --machine {file}, oder so in nctakt.toml nennen.",
+    file=("the list beside the program", "die Liste neben dem Programm"),
+)
 PROGRAMS_OF_DIFFERENT_MACHINES = error(
     901065,
     en="the programs belong to different machines: {first} runs on {machine}, {second} on {other}",

@@ -341,7 +341,7 @@ FORMS = table(
     (
         "L CYCLE [MODAL_MOVE]",
         SIMULATED,
-        "call behind each block with a motion; MODAL_BLOCK: behind each",
+        "call after each block with a motion; MODAL_BLOCK: after each",
         "Aufruf hinter jedem Satz mit Bewegung; MODAL_BLOCK: hinter jedem",
     ),
     ("M110=130", SIMULATED, "M or H function with a value", "M- oder H-Funktion mit Wert"),

@@ -413,7 +413,7 @@ G_FUNCTIONS: Mapping[int, GFunction] = by_number(
         Group.DECELERATION,
         plain(900, "deceleration before the block's end", "Bremsen vor dem Satzende"),
         simplified(
-            901, "deceleration behind the block's end", "Bremsen hinter dem Satzende", AS_G900
+            901, "deceleration after the block's end", "Bremsen hinter dem Satzende", AS_G900
         ),
     ),
 )

@@ -131,7 +131,7 @@ _OF_NUMBERS = _functions(
     ("ATAN2", 2, 2, "angle of y, x", "Winkel von y, x", NOT_BOTH_ZERO, False),
     ("ACOT", 1, 1, "angle of a cotangent", "Winkel eines Kotangens", ANY, False),
     ("INT", 1, 1, "the whole part", "ganzzahliger Teil", ANY, False),
-    ("FRACT", 1, 1, "the part behind the point", "Teil hinter dem Komma", ANY, False),
+    ("FRACT", 1, 1, "the part after the point", "Teil hinter dem Komma", ANY, False),
     (
         "ROUND",
         1,
@@ -242,7 +242,7 @@ _OF_NAMES = _asking(
         "INSERT",
         3,
         "TTN",
-        "the first text with the second behind a position",
+        "the first text with the second after a position",
         "der erste Text mit dem zweiten hinter einer Stelle",
         PLACES,
         True,

@@ -22,10 +22,10 @@ TECHNOLOGY = table(
     (
         "MVS_SNS",
         SIMULATED,
-        "output before, waiting behind it",
+        "output before, waiting after it",
         "Ausgabe vor, Warten nach der Bewegung",
     ),
-    ("MNS_SNS", SIMULATED, "output and waiting behind the motion", "Ausgabe und Warten danach"),
+    ("MNS_SNS", SIMULATED, "output and waiting after the motion", "Ausgabe und Warten danach"),
     ("MNE_SNS", SIMULATED, "output at a measuring event", "Ausgabe beim Messereignis"),
     (
         "MVS_SLM",

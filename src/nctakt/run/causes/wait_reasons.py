@@ -187,20 +187,20 @@ _REASONS = {
 }
 
 
-_AT = Text(" in line {line} of cycle {cycle}", " in Zeile {line} von Zyklus {cycle}")
+_AT = Text(" in {place} of cycle {cycle}", " in {place} von Zyklus {cycle}")
 _UNDER = Text(", under {branches}", ", unter {branches}")
 _AND = Text(" and ", " und ")
-_LINE = Text("{text} in line {line}", "{text} in Zeile {line}")
+_IN = Text("{text} in {place}", "{text} in {place}")
 _WHILE_LINES_RUN = Text(
     "It is held as long as {lines} runs{values}",
     "Es wird gehalten, solange {lines} läuft{values}",
 )
-_SHORT_LINE = Text("line {line}", "Zeile {line}")
+_LINE = Text("line {line}", "Zeile {line}")
 _NOW = Text("; now {values}", "; jetzt {values}")
 _FROM_OUTSIDE = Text("; from outside: --at TIME {name}=VALUE", "; von außen: --at ZEIT {name}=WERT")
 _WHILE_CYCLE_RUNS = Text(
-    "It is held as long as cycle {cycle} runs: nothing in it ends what line {line} does",
-    "Es wird gehalten, solange Zyklus {cycle} läuft: nichts in ihm beendet, was Zeile {line} tut",
+    "It is held as long as cycle {cycle} runs: nothing in it ends what {place} does",
+    "Es wird gehalten, solange Zyklus {cycle} läuft: nichts in ihm beendet, was {place} tut",
 )
 _AXIS_OVERRIDE = Text(
     "axis {name}, stopped by an override of 0 %{where}",
@@ -233,7 +233,7 @@ def _wait_reason(
         return None
     span = machine.files.span(source)
     line = "" if span is None else machine.files.line_at(span)
-    reason = _reason(machine, index, word, detail)
+    reason = _reason(machine, index, word, detail, "" if span is None else span.file)
     values: dict[str, object] = {"awaited": reason.awaited, "freed_by": reason.freed_by}
     message = WAITING_AT_RUN_LIMIT
     if not reason.freed_by.en:
@@ -246,8 +246,10 @@ def _wait_reason(
 
 def awaited(machine: AssembledMachine, index: int, channel: ChannelRun) -> Text | None:
     """Return what a channel's program waits for, ``None`` if it is at work."""
-    word, _, detail = _found(machine, index, channel)
-    return _reason(machine, index, word, detail).awaited if word else None
+    word, source, detail = _found(machine, index, channel)
+    span = machine.files.span(source)
+    file = "" if span is None else span.file
+    return _reason(machine, index, word, detail, file).awaited if word else None
 
 
 def _found(machine: AssembledMachine, index: int, channel: ChannelRun) -> tuple[str, int, int]:
@@ -264,16 +266,19 @@ def _found(machine: AssembledMachine, index: int, channel: ChannelRun) -> tuple[
     return word, source, detail
 
 
-def _reason(machine: AssembledMachine, index: int, word: str, detail: int) -> Reason:
-    """Return the reason with the names of what it concerns."""
+def _reason(machine: AssembledMachine, index: int, word: str, detail: int, file: str) -> Reason:
+    """Return the reason with the names of what it concerns, for a reader who looks at ``file``."""
     reason = _REASONS[word]
     name = _name(machine, index, word, detail)
     values: dict[str, object] = {"name": name, "hli": f"{_prefix(machine, index)}HLI."}
+    variable, held = "", reason.awaited
     if word == "cycle override":
-        return _held_by_cycle(machine, index, "V.RTG.OVERRIDE.VEL.CYCLE", reason.awaited, name)
-    if word == "axis" and _override_of_axis(machine, index, name.en) == 0.0:
-        variable = f"V.RTA.OVERRIDE.VEL.CYCLE.{name.en}"
-        return _held_by_cycle(machine, index, variable, _AXIS_OVERRIDE, name)
+        variable = "V.RTG.OVERRIDE.VEL.CYCLE"
+    elif word == "axis" and _override_of_axis(machine, index, name.en) == 0.0:
+        variable, held = f"V.RTA.OVERRIDE.VEL.CYCLE.{name.en}", _AXIS_OVERRIDE
+    if variable:
+        where, freed_by = _held_by_cycle(machine, index, variable, file)
+        return Reason(_filled(held, name=name, where=where), freed_by)
     freed_by = reason.freed_by
     if word in ("spindle", "spindle turns"):
         if machine.read(spindle_value_name(name.en)) == 0.0:
@@ -316,33 +321,38 @@ class _Write:
 
     definition: CycleDefinition
     cycle: str
-    line: int
+    span: Span
     branches: tuple[BranchOutline, ...]
 
 
 def _held_by_cycle(
-    machine: AssembledMachine, index: int, variable: str, awaited: Text, name: Text
-) -> Reason:
-    """Return the reason with the line that sets an override to 0, and what would free it."""
+    machine: AssembledMachine, index: int, variable: str, file: str
+) -> tuple[Text, Text]:
+    """Return where a cycle sets an override to 0, and what would free it; empty if none does."""
     write = _last_write(machine, index, variable)
     if write is None:
-        return Reason(_filled(awaited, name=name, where=Text("", "")), Text("", ""))
-    where = _filled(_AT, line=write.line, cycle=write.cycle)
+        return Text("", ""), Text("", "")
+    place = _place(write.span, file)
+    where = _filled(_AT, place=place, cycle=write.cycle)
     if write.branches:
         lines = [
-            _filled(_LINE, text=_branch_text(branch), line=branch.span.line)
+            _filled(_IN, text=_branch_text(branch), place=_place(branch.span, file))
             for branch in write.branches
         ]
         where = _joined(where, _filled(_UNDER, branches=_separated(lines, _AND)))
     freeing = [branch for branch in write.branches if branch.frequency != "ALWAYS"]
     if not freeing:
-        freed_by = _filled(_WHILE_CYCLE_RUNS, cycle=write.cycle, line=write.line)
-        return Reason(_filled(awaited, name=name, where=where), freed_by)
-    lines = [_filled(_SHORT_LINE, line=branch.span.line) for branch in freeing]
-    freed_by = _filled(
-        _WHILE_LINES_RUN, lines=_separated(lines, _AND), values=_values(machine, index, freeing)
-    )
-    return Reason(_filled(awaited, name=name, where=where), freed_by)
+        return where, _filled(_WHILE_CYCLE_RUNS, cycle=write.cycle, place=place)
+    lines = [_place(branch.span, file) for branch in freeing]
+    values = _values(machine, index, freeing)
+    return where, _filled(_WHILE_LINES_RUN, lines=_separated(lines, _AND), values=values)
+
+
+def _place(span: Span, file: str) -> Text:
+    """Return a line as a reader of ``file`` finds it: with the name of another file."""
+    if span.file == file:
+        return _filled(_LINE, line=span.line)
+    return Text(f"{span.file}:{span.line}", f"{span.file}:{span.line}")
 
 
 def cycle_that_writes(
@@ -350,7 +360,7 @@ def cycle_that_writes(
 ) -> tuple[str, int] | None:
     """Return cycle and line of the last write to a variable in the last tick, if there was any."""
     write = _last_write(machine, index, variable)
-    return None if write is None else (write.cycle, write.line)
+    return None if write is None else (write.cycle, write.span.line)
 
 
 def _last_write(machine: AssembledMachine, index: int, variable: str) -> _Write | None:
@@ -369,7 +379,7 @@ def _last_write(machine: AssembledMachine, index: int, variable: str) -> _Write 
                 if ran.issuperset(spans):
                     branches = tuple(outlines[span] for span in spans)
                     name = machine.registry.cycle(cycle.serial)
-                    found = _Write(definition, name, statement.span.line, branches)
+                    found = _Write(definition, name, statement.span, branches)
     return found
 
 

@@ -187,10 +187,10 @@ _REASONS = {
 }
 
 
-_AT = Text(" in {place} of cycle {cycle}", " in {place} von Zyklus {cycle}")
+_AT = Text(" in {line} of cycle {cycle}", " in {line} von Zyklus {cycle}")
 _UNDER = Text(", under {branches}", ", unter {branches}")
 _AND = Text(" and ", " und ")
-_IN = Text("{text} in {place}", "{text} in {place}")
+_IN = Text("{text} in {line}", "{text} in {line}")
 _WHILE_LINES_RUN = Text(
     "It is held as long as {lines} runs{values}",
     "Es wird gehalten, solange {lines} läuft{values}",
@@ -199,8 +199,8 @@ _LINE = Text("line {line}", "Zeile {line}")
 _NOW = Text("; now {values}", "; jetzt {values}")
 _FROM_OUTSIDE = Text("; from outside: --at TIME {name}=VALUE", "; von außen: --at ZEIT {name}=WERT")
 _WHILE_CYCLE_RUNS = Text(
-    "It is held as long as cycle {cycle} runs: nothing in it ends what {place} does",
-    "Es wird gehalten, solange Zyklus {cycle} läuft: nichts in ihm beendet, was {place} tut",
+    "It is held as long as cycle {cycle} runs: nothing in it ends what {line} does",
+    "Es wird gehalten, solange Zyklus {cycle} läuft: nichts in ihm beendet, was {line} tut",
 )
 _AXIS_OVERRIDE = Text(
     "axis {name}, stopped by an override of 0 %{where}",
@@ -332,23 +332,23 @@ def _held_by_cycle(
     write = _last_write(machine, index, variable)
     if write is None:
         return Text("", ""), Text("", "")
-    place = _place(write.span, file)
-    where = _filled(_AT, place=place, cycle=write.cycle)
+    line = _line_text(write.span, file)
+    where = _filled(_AT, line=line, cycle=write.cycle)
     if write.branches:
         lines = [
-            _filled(_IN, text=_branch_text(branch), place=_place(branch.span, file))
+            _filled(_IN, text=_branch_text(branch), line=_line_text(branch.span, file))
             for branch in write.branches
         ]
         where = _joined(where, _filled(_UNDER, branches=_separated(lines, _AND)))
     freeing = [branch for branch in write.branches if branch.frequency != "ALWAYS"]
     if not freeing:
-        return where, _filled(_WHILE_CYCLE_RUNS, cycle=write.cycle, place=place)
-    lines = [_place(branch.span, file) for branch in freeing]
+        return where, _filled(_WHILE_CYCLE_RUNS, cycle=write.cycle, line=line)
+    lines = [_line_text(branch.span, file) for branch in freeing]
     values = _values(machine, index, freeing)
     return where, _filled(_WHILE_LINES_RUN, lines=_separated(lines, _AND), values=values)
 
 
-def _place(span: Span, file: str) -> Text:
+def _line_text(span: Span, file: str) -> Text:
     """Return a line as a reader of ``file`` finds it: with the name of another file."""
     if span.file == file:
         return _filled(_LINE, line=span.line)

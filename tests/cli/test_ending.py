@@ -6,19 +6,25 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import random
+import shutil
 import signal
 import socket
 import subprocess
 import sys
 import time
+import zipfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import IO
 
 import pytest
+from support.command_table import commands
 
 import nctakt
 from nctakt.base import interrupts
+from nctakt.cli import group
+from nctakt.lists.machine.machine import load_machine
 from nctakt.trace.reading import read_trace
 
 pytestmark = [
@@ -101,6 +107,48 @@ class Started:
 
 
 Start = Callable[..., Started]
+
+_LOAD = ("rtconf.lis", "--load", "load.toml")
+_LONG = ("endless.nc", "--until", "9999min")
+
+#: What keeps each command busy; those that end at once are interrupted while they begin.
+BUSY: dict[str, tuple[str, ...]] = {
+    "demo": ("--port", "0"),
+    "init": (".",),
+    "new": ("machine",),
+    "check": ("long.nc",),
+    "run": (*_LONG, "--trace", "out.csv", "--record", "out.tape"),
+    "live": ("part.nc", "--port", "0", "--record", "out.tape"),
+    "why": _LONG,
+    "time": _LONG,
+    "compare": ("log.csv", *_LONG),
+    "coverage": _LONG,
+    "disassemble": _LONG,
+    "explain": ("V.E.WORD",),
+    "test": ("endless.nc", "long.nc"),
+    "study": ("plan.toml", "--out", "rows.csv", "--yes"),
+    "replay": ("long.tape",),
+    "schedule": (),
+    "schedule analyse": _LOAD,
+    "schedule compare": ("rtconf.lis", *_LOAD),
+    "schedule learn": ("rtconf.lis", "load.toml", "--output", "learnt.toml"),
+    "schedule run": (*_LOAD, "--duration", "60s"),
+    "schedule show": ("rtconf.lis",),
+    "schedule simulate": (*_LOAD, "--duration", "1h", "--plot", "out.svg"),
+    "schedule suggest": (*_LOAD, "--slack", "20"),
+    "serve": ("part.nc", "--ads=127.0.0.1:0", "--record", "out.tape"),
+    "fmu": ("long.nc", "--output", "out.fmu"),
+    "dap": (),
+    "lsp": (),
+}
+
+#: Files under a whole name -> what raises an exception unless they are whole.
+WHOLE: dict[str, Callable[[Path], object]] = {
+    "out.csv": read_trace,
+    "out.fmu": lambda path: zipfile.ZipFile(path).testzip(),
+    "rows.csv": lambda path: pytest.fail("20,000 runs cannot have ended"),
+    "machine": load_machine,
+}
 
 
 @pytest.fixture
@@ -250,6 +298,30 @@ def test_the_page_keeps_its_tape(start: Start, tmp_path: Path) -> None:
     assert "dap token " in page.said
     assert page.end(signal.SIGTERM) == 0, page.said
     assert (tmp_path / "run.tape").stat().st_size > 0
+
+
+@pytest.mark.nightly
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
+@pytest.mark.parametrize("words", list(commands(group)), ids=" ".join)
+def test_each_command_can_be_interrupted(
+    start: Start, tmp_path: Path, words: list[str], number: signal.Signals
+) -> None:
+    """At any time: no traceback, no process left, no half file under a whole name."""
+    for name in ("rtconf.lis", "load.toml"):
+        shutil.copy(SOURCES.parent / "examples" / "schedule" / name, tmp_path)
+    (tmp_path / "long.nc").write_text("G01 X1 F600\nX0\n" * 50_000 + "M30\n", "utf-8")
+    (tmp_path / "log.csv").write_text("t,X\n" + "0.001,0\n" * 50_000, "utf-8")
+    chance = random.Random(f"{words} {number}")
+    started = start(*words, *BUSY[" ".join(words)], ignores=False)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        started.process.wait(chance.uniform(0.3, 4.0))
+    code = started.end(number)
+    # Python itself ends by SIGINT if the signal comes while it runs a text that it translates
+    assert code in (0, 1, 2, -number, -signal.SIGINT), started.said
+    assert not any(text in started.said for text in ("Traceback", "internal error"))
+    for name, check in WHOLE.items():
+        if (tmp_path / name).exists():
+            check(tmp_path / name)
 
 
 def test_outside_of_commands_signals_are_as_they_were() -> None:

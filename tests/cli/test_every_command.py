@@ -7,27 +7,17 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 
 import click
 import pytest
+from support.command_table import commands
 
 from nctakt.cli import group, main
 
 pytestmark = pytest.mark.slow
 
 Captured = pytest.CaptureFixture[str]
-
-
-def commands(parent: click.Group, *before: str) -> Iterator[list[str]]:
-    """The words of each subcommand, those of a subcommand such as ``schedule show`` included."""
-    context = click.Context(parent)
-    for name in parent.list_commands(context):
-        yield [*before, name]
-        command = parent.get_command(context, name)
-        if isinstance(command, click.Group):
-            yield from commands(command, *before, name)
 
 
 def command_of(words: list[str]) -> click.Command:

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from support.page_driving import BROWSER, chromium, opened, served
+from support.random_seeds import seeds_in_parts
 
 from nctakt import Session
 from nctakt.live import view
@@ -130,6 +131,73 @@ def test_a_walk(walk: tuple[Any, Session, str], seed: int) -> None:
     rows = page.get_by_test_id("events").locator(".nc-finding > .nc-rows > :first-child")
     expected = [view.event_row(one, "en").text for one in session.events(0, tick + 1)[0]]
     expect(rows).to_have_text(expected[::-1][:80])
+
+
+def act_beside(page: Any, session: Session, choice: random.Random) -> None:
+    """Do the same on the page and, as far as it makes another past, in the session."""
+    others = [branch for branch in session.branches if branch != session.branch]
+    match choice.randrange(6):
+        case 0:
+            value = f"{choice.random():.3f}"  # the page sends no value that is there already
+            page.get_by_test_id("variable-V.E.VALUE").fill(value)
+            page.get_by_test_id("variable-V.E.VALUE").press("Enter")
+            page.keyboard.press("Escape")
+            session.write({"V.E.VALUE": float(value)}, "page")
+        case 1 if others:
+            page.keyboard.press("6")
+            page.get_by_test_id(f"take_up-{choice.choice(others)}").click()
+            page.get_by_test_id("tab-events").click()
+        case 2 if session.tick > 0:
+            scope = page.get_by_test_id("scope").bounding_box()
+            x = scope["x"] + 60 + choice.random() * (scope["width"] - 80)
+            page.mouse.click(x, scope["y"] + scope["height"] / 2)
+        case _:
+            page.keyboard.press(choice.choice(STEPS))
+
+
+def follow(page: Any, session: Session) -> None:
+    """Wait until the page lists the events of the session's past at the tick that it shows."""
+    rows = page.get_by_test_id("events").locator(".nc-finding > .nc-rows > :first-child")
+    for _ in range(20):
+        ticks, branch = settled(page)
+        if (ticks, branch) != (session.tick, session.branch):
+            lived = session.branches.get(branch, 0)
+            session.go_to(min(ticks, lived), branch)
+            session.step(max(ticks - lived, 0))
+        events = session.happened(0, ticks).events
+        expected = [" ".join(view.event_row(one, "en").text.split()) for one in events]
+        shown = [" ".join(text.split()) for text in rows.all_inner_texts()]
+        if shown == expected[::-1][:80]:
+            return
+    assert shown == expected[::-1][:80]
+
+
+def settled(page: Any) -> tuple[int, int]:
+    """Return how many ticks of which branch the bar shows, once it has shown the same for 2 s."""
+    seen: list[str] = []
+    while len(seen) < 8 or len(set(seen[-8:])) > 1:
+        seen.append(page.get_by_test_id("clock").inner_text())
+        page.wait_for_timeout(250)
+    branch = re.search(r"Branch (\d+)", seen[-1])
+    assert branch is not None
+    return shown_tick(page) + 1, int(branch[1])
+
+
+@pytest.mark.nightly
+@seeds_in_parts(1, 1, 1)
+def test_events_are_those_of_the_branch(browser: Any, tmp_path: Path, seeds: range) -> None:
+    """Travel, inputs in the past, other branches: each event of the shown past once, no other."""
+    path = tmp_path / "branches.nc"
+    path.write_text(PROGRAM, "utf-8")
+    for seed in seeds:
+        choice = random.Random(seed)
+        with served(str(path)) as address, Session(path) as session:
+            page = opened(browser, address)
+            page.get_by_test_id("tab-events").click()
+            for _ in range(16):
+                act_beside(page, session, choice)
+                follow(page, session)
+            page.close()
 
 
 @pytest.mark.nightly

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy
 import pytest
 
@@ -68,6 +70,53 @@ def test_a_short_log_has_no_drift() -> None:
     found = align([(logged(curve, 2000.0, -500_000.0, 0.0), curve)])
     assert found.drift == 0.0
     assert found.offset_us == pytest.approx(-500_000.0, abs=2.0)
+
+
+def stepped(
+    curve: Curve, drift: float, noise: float, late: Sequence[tuple[float, float]]
+) -> Samples:
+    """A log at 2 ms that begins 3 s before the run, and stands at times of it for so many µs."""
+    end = 3e6 + (curve.end_us + sum(length for _, length in late)) * (1.0 + drift) + 1e6
+    stamps = numpy.arange(0.0, end, 2000.0)
+    times = (stamps - 3e6) / (1.0 + drift)
+    for time_us, length in late:
+        times = numpy.where(times > time_us, numpy.maximum(times - length, time_us), times)
+    values = curve.at(times) + numpy.random.default_rng(7).normal(0.0, noise, len(times))
+    return Samples(stamps, values)
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.01])
+@pytest.mark.parametrize("drift", [0.0, 40e-6, -15e-6])
+@pytest.mark.parametrize(
+    "late",
+    [
+        [(60e6, 1000.0)],
+        [(60e6, 30_000.0)],
+        [(60e6, 1e6)],
+        [(30e6, 20_000.0), (75e6, 400_000.0), (90e6, 5000.0)],
+    ],
+)
+def test_a_step_in_time_is_no_slope(
+    late: Sequence[tuple[float, float]], drift: float, noise: float
+) -> None:
+    """LG-701, LG-706: delays in 120 s of motion are no drift, and the drift beside them is found.
+
+    The log begins 3 s before the run; 1 ms late from the middle on would else be some 12 ppm.
+    """
+    curve = wandering(120.0, 1)
+    found = align([(stepped(curve, drift, noise, late), curve)])
+    assert found.reason is None
+    assert not found.is_uncertain
+    assert found.drift * 1e6 == pytest.approx(drift * 1e6, abs=0.3)
+    assert (found.drift == 0.0) == (drift == 0.0)
+    assert found.offset_us == pytest.approx(3e6, abs=10.0)
+
+
+def test_another_speed_is_no_drift() -> None:
+    """LG-704: a log that is slower by half a per cent has no clock of its own: 5000 ppm."""
+    curve = wandering(120.0, 1)
+    found = align([(stepped(curve, 5e-3, 0.0, []), curve)])
+    assert found.drift == 0.0
 
 
 def test_what_cannot_be_aligned_says_why() -> None:

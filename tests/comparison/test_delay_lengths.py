@@ -68,13 +68,14 @@ def logged(
     noise: float = 0.0,
     step_us: float = 2000.0,
     begin_us: float = 1_234_500.0,
+    drift: float = 0.0,
 ) -> MadeLog:
     """Return a log in which the machine stands at times of the run, each for so long, in µs."""
     ticks = ticks_of(recorded)
     longest = sum(length for _, length in stands)
-    end_us = begin_us + ticks[-1] + longest + 5e5
+    end_us = begin_us + (ticks[-1] + longest) * (1.0 + drift) + 5e5
     stamps = numpy.arange(0.0, end_us, step_us)
-    times = stamps - begin_us
+    times = (stamps - begin_us) / (1.0 + drift)
     for time_us, length in stands:
         times = numpy.where(times > time_us, numpy.maximum(times - length, time_us), times)
     random = numpy.random.default_rng(1)
@@ -122,6 +123,47 @@ def test_a_length_is_what_it_is(length_us: float, gain: float, noise: float) -> 
     ((line, length),) = shown(found)
     assert line == 4
     assert length == pytest.approx(length_us, abs=20.0)
+
+
+@pytest.fixture(scope="module")
+def long_run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Run, RecordedColumns, int]:
+    """A run of 100 s without repeats, what it recorded, and the line of an M10 in its middle."""
+    random = numpy.random.default_rng(5)
+    lines = [
+        f"G01 X{x:.3f} Y{y:.3f} F{feed}"
+        for (x, y), feed in zip(
+            random.uniform(-80.0, 80.0, (90, 2)),
+            random.choice([3000, 6000, 12000], 90),
+            strict=True,
+        )
+    ]
+    lines.insert(45, "M10")
+    folder = tmp_path_factory.mktemp("long")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        return (*run_of("\n".join([*lines, "M30"]) + "\n"), 46)
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.005])
+@pytest.mark.parametrize("drift", [0.0, 40e-6])
+@pytest.mark.parametrize("length_us", [0.0, 1e3, 3e4, 1e6])
+def test_a_late_function_in_a_long_log_is_no_drift(
+    long_run: tuple[Run, RecordedColumns, int], length_us: float, drift: float, noise: float
+) -> None:
+    """M10 is acknowledged later on the machine, in the middle of the log: a step, and no slope.
+
+    With a clock that runs 40 ppm slower both are told; without a delay there is none.
+    """
+    run, recorded, line = long_run
+    event = next(one for one in recorded.blocks if one.span is not None and one.span.line == line)
+    stands = [(float(event.time_us), length_us)] if length_us else []
+    log = logged(recorded, stands, noise=noise, drift=drift)
+    found = compared(run, recorded, log)
+    assert found.alignment.offset_us == pytest.approx(1_234_500.0, abs=10.0)
+    assert found.alignment.drift * 1e6 == pytest.approx(1e6 * drift, abs=0.2)
+    assert (found.alignment.drift == 0.0) == (drift == 0.0)
+    told = [(line + 1, pytest.approx(length_us, abs=30.0))] if length_us else []
+    assert shown(found) == told
 
 
 def test_delays_one_after_another() -> None:

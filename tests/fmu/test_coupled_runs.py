@@ -120,7 +120,10 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "unknown to us": ({"inputs": {"u": "X.ACS.ACT_PSO"}}, "ACT_POS"),
     "not settable": ({"outputs": {"y": "X.ACS.ACT_POS"}}, "X.ACS.ACT_POS"),
     "units": ({"inputs": {"u": "HLI.OVERRIDE"}}, "902607: .*u is in m, HLI.OVERRIDE in %"),
-    "start": ({"start": {"fault": 1e12}, "outputs": OUTPUTS}, "902606: .*fault is Int"),
+    "start": (
+        {"start": {"fault": 1e12}, "outputs": OUTPUTS},
+        r"902951: .*fault cannot begin with 1e\+12: it is Int",
+    ),
 }
 
 
@@ -130,6 +133,82 @@ def test_wrong_connections_are_refused(plant: Path, name: str) -> None:
     tables, text = WRONG[name]
     with pytest.raises(FmuError, match=text):
         run_with(Fmu(plant, **tables))
+
+
+@pytest.mark.parametrize(
+    ("start", "text"),
+    [
+        ({"gain": 20.5}, r"gain cannot begin with 20\.5: it is (Real|Float64), 0\.5 … 20"),
+        ({"gain": 0.4}, r"gain cannot begin with 0\.4: it is (Real|Float64), 0\.5 … 20"),
+        ({"gain": True}, "gain cannot begin with true: it is"),
+        ({"gain": "much"}, 'gain cannot begin with "much": it is'),
+        ({"fault": 2.5}, r"fault cannot begin with 2\.5: it is Int"),
+        ({"fault": True}, "fault cannot begin with true: it is Int"),
+    ],
+)
+def test_start_values_of_another_type_or_beyond_the_limits_are_refused(
+    libraries: dict[int, Path], tmp_path: Path, start: dict[str, Any], text: str
+) -> None:
+    """902951: min and max belong to 20.5, and a whole number is no 2.5; the limits are values."""
+    for version, library in libraries.items():
+        limited = description(version).replace('start="1"', 'start="1" min="0.5" max="20"', 1)
+        file = write_fmu(tmp_path / f"{version}.fmu", limited, library)
+        with pytest.raises(FmuError, match=f"902951: .*{text}"):
+            run_with(Fmu(file, outputs=OUTPUTS, start=start))
+        for gain in (0.5, 20):
+            assert run_with(Fmu(file, outputs=OUTPUTS, start={"gain": gain})).state == "ended"
+
+
+@pytest.mark.parametrize("is_isolated", [False, True])
+def test_a_library_that_refuses_the_token_is_told(
+    libraries: dict[int, Path], tmp_path: Path, is_isolated: bool
+) -> None:
+    """902952 with the token and the model's own words, in both versions; nothing is left behind."""
+    for version, library in libraries.items():
+        text = description(version).replace('"{1}"', '"{other}"')
+        file = write_fmu(tmp_path / f"{version}.fmu", text, library)
+        with pytest.raises(FmuError, match=r"902952: .*token \{other\} .*made for another token"):
+            run_with(Fmu(file, outputs=OUTPUTS, isolate=is_isolated))
+
+
+def test_a_reference_of_two_variables(libraries: dict[int, Path], tmp_path: Path) -> None:
+    """FMI 3.0 forbids it (902601); FMI 2.0 has aliases of one unit, one of which can be set."""
+
+    def shared(version: int, *changes: tuple[str, str]) -> Fmu:
+        text = description(version)
+        for before, after in changes:
+            assert before in text
+            text = text.replace(before, after, 1)
+        file = write_fmu(tmp_path / "p.fmu", text, libraries[version])
+        return Fmu(file, inputs={"u": "X.ACS.ACT_POS"}, outputs={"y": "V.E.VALUE"})
+
+    y_as_u = ('"y" valueReference="2"', '"y" valueReference="1"')
+    gain_as_u = ('"gain" valueReference="3"', '"gain" valueReference="1"')
+    with pytest.raises(FmuError, match=r"902601: .*\"gain\".* same value reference as .*\"u\""):
+        shared(3, gain_as_u)
+    with pytest.raises(FmuError, match=r"902950: .*u and gain share .* only one can be set"):
+        shared(2, gain_as_u)
+    with pytest.raises(FmuError, match=r"902950: .*u and y share .* one unit"):
+        shared(2, y_as_u, ('<Real unit="m"/>', "<Real/>"))
+    run = run_with(shared(2, y_as_u))  # y is u, in m
+    np.testing.assert_allclose(
+        1000.0 * run.trace["V.E.VALUE"][1:], run.trace["X.ACS.ACT_POS"][:-1], rtol=1e-12
+    )
+    # types have references of their own in FMI 2.0
+    assert shared(2, ('"n" valueReference="4"', '"n" valueReference="1"')) is not None
+
+
+def test_aliases_of_fmi_3(libraries: dict[int, Path], tmp_path: Path) -> None:
+    """An <Alias> has the reference of its variable, and is one."""
+    text = description(3).replace(
+        'start="1" variability="fixed"/>',
+        'start="1" variability="fixed"><Alias name="factor"/></Float64>',
+        1,
+    )
+    file = write_fmu(tmp_path / "p.fmu", text, libraries[3])
+    fmu = Fmu(file, inputs={"u": "X.ACS.ACT_POS"}, outputs=OUTPUTS, start={"factor": 1000.0})
+    run = run_with(fmu)
+    assert run.trace["V.E.VALUE"][-1] == run.trace["X.ACS.ACT_POS"][-2]
 
 
 def test_an_fmu_that_fails_is_told(plant: Path) -> None:
@@ -385,6 +464,23 @@ def test_slips_in_the_project_file_are_told_at_their_place(told: Told) -> None:
         "nctakt.toml:4:1: error 901062",
         "nctakt.toml:5:1: error 901063",
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        (PROJECT.replace("gain = 1000", 'gain = "much"'), "5:10"),
+        (PROJECT.replace("start = {gain = 1000}", '[fmu.start]\nfault = 0\ngain = "much"'), "7:1"),
+        (PROJECT.replace("gain = 1000", 'fault = 0, gain = "much"'), "5:21"),
+    ],
+)
+def test_a_start_value_is_told_at_its_place(told: Told, text: str, place: str) -> None:
+    """Line and column of its name, in a table of its own or in a line."""
+    Path("nctakt.toml").write_text(text, "utf-8")
+    code, _, err = told("run", "a.nc", "--fmu", "plant.fmu")
+    assert code == 1
+    assert err.startswith(f"nctakt.toml:{place}: error 902951: plant.fmu: gain cannot begin")
+    assert "^^^^" in err
 
 
 def test_a_failure_of_the_fmu_is_one_of_the_run(told: Told) -> None:

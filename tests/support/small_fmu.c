@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
    A plant for tests: y = gain * u, n counts the steps, b says whether y is above 10.
-   FMI_2 builds it for FMI 2.0, else for FMI 3.0. fault: 1 fails in a step, 2 wants to end, 3 ends
+   FMI_2 builds it for FMI 2.0, else for FMI 3.0. Its token is {1}. fault: 1 fails in a step, 2 wants to end, 3 ends
    the process, 4 does not return,
    5 is late. */
 #include <signal.h>
@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 typedef struct {
@@ -44,6 +45,15 @@ static void *plant(void *environment, Log log, const char *name) {
     p->log = (void *)log;
     p->name = name;
     return p;
+}
+
+static void *refused(void *environment, Log log, const char *name, const char *token) {
+#ifdef FMI_2
+    log(environment, name, 3, "error", "made for another token than %s", token);
+#else
+    log(environment, 3, "error", "made for another token");
+#endif
+    return NULL;
 }
 
 static int failed(Plant *p, const char *text) {
@@ -98,6 +108,7 @@ ACCESS(Real, double, real)
 ACCESS(Integer, int, whole)
 void *fmi2Instantiate(const char *name, int kind, const char *guid, const char *place,
                       const Callbacks *callbacks, int visible, int logging) {
+    if (strcmp(guid, "{1}")) return refused(callbacks->environment, callbacks->log, name, guid);
     return plant(callbacks->environment, callbacks->log, name);
 }
 int fmi2SetupExperiment(Plant *p, int a, double b, double c, int d, double e) { return 0; }
@@ -114,6 +125,7 @@ void *fmi3InstantiateCoSimulation(const char *name, const char *token, const cha
                                   bool visible, bool logging, bool events, bool early,
                                   const uint32_t required[], size_t n, void *environment, Log log,
                                   void *update) {
+    if (strcmp(token, "{1}")) return refused(environment, log, name, token);
     return plant(environment, log, name);
 }
 int fmi3EnterInitializationMode(Plant *p, bool a, double b, double c, bool d, double e) {

@@ -4,15 +4,21 @@
 First both are differentiated on a coarse grid and correlated; then the deviation at the log's own
 stamps is made small by Huber's least squares over offset, drift, bias and gain. The log is never
 resampled for what is reported, and bias and gain are reported, not removed.
+
+A delay is a step in time, a drift a slope: the log is followed window by window. What lies before
+its first step says where the run begins, and the slope between steps how the clocks differ.
 """
 
 from __future__ import annotations
 
 import bisect
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 
 import numpy
+from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
@@ -27,8 +33,24 @@ _SECOND_PEAK = 0.95
 _MIN_QUALITY = 0.5
 #: From this correlation on, and up to this distance of the gain from 1, it is sure.
 _SURE_QUALITY, _SURE_GAIN = 0.9, 0.05
-#: Shortest time from the first to the last motion for which a drift is reported, in µs.
-_DRIFT_FROM_US = 60e6
+#: Largest drift of two clocks; more is another speed.
+_MAX_DRIFT = 1e-3
+#: The windows in which a log is followed: their length in µs, and their largest number.
+_WINDOW_US, _MAX_WINDOWS = 2e6, 400
+#: How far beside its neighbour a window is looked for in µs, and the correlation that it needs.
+_REACH_US, _MIN_CORRELATION = 20e6, 0.9
+#: A window counts if at most this share of its variance and this error in µs are left, and its
+#: gain is as near to 1.
+_MAX_LEFT, _MAX_ERROR_US, _MAX_GAIN = 1e-3, 1000.0, 0.1
+#: The smallest number of windows between two steps, and of windows that say anything.
+_MIN_WINDOWS, _MIN_FOLLOWED = 3, 6
+#: The smallest step in µs, in standard errors, and what no window is known better than, in µs.
+_MIN_STEP_US, _STEP_ERRORS, _EXACT_US = 100.0, 5.0, 1.0
+#: A correlation counts as good as the best one from this share of it on.
+_ALIKE = 0.98
+#: The share of a span that counts as motion, and how far in µs the first motions of log and run may
+#: be apart if the log has steps.
+_MOTION, _BEGIN_US = 0.01, 1e5
 #: Largest number of samples in the fit, and of its rounds.
 _MAX_FITTED, _ROUNDS = 200_000, 30
 #: A step of the offset below this ends the fit, in µs.
@@ -153,11 +175,17 @@ def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
     if not moving:
         return Alignment(0.0, reason=Text("nothing moves in both", "nichts bewegt sich in beiden"))
     offset, quality, second = _coarse(moving)
+    farthest = pairs[energies.index(max(energies))]
+    followed = _Followed.along(farthest, offset)
+    if followed.steps and _is_first(moving, followed) and _begins_with(farthest, followed):
+        return _fine(farthest, followed, followed.quality(farthest))
     if quality < _MIN_QUALITY:
         return Alignment(0.0, quality=quality, reason=_little(quality))
     if second > _SECOND_PEAK:
         return Alignment(0.0, quality=quality, reason=_TWO)
-    return _fine(pairs[energies.index(max(energies))], offset, quality)
+    if followed.steps or not followed.drift:
+        followed = _Followed((offset,))
+    return _fine(farthest, followed, quality)
 
 
 def aligned_before(
@@ -171,7 +199,7 @@ def aligned_before(
     best = max(early, key=_energy)
     if _energy(best) <= 0.0 or alignment.drift:
         return alignment
-    found = _fine(best, alignment.offset_us, alignment.quality, may_drift=False)
+    found = _fine(best, _Followed((alignment.offset_us,)), alignment.quality)
     return found if _is_near(best, found) else alignment
 
 
@@ -259,49 +287,278 @@ def _width(total: Numbers, best: int) -> int:
     return 2 * max(left, right, 2)
 
 
-def _fine(
-    pair: tuple[Samples, Curve], coarse_us: float, quality: float, *, may_drift: bool = True
-) -> Alignment:
-    """Return the alignment near a coarse offset, by one pair."""
+@dataclass(frozen=True, slots=True)
+class _Followed:
+    """A log followed along the run: between two steps it is late by one time.
+
+    ``offsets``: of each part, in µs; ``ends``: the stamps after the last sample of each; ``begins``
+    those of the first; ``drift``: 0 where the clocks do not differ.
+    """
+
+    offsets: Sequence[float] = ()
+    begins: Sequence[float] = (-numpy.inf,)
+    ends: Sequence[float] = (numpy.inf,)
+    drift: float = 0.0
+
+    @classmethod
+    def along(cls, pair: tuple[Samples, Curve], coarse_us: float) -> _Followed:
+        """Return how a log lies, from where its coarse offset is true on."""
+        windows = [one for one in _windows(pair, coarse_us) if one.is_known]
+        if len(windows) < _MIN_FOLLOWED:
+            return cls()
+        shifts = numpy.array([one.offset_us for one in windows])
+        middles = numpy.array([(one.begin_us + one.end_us) / 2.0 for one in windows])
+        parts, drift, error = _parts(
+            middles, shifts, numpy.array([one.error_us for one in windows])
+        )
+        if not parts:
+            return cls()
+        drift = drift if _STEP_ERRORS * error < abs(drift) <= _MAX_DRIFT else 0.0
+        shifts -= drift * (middles - shifts)
+        return cls(
+            [float(numpy.median(shifts[one])) for one in parts],
+            [windows[one.start].begin_us for one in parts],
+            [windows[one.stop - 1].end_us for one in parts],
+            drift,
+        )
+
+    @property
+    def steps(self) -> int:
+        """How many steps there are."""
+        return max(len(self.offsets) - 1, 0)
+
+    def part_of(self, stamps: Numbers) -> NDArray[numpy.int64]:
+        """Return in which part stamps lie, -1 for those around a step."""
+        begins = numpy.array([-numpy.inf, *self.begins[1:]])
+        ends = numpy.array([*self.ends[:-1], numpy.inf])
+        part = numpy.searchsorted(begins, stamps, side="right") - 1
+        return numpy.where(stamps < ends[part], part, -1)
+
+    def quality(self, pair: tuple[Samples, Curve]) -> float:
+        """Return the correlation of log and run in the first part."""
+        samples, curve = pair
+        begin = max(self.begins[0], samples.first_us)
+        grid: Numbers = numpy.arange(begin, self.ends[0], _GRID_US)
+        ours = numpy.diff(curve.at((grid - self.offsets[0]) / (1.0 + self.drift)))
+        logged = numpy.diff(_at_grid(samples, grid))
+        norm = float(numpy.sqrt((ours**2).sum() * (logged**2).sum()))
+        return float((ours * logged).sum()) / norm if norm > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class _Window:
+    """Where the run begins by a window of a log; ``is_known``: whether the run explains it."""
+
+    begin_us: float
+    end_us: float
+    offset_us: float
+    error_us: float = numpy.inf
+    is_known: bool = False
+
+
+def _windows(pair: tuple[Samples, Curve], coarse_us: float) -> list[_Window]:
+    """Return the windows in which a log moves, each with an offset near that of its neighbour."""
     samples, curve = pair
     stamps, values = _fitted(samples)
-    may_drift = may_drift and _time_of_motion(stamps, curve, coarse_us) >= _DRIFT_FROM_US
-    middle = float(stamps.mean())
-    offset, drift, gain, bias = coarse_us, 0.0, 1.0, 0.0
-    error = numpy.zeros(4)
+    length_us = max(_WINDOW_US, float(stamps[-1] - stamps[0]) / _MAX_WINDOWS)
+    edges = numpy.arange(stamps[0], stamps[-1] + length_us, length_us)
+    parts = [
+        (stamps[first:last], values[first:last])
+        for first, last in pairwise(numpy.searchsorted(stamps, edges))
+        if last - first >= 4 * _MIN_SAMPLES and numpy.ptp(values[first:last]) > 0.0
+    ]
+    found = [_window(part, curve, coarse_us) for part in parts]
+    known = next((at for at, one in enumerate(found) if one.is_known), None)
+    if known is None:
+        return []
+    for order in (range(known - 1, -1, -1), range(known + 1, len(parts))):
+        last_us = found[known].offset_us
+        for at in order:
+            found[at] = _window(parts[at], curve, last_us)
+            if not found[at].is_known:
+                near_us = _nearest(parts[at], curve, last_us)
+                found[at] = _window(parts[at], curve, near_us)
+            if found[at].is_known:
+                last_us = found[at].offset_us
+    return found
+
+
+def _window(part: tuple[Numbers, Numbers], curve: Curve, offset_us: float | None) -> _Window:
+    """Return where the run begins by a stretch of a log, near an offset."""
+    stamps, values = part
+    begin_us, end_us = float(stamps[0]), float(stamps[-1])
+    unknown = _Window(begin_us, end_us, 0.0)
+    if offset_us is None:
+        return unknown
     for _ in range(_ROUNDS):
-        times = (stamps - offset) / (1.0 + drift)
+        times = stamps - offset_us
         is_inside = (times >= 0.0) & (times <= curve.end_us)
+        if is_inside.sum() < 4 * _MIN_SAMPLES:
+            return unknown
+        ours, slope = curve.at(times[is_inside]), curve.slope_at(times[is_inside])
+        matrix = numpy.stack([-slope, numpy.ones_like(slope), ours], axis=1)
+        residual = values[is_inside] - ours
+        solution, errors = _robust(matrix, residual)
+        step = float(solution[0])
+        if abs(step) > _REACH_US:
+            return unknown
+        offset_us += step
+        if abs(step) < _EXACT_US:
+            break
+    else:
+        return unknown
+    left = residual - matrix @ solution
+    share = float(left.var()) / max(float(values[is_inside].var()), 1e-300)
+    is_known = share < _MAX_LEFT and abs(solution[2]) < _MAX_GAIN and errors[0] < _MAX_ERROR_US
+    return _Window(begin_us, end_us, offset_us, float(errors[0]), bool(is_known))
+
+
+def _nearest(part: tuple[Numbers, Numbers], curve: Curve, offset_us: float) -> float | None:
+    """Return the offset nearest to another one at which a stretch correlates best."""
+    stamps, values = part
+    grid = numpy.arange(stamps[0], stamps[-1], _GRID_US)
+    logged = numpy.diff(numpy.interp(grid, stamps, values))
+    count = len(grid) + round(2.0 * _REACH_US / _GRID_US)
+    first_us = float(stamps[0]) - offset_us - _REACH_US
+    times: Numbers = numpy.arange(count, dtype=numpy.float64) * _GRID_US + first_us
+    ours = numpy.diff(curve.at(times))
+    size = 1 << int(len(ours) + len(logged)).bit_length()
+    both = numpy.fft.rfft(ours, size) * numpy.conj(numpy.fft.rfft(logged, size))
+    lags = len(ours) - len(logged) + 1
+    squares = numpy.append(0.0, numpy.cumsum(ours**2))
+    energy = squares[len(logged) :] - squares[:lags]
+    norm = numpy.sqrt(numpy.maximum(energy, 1e-9 * squares[-1]) * (logged**2).sum())
+    product = numpy.fft.irfft(both, size)[:lags]
+    found = numpy.divide(product, norm, out=numpy.zeros(lags), where=norm > 0.0)
+    if found.max() < _MIN_CORRELATION:
+        return None
+    good = numpy.flatnonzero(found >= _ALIKE * found.max())
+    at = int(good[numpy.abs(good - lags // 2).argmin()])
+    while 0 < at < lags - 1 and max(found[at - 1], found[at + 1]) > found[at]:
+        at += 1 if found[at + 1] > found[at - 1] else -1
+    return float(stamps[0]) - first_us - at * _GRID_US
+
+
+def _parts(middles: Numbers, shifts: Numbers, errors: Numbers) -> tuple[list[slice], float, float]:
+    """Return the windows between steps, the slope within them all, and its standard error."""
+    drift = float(numpy.median(numpy.diff(shifts) / numpy.diff(middles)))
+    parts: list[slice] = []
+    error = numpy.inf
+    for _ in range(_ROUNDS):
+        flat = shifts - drift * (middles - middles.mean())
+        scatter = float(numpy.median(numpy.abs(numpy.diff(flat)))) / 0.6745 / 2.0**0.5
+        weights = 1.0 / (errors**2 + scatter**2 + _EXACT_US**2)
+        parts = _merged(_divided(flat, weights), flat, weights)
+        above = below = 0.0
+        for one in parts:
+            weight, middle = weights[one], middles[one]
+            middle = middle - numpy.average(middle, weights=weight)
+            above += float((weight * middle * shifts[one]).sum())
+            below += float((weight * middle**2).sum())
+        if below <= 0.0:
+            return parts, 0.0, numpy.inf
+        before, drift, error = drift, above / below, below**-0.5
+        if abs(drift - before) < 1e-9:
+            break
+    return parts, drift, error
+
+
+def _divided(flat: Numbers, weights: Numbers) -> list[slice]:
+    """Return the division into parts of one value each, whose squares of errors are least.
+
+    Each part costs the square of the errors that a step has at least.
+    """
+    sums, firsts, squares = (
+        numpy.append(0.0, numpy.cumsum(one)) for one in (weights, weights * flat, weights * flat**2)
+    )
+    count = len(flat)
+    best = numpy.zeros(count + 1)
+    begins = [0] * (count + 1)
+    for end in range(1, count + 1):
+        total = (firsts[end] - firsts[:end]) ** 2 / (sums[end] - sums[:end])
+        cost = best[:end] + squares[end] - squares[:end] - total + _STEP_ERRORS**2
+        begins[end] = int(cost.argmin())
+        best[end] = cost[begins[end]]
+    parts: list[slice] = []
+    end = count
+    while end:
+        parts.insert(0, slice(begins[end], end))
+        end = begins[end]
+    return parts
+
+
+def _merged(parts: Sequence[slice], flat: Numbers, weights: Numbers) -> list[slice]:
+    """Return the parts that are long enough; those at one height are one, with all between them."""
+    found: list[slice] = []
+    for one in parts:
+        if one.stop - one.start < _MIN_WINDOWS:
+            continue
+        if found:
+            before = found[-1]
+            heights = [numpy.average(flat[at], weights=weights[at]) for at in (before, one)]
+            if abs(heights[1] - heights[0]) < _MIN_STEP_US:
+                found[-1] = slice(before.start, one.stop)
+                continue
+        found.append(one)
+    return found
+
+
+def _is_first(pairs: Sequence[tuple[Samples, Curve]], followed: _Followed) -> bool:
+    """Return whether the first part of a log fits where it has been followed to, and only there."""
+    first = Alignment(followed.offsets[0], followed.drift)
+    end_us = float(first.run_times(numpy.array(followed.ends[:1]))[0])
+    parts = [(first.between(samples, -numpy.inf, end_us), curve) for samples, curve in pairs]
+    offset, _, second = _coarse([one for one in parts if _energy(one) > 0.0])
+    return second <= _SECOND_PEAK and abs(offset - first.offset_us) < _BEGIN_US
+
+
+def _begins_with(pair: tuple[Samples, Curve], followed: _Followed) -> bool:
+    """Return whether the first motions of log and run are together, or the log begins in motion."""
+    samples, curve = pair
+    stamps, values = _fitted(samples)
+    least = _MOTION * samples.span
+    moves = numpy.abs(values - values[0]) > least
+    first_us = float(stamps[int(moves.argmax())])
+    ours = curve.at((stamps - followed.offsets[0]) / (1.0 + followed.drift))
+    begins_us = float(stamps[int((numpy.abs(ours - ours[0]) > least).argmax())])
+    return abs(first_us - begins_us) < _BEGIN_US
+
+
+def _fine(pair: tuple[Samples, Curve], followed: _Followed, quality: float) -> Alignment:
+    """Return the alignment near coarse offsets, by one pair; it is that of the first part."""
+    samples, curve = pair
+    stamps, values = _fitted(samples)
+    part = followed.part_of(stamps)
+    middle = float(stamps.mean())
+    offsets, drift, gain, bias = numpy.array(followed.offsets), followed.drift, 1.0, 0.0
+    count, may_drift = len(offsets), drift != 0.0
+    error = numpy.zeros(count + 3)
+    for _ in range(_ROUNDS):
+        times = (stamps - offsets[part]) / (1.0 + drift)
+        is_inside = (part >= 0) & (times >= 0.0) & (times <= curve.end_us)
         if is_inside.sum() < _MIN_SAMPLES:
-            return Alignment(coarse_us, quality=quality)
+            return Alignment(float(followed.offsets[0]), quality=quality)
         inside = times[is_inside]
         ours, slope = curve.at(inside), curve.slope_at(inside)
-        columns = [-slope, numpy.ones_like(slope), ours]
+        columns = [-slope * (part[is_inside] == one) for one in range(count)]
+        columns += [numpy.ones_like(slope), ours]
         if may_drift:
             columns.append(-slope * (stamps[is_inside] - middle))
         matrix = numpy.stack(columns, axis=1)
         solution, error = _robust(matrix, values[is_inside] - ours)
-        step = float(solution[0])
-        gain, bias = 1.0 + float(solution[2]), float(solution[1])
+        steps = solution[:count]
+        gain, bias = 1.0 + float(solution[count + 1]), float(solution[count])
         if may_drift:
-            step += (offset - middle) * float(solution[3])
-            drift += float(solution[3])
-        offset += step
-        if abs(step) < _SETTLED_US:
+            steps = steps + (offsets - middle) * float(solution[-1])
+            drift += float(solution[-1])
+        offsets = offsets + steps
+        if numpy.abs(steps).max() < _SETTLED_US:
             break
-    if may_drift and abs(drift) < _SIGNIFICANT * error[3]:
-        return _fine(pair, coarse_us, quality, may_drift=False)
-    min_bias = max(_SIGNIFICANT * float(error[1]), _MIN_SCALE * float(numpy.ptp(values)))
-    return Alignment(offset, drift, quality, gain, bias if abs(bias) > min_bias else 0.0)
-
-
-def _time_of_motion(stamps: Numbers, curve: Curve, offset_us: float) -> float:
-    """Return how long it takes from the first to the last motion of the curve, in µs.
-
-    Where a curve rests, nothing says whether the clocks differ.
-    """
-    moving = stamps[curve.slope_at(stamps - offset_us) != 0.0]
-    return float(moving[-1] - moving[0]) if len(moving) else 0.0
+    if may_drift and abs(drift) < _SIGNIFICANT * error[-1]:
+        return _fine(pair, replace(followed, drift=0.0), quality)
+    min_bias = max(_SIGNIFICANT * float(error[count]), _MIN_SCALE * float(numpy.ptp(values)))
+    bias = bias if abs(bias) > min_bias else 0.0
+    return Alignment(float(offsets[0]), drift, quality, gain, bias)
 
 
 def _fitted(samples: Samples) -> tuple[Numbers, Numbers]:

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from nctakt.base.dataclass import dataclass
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
+from nctakt.base.dataclass import dataclass, field
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.base.unit_factors import factor_between
@@ -21,6 +21,7 @@ from nctakt.fmu.failures import FmuError
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.fmu import (
     FMU_NOT_CONNECTED,
+    FMU_START_REFUSED,
     FMU_UNITS_DIFFER,
     FMU_VARIABLE_NOT_POSSIBLE,
     UNKNOWN_FMU_VARIABLE,
@@ -44,11 +45,15 @@ _LISTED = 12
 
 @dataclass(frozen=True, slots=True)
 class FmuTables:
-    """The tables of ``[fmu]``: variables of the FMU -> names of the machine, or start values."""
+    """The tables of ``[fmu]``: variables of the FMU -> names of the machine, or start values.
+
+    ``places``: where start values are in a project file, with the lines.
+    """
 
     inputs: Mapping[str, str]
     outputs: Mapping[str, str]
     start: Mapping[str, float | bool | str]
+    places: Mapping[str, tuple[Span, str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,8 +88,7 @@ class Connections:
         self.inputs = self._connected("inputs", inputs)
         self.outputs = self._connected("outputs", outputs)
         self.start = {
-            one: self._start_value(one, tables.start[one.name])
-            for one in self._variables("start", tables.start)
+            one: self._start_value(one, tables) for one in self._variables("start", tables.start)
         }
         if not self._found and not self.inputs and not self.outputs:
             self._found.append(self._not_connected())
@@ -190,20 +194,22 @@ class Connections:
             )
         return factor
 
-    def _start_value(self, variable: FmuVariable, value: float | bool | str) -> object:
+    def _start_value(self, variable: FmuVariable, tables: FmuTables) -> object:
+        value = tables.start[variable.name]
         try:
-            return variable.converted(value)
+            return variable.begun_with(value)
         except ValueError:
-            expected = Text(f"one that can be {value}", f"eine, die {value} sein kann")
-            self._found.append(
-                diagnostic(
-                    FMU_VARIABLE_NOT_POSSIBLE,
-                    file=str(self._description.file),
-                    name=variable.name,
-                    found=variable.type,
-                    expected=expected,
-                )
+            span, line = tables.places.get(variable.name, (None, ""))
+            refused = diagnostic(
+                FMU_START_REFUSED,
+                span,
+                line,
+                file=str(self._description.file),
+                name=variable.name,
+                value=_written(value),
+                expected=variable.limits(),
             )
+            self._found.append(refused)
             return None
 
     def _not_connected(self) -> Diagnostic:
@@ -213,6 +219,13 @@ class Connections:
             inputs=_listed(self._description.of("input")),
             outputs=_listed(self._description.of("output")),
         )
+
+
+def _written(value: float | bool | str) -> str:
+    """Return a value as a project file has it."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else f"{value:g}"
 
 
 def _listed(variables: Sequence[FmuVariable]) -> str:

@@ -13,8 +13,10 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
+from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.fmu.archive import unpack
@@ -38,9 +40,9 @@ class Fmu:
 
     ``every``: its communication step, a whole number of ticks. ``inputs``: its variables -> signals
     and variables of the machine; ``outputs``: its variables -> what they set; without both,
-    variables of equal names. ``start``: values before the first step. ``isolate``: it runs in a
-    process of its own, which is ended if a call lasts longer than ``limit``; otherwise such a call
-    is reported. Raises ``FmuError``.
+    variables of equal names. ``start``: values before the first step; ``places``: where a file has
+    them. ``isolate``: it runs in a process of its own, which is ended if a call lasts longer than
+    ``limit``; otherwise such a call is reported. Raises ``FmuError``.
     """
 
     def __init__(
@@ -51,13 +53,14 @@ class Fmu:
         inputs: Mapping[str, str] | None = None,
         outputs: Mapping[str, str] | None = None,
         start: Mapping[str, float | bool | str] | None = None,
+        places: Mapping[str, tuple[Span, str]] = MappingProxyType({}),
         isolate: bool = False,
         limit: TimeLike = "10 s",
         access: FileAccess | None = None,
     ) -> None:
         self._every = read_time(every)
         self._description = read_fmu(Path(file), access or FileAccess())
-        self._tables = FmuTables(inputs or {}, outputs or {}, start or {})
+        self._tables = FmuTables(inputs or {}, outputs or {}, start or {}, places)
         self._is_isolated, self._limit = isolate, read_time(limit)
         self._next = NEVER
         self._folder: tempfile.TemporaryDirectory[str] | None = None
@@ -168,6 +171,7 @@ def fmu_of(settings: FmuSettings, access: FileAccess | None = None) -> Fmu:
         inputs=settings.inputs,
         outputs=settings.outputs,
         start=settings.start,
+        places=settings.places,
         isolate=settings.isolate,
         limit=settings.limit,
         access=access,

@@ -17,7 +17,11 @@ from nctakt.fmu.archive import not_readable, platforms_of
 from nctakt.fmu.archive import read_description as read_text
 from nctakt.fmu.failures import FmuError, fmpy
 from nctakt.messages import diagnostic
-from nctakt.messages.plcs.fmu import FMU_KIND_NOT_POSSIBLE, FMU_WITHOUT_BINARY
+from nctakt.messages.plcs.fmu import (
+    FMU_KIND_NOT_POSSIBLE,
+    FMU_REFERENCE_SHARED,
+    FMU_WITHOUT_BINARY,
+)
 
 #: Types of variables -> the part of the functions' names that get and set them, by version.
 _ACCESS = {
@@ -41,10 +45,21 @@ _WHOLES = {
     "UInt64": (64, False),
 }  # fmt: skip
 
+#: Causalities of variables that a run sets, and why two variables cannot share a reference.
+_SETTABLE = ("input", "parameter")
+_BOTH_SET = Text(
+    "of aliases only one can be set, and both are inputs or parameters",
+    "von Aliasen lässt sich nur einer setzen, und beide sind Eingänge oder Parameter",
+)
+_TWO_UNITS = Text("aliases have one unit", "Aliase haben eine gemeinsame Einheit")
+
 
 @dataclass(frozen=True, slots=True)
 class FmuVariable:
-    """A variable; ``access``: what gets and sets it, empty for arrays and types without use."""
+    """A variable; ``access``: what gets and sets it, empty for arrays and types without use.
+
+    ``low``, ``high``: the limits of its value.
+    """
 
     name: str
     reference: int
@@ -53,6 +68,8 @@ class FmuVariable:
     causality: str
     is_fixed: bool = False
     unit: str = ""
+    low: float = -math.inf
+    high: float = math.inf
 
     @property
     def is_real(self) -> bool:
@@ -69,6 +86,29 @@ class FmuVariable:
             return bool(value)
         if self.is_real:
             return float(value)
+        return self._whole(value)
+
+    def begun_with(self, value: float | bool | str) -> float | bool | str:
+        """Return a start value; raises ``ValueError`` for one of another type or out of limits."""
+        is_truth = isinstance(value, bool) or (self.access == "Boolean" and value in (0, 1))
+        if is_truth != (self.access == "Boolean"):
+            raise ValueError(value)
+        found = self.converted(value)
+        if isinstance(value, str) or is_truth:
+            return found
+        if found != value or not self.low <= float(found) <= self.high:
+            raise ValueError(value)
+        return found
+
+    def limits(self) -> str:
+        """Return type and limits as text."""
+        if self.low == -math.inf and self.high == math.inf:
+            return self.type
+        low, high = ("" if math.isinf(one) else f"{one:g}" for one in (self.low, self.high))
+        return f"{self.type}, {low} … {high}".replace(",  …", ", …").rstrip()
+
+    def _whole(self, value: float | bool) -> int:
+        """Return the whole number next to a value; raises ``ValueError`` beyond the type's."""
         bits, is_signed = _WHOLES[self.access]
         low = -(1 << (bits - 1)) if is_signed else 0
         number = round(float(value)) if math.isfinite(value) else low - 1
@@ -109,6 +149,7 @@ def read_fmu(file: Path, access: FileAccess) -> FmuDescription:
         raise not_readable(file, " ".join(str(error).split())) from error
     for one in found.modelVariables:
         _check_start(file, one)
+    _check_references(file, found)
     version = int(found.fmiVersion.partition(".")[0])
     if version not in _ACCESS or found.coSimulation is None:
         kinds = [
@@ -166,6 +207,39 @@ def _check_start(file: Path, found: Any) -> None:
         raise not_readable(file, reason)
 
 
+def _check_references(file: Path, found: Any) -> None:
+    """Raise ``FmuError`` (902950) for variables of FMI 2.0 that share a value reference in vain.
+
+    Variables of a type may, if at most one of them can be set, and all are in one unit. In FMI 3.0
+    each has its own, which FMPy checks.
+    """
+    first: dict[tuple[str, int], Any] = {}
+    for one in found.modelVariables if found.fmiVersion.startswith("2") else ():
+        key = _ACCESS[2].get(str(one.type), ""), one.valueReference
+        before = first.setdefault(key, one)
+        reason = None if before is one else _shared(before, one)
+        if reason is not None:
+            raise FmuError(
+                diagnostic(
+                    FMU_REFERENCE_SHARED,
+                    file=str(file),
+                    name=before.name,
+                    other=one.name,
+                    reference=one.valueReference,
+                    reason=reason,
+                )
+            )
+        if one.causality in _SETTABLE:
+            first[key] = one
+
+
+def _shared(before: Any, one: Any) -> Text | None:
+    """Return why two variables of FMI 2.0 cannot be aliases, ``None`` if they can."""
+    if before.causality in _SETTABLE and one.causality in _SETTABLE:
+        return _BOTH_SET
+    return None if before.unit == one.unit else _TWO_UNITS
+
+
 class _Described(io.BytesIO):
     """A zip archive in memory that holds nothing but the description, as FMPy takes it."""
 
@@ -182,6 +256,10 @@ def _variable(found: Any, version: int) -> FmuVariable:
     is_array = bool(getattr(found, "dimensions", None))
     declared = found.declaredType
     unit = found.unit or (declared.unit if declared is not None else None) or ""
+    low, high = (
+        _limit(getattr(found, name) or getattr(declared, name, None), otherwise)
+        for name, otherwise in (("min", -math.inf), ("max", math.inf))
+    )
     causality = str(found.causality or "local")
     return FmuVariable(
         found.name,
@@ -191,4 +269,14 @@ def _variable(found: Any, version: int) -> FmuVariable:
         causality,
         str(found.variability) in ("fixed", "tunable") or "arameter" in causality,
         unit,
+        low,
+        high,
     )
+
+
+def _limit(text: str | None, otherwise: float) -> float:
+    """Return a limit of a variable's value; what is no number limits nothing."""
+    try:
+        return otherwise if text is None else float(text)
+    except ValueError:
+        return otherwise

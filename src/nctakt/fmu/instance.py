@@ -15,12 +15,13 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nctakt.base.diagnostics import Text
 from nctakt.fmu.call_watch import CallWatch
 from nctakt.fmu.description import FmuDescription, FmuVariable
 from nctakt.fmu.failures import FmuError, fmpy
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.plcs.fmu import FMU_ENDED, FMU_FAILED, FMU_LATE
+from nctakt.messages.plcs.fmu import FMU_ENDED, FMU_FAILED, FMU_LATE, FMU_NOT_INSTANTIATED
 
 _STATUSES = ("ok", "warning", "discard", "error", "fatal", "pending")
 _ERROR, _FATAL = 3, 4
@@ -28,6 +29,7 @@ _ERROR, _FATAL = 3, 4
 #: Lines of the model's log that a failure shows, and their length.
 _LOG_LINES = 3
 _LINE_LENGTH = 300
+_SILENT = Text("it does not say why", "sie sagt nicht, warum")
 
 
 class FmuInstance:
@@ -94,6 +96,22 @@ class FmuInstance:
         return self.get(variables)
 
     def _instantiate(self) -> None:
+        """Instantiate the model; raises ``FmuError``, 902952 if it makes no instance."""
+        try:
+            self._make_instance()
+        except FmuError as error:
+            if getattr(self._model, "component", None) is not None:
+                raise
+            self._status = _FATAL  # there is nothing to free
+            found = diagnostic(
+                FMU_NOT_INSTANTIATED,
+                file=self._name,
+                token=self._description.token,
+                reason="; ".join(self._log) or _SILENT,
+            )
+            raise FmuError(found) from error
+
+    def _make_instance(self) -> None:
         if self._description.version == 2:
             self._keeps_callbacks = callbacks = self._callbacks()
             self._call(

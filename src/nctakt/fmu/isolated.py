@@ -29,10 +29,13 @@ from nctakt.messages.plcs.fmu import (
     FMU_FAILED,
     FMU_HANGS,
     FMU_LIBRARY_MISSING,
+    FMU_NOT_INSTANTIATED,
 )
 
 #: What the other process may report, by numbers.
-_REPORTED = {one.id: one for one in (FMU_FAILED, FMU_ENDED, FMU_LIBRARY_MISSING)}
+_REPORTED = {
+    one.id: one for one in (FMU_FAILED, FMU_ENDED, FMU_LIBRARY_MISSING, FMU_NOT_INSTANTIATED)
+}
 #: The calls, in words.
 _CALLS = {
     "load": Text("when it is loaded", "beim Laden"),

@@ -83,7 +83,7 @@ class FmuSettings:
 
     ``inputs``, ``outputs``: the FMU's variables -> names of the machine; ``start``: their values
     before the first step; ``isolate``: it runs in a process of its own; ``limit``: how long a call
-    of it may last.
+    of it may last; ``places``: where each start value is.
     """
 
     file: Path | None = None
@@ -93,6 +93,7 @@ class FmuSettings:
     start: Mapping[str, float | str] = field(default_factory=dict)
     isolate: bool = False
     limit: Time = Time(10_000_000)
+    places: Mapping[str, Place] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -341,14 +342,16 @@ class _Reader:
         if not isinstance(isolate, bool):
             entry_location = self._location_in("fmu", "isolate")
             self._wrong("fmu.isolate", isolate, _TRUTH, "isolate = true", entry_location)
+        start = self._table_of("start", value, 'start = {"mass" = 12.5}', (str, int, float))
         return FmuSettings(
             self._path("file", value.get("file"), 'file = "plant.fmu"', "fmu"),
             Time(1, is_in_ticks=True) if every is None else every,
             self._table_of("inputs", value, 'inputs = {"position" = "X.ACS.ACT_POS"}', str),
             self._table_of("outputs", value, 'outputs = {"force" = "V.E.VALUE"}', str),
-            self._table_of("start", value, 'start = {"mass" = 12.5}', (str, int, float)),
+            start,
             isolate is True,
             FmuSettings().limit if limit is None else limit,
+            {name: self._location_of_value(name, "start", "fmu") for name in start},
         )
 
     def _table_of(
@@ -443,18 +446,21 @@ class _Reader:
                 values[name] = int(value) if isinstance(value, bool) else value
         return MappingProxyType(values)
 
-    def _location_of_value(self, name: str) -> Place:
-        """Return the place of a value in the table ``set``, else that of ``set``."""
-        header = f"{self._header}.set".removeprefix(".")
+    def _location_of_value(self, name: str, key: str = "set", within: str = "") -> Place:
+        """Return the place of a value in the table ``key``, else that of the table.
+
+        ``within``: the table that has the table.
+        """
+        outer = f"{self._header}.{within}".strip(".") if within else self._header
         entry = re.compile(rf"""\s*["']?(?P<key>{re.escape(name)})["']?\s*=""")
-        inline = re.compile(rf"""\s*set\b.*?["'.{{\s](?P<key>{re.escape(name)})["']?\s*=""")
-        for pattern, table in ((entry, header), (inline, self._header)):
+        inline = re.compile(rf"""\s*{key}\b.*?["'.{{\s,](?P<key>{re.escape(name)})["']?\s*=""")
+        for pattern, table in ((entry, f"{outer}.{key}".removeprefix(".")), (inline, outer)):
             for number, line in self._own_lines(table):
                 found = pattern.match(line)
                 if found is not None:
                     begin, end = found.span("key")
                     return Span(self._name, number, begin + 1, end + 1), line
-        return self._location("set")
+        return self._location_in(within, key) if within else self._location(key)
 
     def _wrong(
         self, key: str, value: Any, expected: Text, example: str, location: Place | None = None

@@ -169,6 +169,32 @@ FMU_HANGS = error(
     time=("the time", "die Zeit"),
     call=("what was asked of it", "was von ihm verlangt war"),
 )
+FMU_REFERENCE_SHARED = error(
+    902950,
+    en="{file}: {name} and {other} share the value reference {reference}: {reason}",
+    de="{file}: {name} und {other} haben beide die Wertreferenz {reference}: {reason}",
+    remedy_en="Export the model again; 'fmpy validate {file}' names all faults.",
+    remedy_de="Das Modell erneut exportieren; 'fmpy validate {file}' nennt alle Fehler.",
+    other=("the variable that has the same reference", "die Variable mit derselben Referenz"),
+    reference=("the value reference", "die Wertreferenz"),
+)
+FMU_START_REFUSED = error(
+    902951,
+    en="{file}: {name} cannot begin with {value}: it is {expected}",
+    de="{file}: {name} kann nicht mit {value} beginnen: es ist {expected}",
+    remedy_en="Correct the value, or remove it: then {name} begins as the model says.",
+    remedy_de="Den Wert berichtigen oder entfernen: dann beginnt {name}, wie das Modell es angibt.",
+)
+FMU_NOT_INSTANTIATED = error(
+    902952,
+    en="{file} refuses to begin with the token {token} of its description: {reason}",
+    de="{file} lehnt es ab, mit dem Token {token} seiner Beschreibung zu beginnen: {reason}",
+    remedy_en="Export the model again: description and library are probably of different exports.",
+    remedy_de="Das Modell erneut exportieren: Beschreibung und Bibliothek passen wohl nicht "
+    "zusammen.",
+    token=("its GUID or instantiation token", "seine GUID oder sein Instantiation Token"),
+    reason=("the last lines of its log", "die letzten Zeilen seines Logs"),
+)
 FMU_LATE = warning(
     902733,
     en="{file} has not returned from {function} for {limit}, at {time} of the run",

@@ -73,6 +73,44 @@ def test_the_log_is_a_pale_curve_over_the_run(browser: Any, tmp_path: Path) -> N
         page.close()
 
 
+def test_the_legend_has_the_log_until_its_end(browser: Any, tmp_path: Path) -> None:
+    """A log at 4 ms whose last sample is before the last tick: its value stays for less than 4 ms.
+
+    Farther away, and beyond a log that ends in the middle, there is none.
+    """
+    part, log = logged(tmp_path)
+    run = Controller().run(part, signals=["X.ACS.ACT_POS"])
+    assert run.trace is not None
+    last = run.ticks - 1
+    whole = [
+        f"{1000 + tick},{run.trace.at(tick, 'X.ACS.ACT_POS'):.3f}" for tick in range(run.ticks)
+    ]
+    ending = whole[(last - 3) % 4 : last - 2 : 4]  # three ticks before the last one
+    Path(log).write_text("time_ms,Axis X ActPos\n" + "\n".join(ending), "utf-8")
+    listen = """() => {
+      window.told = [];
+      const draw = CanvasRenderingContext2D.prototype.fillText;
+      CanvasRenderingContext2D.prototype.fillText = function (text, ...where) {
+        if (text.startsWith("X ") && !text.includes("…")) window.told.push(text);
+        return draw.call(this, text, ...where);
+      };
+    }"""
+    for rows, has_value in ((ending, True), (ending[:-1], False)):
+        Path(log).write_text("time_ms,Axis X ActPos\n" + "\n".join(rows), "utf-8")
+        with served(part, "--log", log, "--offset", "1s") as address:
+            page = opened(browser, address)
+            page.evaluate(listen)
+            page.get_by_test_id("speed").click()
+            page.get_by_role("option", name="max").click()
+            page.get_by_test_id("toggle").click()
+            page.wait_for_function(f"nctaktRun.run.tick === {last} && !nctaktRun.run.isPlaying")
+            page.evaluate("window.told.length = 0")
+            page.set_viewport_size({"width": 1190, "height": 900})
+            page.wait_for_function("window.told.length > 0")
+            assert ("log 0" in page.evaluate("window.told.at(-1)")) == has_value
+            page.close()
+
+
 def test_a_wrong_log_is_told_before_the_page(tmp_path: Path, capfd: Any) -> None:
     """902519 with what it has; exit code 2, as of any command with an input that cannot be used."""
     from nctakt.cli import main  # noqa: PLC0415 - only this test is not in a process of its own

@@ -317,7 +317,10 @@ export default {
     loggedText(index, tick, factor) {
       const logged = run.logged[run.names[index]];
       if (!logged || !logged.isWhole) return "";
-      const value = this.valueAt({ ticks: logged.ticks, columns: [logged.values] }, 0, tick);
+      // beside its ends, less than a step away, the log has the value of its first or last sample
+      const { ticks, values } = logged, last = ticks.length - 1, near = clamp(tick, ticks[0], ticks[last]);
+      const step = last < 1 ? 1 : near > ticks[0] ? ticks[last] - ticks[last - 1] : ticks[1] - ticks[0];
+      const value = Math.abs(tick - near) >= Math.max(1, step) ? null : this.valueAt({ ticks, columns: [values] }, 0, near);
       return value === null ? "" : ` ${run.words.log} ${short(value * factor)}`;
     },
     drawLegend(pen, shown, label, factor, indices, tints, top, width) {

@@ -140,6 +140,45 @@ def test_units_and_modes(served):
     run(served, work)
 
 
+def test_each_analog_leaf_has_its_unit(served):
+    """OPC 10000-8, 5.3.2: analog items of the whole server, of both models, and of our signals.
+
+    AnalogItemType, AnalogUnitType and AnalogUnitRangeType (ns 0: 2368, 17497, 17570).
+    """
+    analog = {2368: "EURange", 17497: "EngineeringUnits", 17570: "EURange"}
+
+    async def below(node, seen):
+        if node.nodeid in seen:
+            return
+        seen.add(node.nodeid)
+        yield node
+        for child in await node.get_children():
+            async for one in below(child, seen):
+                yield one
+
+    async def work(client):
+        found, wrong = 0, []
+        async for node in below(client.nodes.objects, set()):
+            if node.nodeid.NamespaceIndex == 0 or await node.read_node_class() != 2:
+                continue
+            kind = await node.read_type_definition()
+            if kind.NamespaceIndex or kind.Identifier not in analog:
+                continue
+            found += 1
+            names = {
+                (await one.read_browse_name()).Name: one for one in await node.get_properties()
+            }
+            needed = {analog[kind.Identifier], "EngineeringUnits"}
+            unit = names.get("EngineeringUnits")
+            if not needed <= names.keys() or not (await unit.read_value()).DisplayName.Text:
+                wrong.append(node.nodeid.to_string())
+        return found, wrong
+
+    found, wrong = run(served, work)
+    assert not wrong, "\n".join(wrong)
+    assert found > 20
+
+
 class Heard:
     """Keeps the events of a subscription."""
 

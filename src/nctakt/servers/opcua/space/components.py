@@ -65,6 +65,13 @@ def _missing(moment: Moment) -> Value:
 
 #: A component that nctakt does not model.
 NOT_MODELLED = Shown(_missing)
+#: Those of a drive, of which only the units are known.
+_LOADS = {
+    "ActLoad": Shown(_missing, unit="%"),
+    "ActPower": Shown(_missing, unit="kW"),
+    "ActTorque": Shown(_missing, unit="N·m"),
+    "CmdTorque": Shown(_missing, unit="N·m"),
+}
 
 
 def fixed(value: Value) -> Shown:
@@ -112,10 +119,7 @@ def axis_components(
     position = ShownPosition(f"{prefix}{name}.ACS.CUR_POS", command, to_go, unit, low, high)
     return {
         "ActChannel": fixed(channel),
-        "ActLoad": NOT_MODELLED,
-        "ActPower": NOT_MODELLED,
-        "ActTorque": NOT_MODELLED,
-        "CmdTorque": NOT_MODELLED,
+        **_LOADS,
         "IsInactive": fixed(False),
         "IsVirtual": fixed(True),
         "ActStatus": Shown(status, (state, command, target)),
@@ -140,7 +144,12 @@ _STOPPED, _IN_TARGET_AREA, _ACCELERATING, _DECELERATING = range(4)
 _NO_DIRECTION, _CLOCKWISE, _COUNTER_CLOCKWISE = range(3)
 
 #: Components that are known of a spindle only if the CNC turns it.
-_KNOWN_TO_CNC = ("CmdOverride", "ActSpeed", "ActStatus", "ActTurnDirection")
+_KNOWN_TO_CNC: Mapping[str, Shown] = {
+    "CmdOverride": Shown(_missing, unit="%"),
+    "ActSpeed": Shown(_missing, unit="1/min"),
+    "ActStatus": NOT_MODELLED,
+    "ActTurnDirection": NOT_MODELLED,
+}
 
 
 def _cnc_spindle(
@@ -197,7 +206,7 @@ def spindle_components(
     ``max_speed`` in 1/min, ``max_pct``: P-AXIS-00109. ``plc``: the PLC turns it, and the CNC
     knows none of its actual values.
     """
-    known: Mapping[str, Shown] = dict.fromkeys(_KNOWN_TO_CNC, NOT_MODELLED)
+    known = _KNOWN_TO_CNC
     if not plc:
         known = _cnc_spindle(name, prefix, max_speed, max_pct, index, number)
 
@@ -207,15 +216,12 @@ def spindle_components(
     angle = "" if plc else f"{prefix}{name}.POSITION"
     return {
         "ActChannel": fixed(channel),
-        "ActLoad": NOT_MODELLED,
-        "ActPower": NOT_MODELLED,
-        "ActTorque": NOT_MODELLED,
-        "CmdTorque": NOT_MODELLED,
+        **_LOADS,
         "IsInactive": fixed(False),
         "IsVirtual": fixed(True),
         "ActGear": NOT_MODELLED,
         "CmdGear": NOT_MODELLED,
-        "ActOverride": NOT_MODELLED,
+        "ActOverride": Shown(_missing, unit="%"),
         "CmdSpeed": Shown(speed, (), True, "1/min", 0.0, max_speed),
         "AnglePos": ShownPosition(angle, "", "", "°", 0.0, 360.0),
         **known,
@@ -285,8 +291,8 @@ def channel_components(
             factor=60.0,
         ),
         "CmdFeedrate": Shown(feed, (), True, "mm/min", 0.0, max_mm_min),
-        "DryRunFeed": NOT_MODELLED,
-        "ActJogIncrement": NOT_MODELLED,
+        "DryRunFeed": Shown(_missing, unit="mm/min"),
+        "ActJogIncrement": Shown(_missing, unit="mm"),
         "ActOperationMode": fixed(_AUTOMATIC),
         "CmdOperationMode": fixed(_AUTOMATIC),
         **_operation(prefix, configuration.parameters.max_override_pct),

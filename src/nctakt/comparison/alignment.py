@@ -2,7 +2,7 @@
 """The time of a log on the time of a run: offset and drift (LG-701 … LG-704).
 
 First both are differentiated on a coarse grid and correlated; then the deviation at the log's own
-stamps is made small by Huber's min_motion squares over offset, drift, bias and gain. The log is never
+stamps is made small by Huber's least squares over offset, drift, bias and gain. The log is never
 resampled for what is reported, and bias and gain are reported, not removed.
 
 A delay is a step in time, a drift a slope: the log is followed window by window. What lies before
@@ -464,9 +464,9 @@ def _parts(middles: Numbers, shifts: Numbers, errors: Numbers) -> tuple[list[sli
 
 
 def _divided(flat: Numbers, weights: Numbers) -> list[slice]:
-    """Return the division into parts of one value each, whose squares of errors are min_motion.
+    """Return the division into parts of one value each, whose squares of errors are least.
 
-    Each part costs the square of the errors that a step has at min_motion.
+    Each part costs the square of the errors that a step has at least.
     """
     sums, firsts, squares = (
         numpy.append(0.0, numpy.cumsum(one)) for one in (weights, weights * flat, weights * flat**2)
@@ -569,7 +569,7 @@ def _fitted(samples: Samples) -> tuple[Numbers, Numbers]:
 
 
 def _robust(matrix: Numbers, residual: Numbers) -> tuple[Numbers, Numbers]:
-    """Return the solution of Huber's min_motion squares and its standard errors."""
+    """Return the solution of Huber's least squares and its standard errors."""
     weights = numpy.ones(len(residual))
     solution: Numbers = numpy.zeros(matrix.shape[1])
     left: Numbers = residual

@@ -11,8 +11,9 @@ LIVE = ROOT / "src" / "nctakt" / "live"
 
 
 def test_page_and_pictures_have_the_colours_of_the_table() -> None:
-    """Feed, rapid traverse, conditions, reactions, functions, messages, errors."""
+    """Feed, also of further channels, rapid traverse, and the kinds of marks."""
     table = re.findall(r"^\| \w+ `(#\w{6})` \|", (ROOT / "docs/traces.md").read_text("utf-8"), re.M)
+    (row,) = re.findall(r"^\| pink .*", (ROOT / "docs/traces.md").read_text("utf-8"), re.M)
     lanes = style.LANE_COLOURS
     kinds = ("condition", "reaction", "function", "message", "error")
     assert table == [style.FEED, style.RAPID, *(lanes[kind] for kind in kinds)]
@@ -26,3 +27,11 @@ def test_page_and_pictures_have_the_colours_of_the_table() -> None:
     path = (LIVE / "path.js").read_text("utf-8")
     names = f'FEED = "{style.FEED}", RAPID = "{style.RAPID}", FIRED = "{lanes["reaction"]}"'
     assert names in path
+    channels = re.search(r"const CHANNELS = \[FEED, (.*)\];", path)
+    page = (LIVE / "page.css").read_text("utf-8")
+    assert channels is not None
+    assert re.findall(r"#\w{6}", channels[1]) == re.findall(r"#\w{6}", row)
+    assert re.findall(r"--nc-channel-\d: (#\w{6})", page) == [
+        style.FEED,
+        *re.findall(r"#\w{6}", row),
+    ]

@@ -106,6 +106,22 @@ def test_a_living_cycle_is_shown_before_an_ended_one_of_its_line() -> None:
     assert view.truths([*ended, *living], FILE) == {2: False}
 
 
+@pytest.mark.parametrize(
+    ("axes", "placed"),
+    [
+        (["X", "Y", "Z", "C"], ("X", "Y", "Z")),
+        (["Z2", "X2"], ("X2", None, "Z2")),
+        (["U", "X"], ("U", None, None)),
+        (["C", "A"], (None, None, None)),
+    ],
+)
+def test_axes_of_other_channels_are_placed_by_their_letters(
+    axes: list[str], placed: tuple[str | None, ...]
+) -> None:
+    """U, V, W as X, Y, Z; the first of several; rotary axes are not drawn."""
+    assert view.placed_axes(axes) == placed
+
+
 def test_marks_of_another_file_are_not_shown() -> None:
     """A subprogram is not in the editor."""
     assert view.program_marks(LINES, "other.nc", snapshot(branch(True)), TEXTS) == []

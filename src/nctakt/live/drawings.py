@@ -37,6 +37,9 @@ MAX_UNDER_WAY = 2
 #: Sides from which the path can be seen.
 _VIEWS = ("space", "top", "front", "side")
 
+#: Colours of channels (page.css, path.js).
+_CHANNEL_COLOURS = 4
+
 
 class Scope(Element, component="scope.js", esm=_MODULES):
     """The scope; it takes the increments for all drawings of the page."""
@@ -125,7 +128,8 @@ class Drawings:
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["path"]).classes("nc-title")
                 with ui.element("div").classes("nc-keys"):
-                    for name in ("feed_line", "rapid_line", "fired_mark", "future_line"):
+                    self._channels = ui.element("div").classes("nc-keys nc-channels")
+                    for name in ("rapid_line", "fired_mark", "future_line"):
                         ui.label(texts[name]).classes(f"nc-key {name}")
                     self._future = ui.label().classes("nc-soft ellipsis")
                     self._future.props("data-testid=future role=status")
@@ -165,6 +169,7 @@ class Drawings:
         now: dict[str, Any] = {
             "names": list(shown.signals),
             "units": list(shown.units),
+            "booleans": [name in shared.booleans for name in shown.signals],
             "conditions": [one.line for one in shown.conditions],
             "lanesShown": self._lanes_shown(shown.conditions),
             "hidden": shown.hidden,
@@ -228,8 +233,26 @@ class Drawings:
         self._path.props["tip"] = list(shared.tip_signals[:3])
         self._path.props["direction"] = list(shared.tip_signals[3:])
         self._path.props["rapid"] = f"{shared.prefix}PATH.RAPID"
+        self._path.props["channel"] = shared.channel
+        others = shared.other_paths
+        self._path.props["others"] = [
+            {"channel": one.channel, "axes": one.axes, "rapid": one.rapid} for one in others
+        ]
+        self._name_channels([one.channel for one in others])
         self._path.props["limits"] = [self._limits.get(axis) for axis in shared.axes[:3]]
         self._axes.set_visibility(bool(shared.tip_signals))
+
+    def _name_channels(self, others: Sequence[int]) -> None:
+        """Say in the legend which colour is which channel, where there are several."""
+        chosen, texts = self._shared.channel, self._texts
+        numbers = sorted((chosen, *others)) if others else []
+        self._channels.clear()
+        with self._channels:
+            for number in numbers:
+                key = ui.label(f"{texts['channel']} {number}").classes("nc-key channel_line")
+                key.style(f"--nc-channel: var(--nc-channel-{(number - 1) % _CHANNEL_COLOURS})")
+            if not numbers:
+                ui.label(texts["feed_line"]).classes("nc-key feed_line")
 
     # --- wishes ---------------------------------------------------------------------------------
 

@@ -4,13 +4,15 @@ import { clamp, colour, sized, ticks } from "nctakt-drawing";
 import { changed, indexAt, listen, run } from "nctakt-store";
 
 const FEED = "#3b82f6", RAPID = "#9aa1ab", FIRED = "#e8833a", TOOL = "#d64545", LIMIT = "#b3261e";
+const CHANNELS = [FEED, "#c2549d", "#b08900", "#7a5c3e"]; // feed of channel 1, 2 …
 
 // The axes to the right and upwards in a view, none in space.
 const VIEWS = { space: null, top: [0, 1], front: [0, 2], side: [1, 2] };
 
 export default {
   template: '<div class="nc-drawing"><canvas role="img" :aria-label="name"></canvas></div>',
-  props: { axes: Array, tip: Array, direction: Array, rapid: String, name: String, limits: Array },
+  props: { axes: Array, tip: Array, direction: Array, rapid: String, name: String, limits: Array,
+    channel: Number, others: Array },
   mounted() {
     this.canvas = this.$el.firstChild;
     this.camera = { zoom: 1, x: 0, y: 0, turn: -0.55, tilt: 0.9, view: this.axes.length > 2 ? "space" : "top" };
@@ -82,22 +84,28 @@ export default {
     },
 
     // --- places ------------------------------------------------------------------------------
-    columns() { return this.shown().map((name) => run.columns[run.names.indexOf(name)]); },
-    pointAt(index) {
-      return this.places.map((values) => (values && index < values.length ? values[index] : 0));
+    // The path of a channel: columns of its axes, null where it has none, in the past and to come.
+    trailOf(channel, names, rapid) {
+      const column = (name) => run.columns[run.names.indexOf(name)];
+      const tint = CHANNELS[(channel - 1) % CHANNELS.length];
+      return { channel, names, tint, places: names.map(column), rapid: column(rapid) || [],
+        coming: names.map((name) => this.coming(name)), comingRapid: this.coming(rapid) };
+    },
+    pointAt(index, { places } = this.trails[0]) {
+      return places.map((values) => (values && index < values.length ? values[index] : 0));
     },
     // Between two rows the tool is on the line between them.
-    pointOf(tick) {
+    pointOf(tick, trail = this.trails[0]) {
       const index = indexAt(run.ticks, tick);
       if (index < 0) return null;
-      const from = this.pointAt(index), next = index + 1;
+      const from = this.pointAt(index, trail), next = index + 1;
       if (next >= run.ticks.length || run.ticks[index] === tick) return from;
-      const share = (tick - run.ticks[index]) / (run.ticks[next] - run.ticks[index]), to = this.pointAt(next);
+      const share = (tick - run.ticks[index]) / (run.ticks[next] - run.ticks[index]), to = this.pointAt(next, trail);
       return from.map((value, axis) => value + share * (to[axis] - value));
     },
     // Where the tool is at the tick that is shown.
-    pointNow() {
-      const found = this.shown().map((name) => run.now[run.names.indexOf(name)]);
+    pointNow({ names } = this.trails[0]) {
+      const found = names.map((name) => (name === null ? 0 : run.now[run.names.indexOf(name)]));
       return found.every(Number.isFinite) ? found : null;
     },
     // Where the tool points from its tip, null where nothing says it: it is 0 0 0 there.
@@ -113,11 +121,15 @@ export default {
     isOther(index) { return !this.directionAt(index - 1) !== !this.directionAt(index); },
     measure() {
       this.directions = this.showsTip() ? this.direction.map((name) => run.columns[run.names.indexOf(name)]) : [];
-      this.places = this.columns();
+      this.trails = [this.trailOf(this.channel, this.shown(), this.rapid)];
+      for (const other of this.others) this.trails.push(this.trailOf(other.channel, other.axes, other.rapid));
       this.bounds = [0, 1, 2].map((axis) => {
-        const values = this.places[axis];
         let low = Infinity, high = -Infinity;
-        for (const value of [...(values || []), ...this.coming(this.shown()[axis])]) { if (value < low) low = value; if (value > high) high = value; }
+        for (const { places, coming } of this.trails) {
+          for (const values of [places[axis] || [], coming[axis] || []]) {
+            for (const value of values) { if (value < low) low = value; if (value > high) high = value; }
+          }
+        }
         return low <= high ? [low, high] : [0, 0];
       });
     },
@@ -154,15 +166,19 @@ export default {
       if (VIEWS[this.camera.view]) this.drawGrid(pen, place, width, height, VIEWS[this.camera.view]);
       else this.drawBox(pen, place);
       this.drawLimits(pen, place);
-      this.drawFuture(pen, place);
-      this.drawKind(pen, place, true);
-      this.drawKind(pen, place, false);
+      for (const trail of [...this.trails].reverse()) { // the chosen one on top
+        this.drawFuture(pen, place, trail);
+        this.drawKind(pen, place, trail, true);
+        this.drawKind(pen, place, trail, false);
+      }
+      this.drawComing(pen, place);
       this.drawDirections(pen, place);
       this.drawFired(pen, place);
       const here = this.pointNow();
       const leaning = this.directionNow();
+      const others = this.trails.slice(1).map((trail) => this.drawPlace(pen, place, trail));
       if (here) this.drawTool(pen, place(here), this.onScreen(leaning));
-      run.drawn = { tick: run.tick, names: this.shown(), tool: here, direction: leaning }; // for tests
+      run.drawn = { tick: run.tick, names: this.shown(), tool: here, direction: leaning, others }; // for tests
       const there = run.cursor === null ? null : this.pointOf(run.cursor);
       if (there) {
         const [x, y] = place(there);
@@ -200,22 +216,21 @@ export default {
       if (column < 0 || !future.ticks.length) return [];
       return future.columns[column].slice(indexAt(future.ticks, run.latest) + 1);
     },
-    // What comes if nobody writes: dimmed, on from where the branch ends, with its reactions.
-    drawFuture(pen, place) {
+    // What comes if nobody writes: dimmed, on from where the branch ends.
+    drawFuture(pen, place, trail) {
       if (!run.future || !run.future.ticks.length) return;
-      const columns = this.shown().map((name) => this.coming(name)), rapid = this.coming(this.rapid);
-      const leaning = this.showsTip() ? this.direction.map((name) => this.coming(name)) : [];
+      const { coming, comingRapid: rapid } = trail, isMain = trail === this.trails[0];
+      const leaning = isMain && this.showsTip() ? this.direction.map((name) => this.coming(name)) : [];
       const points = (index) => leaning.some((column) => column[index]);
-      const pointAt = (index) => columns.map((column) => column[index]);
-      const skipped = run.future.ticks.length - rapid.length;
+      const pointAt = (index) => coming.map((column) => column[index] ?? 0);
       const last = run.ticks.length - 1;
       pen.globalAlpha = 0.38; pen.lineWidth = 1.7;
       for (const isRapid of [true, false]) {
-        pen.strokeStyle = isRapid ? RAPID : FEED;
+        pen.strokeStyle = isRapid ? RAPID : trail.tint;
         pen.setLineDash(isRapid ? [5, 4] : []);
         pen.beginPath();
-        let before = last >= 0 && run.ticks[last] === run.latest ? this.pointAt(last) : null, isOpen = false;
-        let pointed = before ? this.directionAt(last) !== null : points(0);
+        let before = last >= 0 && run.ticks[last] === run.latest ? this.pointAt(last, trail) : null, isOpen = false;
+        let pointed = before ? isMain && this.directionAt(last) !== null : points(0);
         for (let i = 0; i < rapid.length; i += 1) {
           const point = pointAt(i);
           if (before && rapid[i] > 0 === isRapid && points(i) === pointed) {
@@ -228,10 +243,18 @@ export default {
         }
         pen.stroke();
       }
-      pen.setLineDash([]);
-      for (const [tick, , , line] of run.future.marks) {
+      pen.setLineDash([]); pen.globalAlpha = 1;
+    },
+    // The reactions to come.
+    drawComing(pen, place) {
+      if (!run.future) return;
+      pen.globalAlpha = 0.38;
+      for (const [tick, , , line, channel] of run.future.marks) {
+        const trail = this.trails.find((one) => one.channel === channel);
+        const skipped = run.future.ticks.length - (trail ? trail.comingRapid.length : 0);
         const index = indexAt(run.future.ticks, tick) - skipped;
-        if (tick > run.latest && index >= 0) this.drawDiamond(pen, place(pointAt(index)), line);
+        if (!trail || tick <= run.latest || index < 0) continue;
+        this.drawDiamond(pen, place(trail.coming.map((column) => column[index] ?? 0)), line);
       }
       pen.globalAlpha = 1;
     },
@@ -304,23 +327,24 @@ export default {
         pen.fillText(text, left, clamp(y + 12 * Math.sign(y - oy || 1), 8, this.$el.clientHeight - 8));
       });
     },
-    drawKind(pen, place, isRapid) {
-      const rapid = run.columns[run.names.indexOf(this.rapid)] || [];
-      pen.strokeStyle = isRapid ? RAPID : FEED; pen.lineWidth = 1.7;
+    drawKind(pen, place, trail, isRapid) {
+      const { rapid } = trail, isMain = trail === this.trails[0];
+      pen.strokeStyle = isRapid ? RAPID : trail.tint; pen.lineWidth = 1.7;
       pen.setLineDash(isRapid ? [5, 4] : []);
       pen.beginPath();
       let isOpen = false;
       for (let i = 1; i < run.ticks.length; i += 1) {
-        if (rapid[i] > 0 !== isRapid || this.isOther(i)) { isOpen = false; continue; }
-        if (!isOpen) pen.moveTo(...place(this.pointAt(i - 1)));
-        pen.lineTo(...place(this.pointAt(i)));
+        if (rapid[i] > 0 !== isRapid || (isMain && this.isOther(i))) { isOpen = false; continue; }
+        if (!isOpen) pen.moveTo(...place(this.pointAt(i - 1, trail)));
+        pen.lineTo(...place(this.pointAt(i, trail)));
         isOpen = true;
       }
       pen.stroke(); pen.setLineDash([]);
     },
     drawFired(pen, place) {
-      for (const [tick, kind, , line] of run.marks) {
-        const point = kind === "fired" ? this.pointOf(tick) : null;
+      for (const [tick, kind, , line, channel] of run.marks) {
+        const trail = kind === "fired" ? this.trails.find((one) => one.channel === channel) : null;
+        const point = trail ? this.pointOf(tick, trail) : null;
         if (!point) continue;
         this.drawDiamond(pen, place(point), line);
       }
@@ -331,6 +355,16 @@ export default {
       pen.beginPath();
       pen.moveTo(x, y - size); pen.lineTo(x + size, y); pen.lineTo(x, y + size); pen.lineTo(x - size, y);
       pen.fill();
+    },
+    // Where another channel is, with its number; returns the place.
+    drawPlace(pen, place, trail) {
+      const point = this.pointNow(trail);
+      if (!point) return null;
+      const [x, y] = place(point);
+      pen.fillStyle = trail.tint;
+      pen.beginPath(); pen.arc(x, y, 4.5, 0, 7); pen.fill();
+      pen.textAlign = "left"; pen.textBaseline = "bottom"; pen.fillText(String(trail.channel), x + 6, y - 2);
+      return { channel: trail.channel, point };
     },
     drawTool(pen, [x, y], leaning) {
       pen.fillStyle = TOOL;

@@ -3,7 +3,7 @@
 import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
 import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, shownUnit, take, zoom } from "nctakt-store";
 
-const LEFT = 50, RIGHT = 8, LANE = 15, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6;
+const LEFT = 50, RIGHT = 8, LANE = 15, ROW = 20, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6;
 const FILTER = "nctakt filter of conditions"; // kept when this page is loaded anew
 const LANES_TOP = LABEL * LABEL_ROWS + 3;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
@@ -52,7 +52,7 @@ export default {
     },
 
     // --- places ------------------------------------------------------------------------------
-    inner() { return Math.max(1, this.$el.clientWidth - LEFT - RIGHT); },
+    inner() { return Math.max(1, this.wide - LEFT - RIGHT); },
     xOf(tick) { return LEFT + ((tick - run.from) / (run.to - run.from)) * this.inner(); },
     tickOf(x) { return run.from + ((x - LEFT) / this.inner()) * (run.to - run.from); },
 
@@ -132,8 +132,11 @@ export default {
     draw() {
       if (!this.$el.clientHeight) return;
       const { pen, width, height } = sized(this.canvas, this.$el.clientHeight);
+      this.wide = width;
       const shown = curves(), { lanesShown } = run, units = new Map();
+      const booleans = [];
       run.names.slice(0, run.names.length - run.hidden).forEach((_, index) => {
+        if (run.booleans[index]) { booleans.push(index); return; }
         const unit = run.units[index];
         const key = units.has(unit) || units.size < MAX_PANELS ? unit : [...units.keys()].pop();
         units.set(key, [...(units.get(key) || []), index]);
@@ -141,7 +144,8 @@ export default {
       this.followLine();
       run.firstLane = clamp(run.firstLane, 0, Math.max(0, lanesShown.length - MAX_LANES));
       const lanesTop = LANES_TOP, rows = Math.min(lanesShown.length, MAX_LANES), top = lanesTop + rows * LANE + 4;
-      const bottom = height - AXIS, each = units.size ? (bottom - top) / units.size : bottom - top;
+      const bottom = height - AXIS, middle = bottom - booleans.length * ROW;
+      const each = units.size ? (middle - top) / units.size : middle - top;
       this.drawTime(pen, width, lanesTop, bottom);
       this.drawLine(pen, lanesTop, bottom);
       for (let row = 0; row < rows; row += 1) {
@@ -160,6 +164,9 @@ export default {
         this.drawPanel(pen, shown, unit, indices, tints, top + place * each + 3, each - 8, width);
         place += 1;
       }
+      booleans.forEach((index, row) => {
+        this.drawBoolean(pen, shown, index, COLOURS[(tint + row) % COLOURS.length], middle + row * ROW, width);
+      });
       this.drawPlaces(pen, width, lanesTop, bottom);
     },
     drawTime(pen, width, top, bottom) {
@@ -229,9 +236,12 @@ export default {
     },
     drawPanel(pen, shown, unit, indices, tints, top, height, width) {
       let low = Infinity, high = -Infinity;
-      const begin = Math.max(0, indexAt(shown.ticks, run.from));
-      const end = Math.min(shown.ticks.length - 1, indexAt(shown.ticks, run.to) + 1);
-      const include = (value) => { low = Math.min(low, value ?? low); high = Math.max(high, value ?? high); };
+      const [begin, end] = this.rowsOf(shown);
+      const include = (value) => {
+        if (!Number.isFinite(value)) return;
+        if (value < low) low = value;
+        if (value > high) high = value;
+      };
       for (const index of indices) {
         for (let i = begin; i <= end; i += 1) include(shown.columns[index][i]);
         const logged = this.loggedIn(index);
@@ -261,15 +271,58 @@ export default {
       pen.restore();
       this.drawLegend(pen, shown, label, factor, indices, tints, top, width);
     },
+    // The rows of the stretch that is shown, and one more on either side.
+    rowsOf(shown) {
+      const begin = Math.max(0, indexAt(shown.ticks, run.from));
+      return [begin, Math.min(shown.ticks.length - 1, indexAt(shown.ticks, run.to) + 1)];
+    },
+    // A row of its own for what is true or false: filled while it is true, with its name in it.
+    drawBoolean(pen, shown, index, tint, top, width) {
+      const [begin, end] = this.rowsOf(shown), low = top + ROW - 3, high = top + 3;
+      const yOf = (value) => (value > 0 ? high : low);
+      pen.save();
+      pen.beginPath(); pen.rect(LEFT, top, this.inner(), ROW); pen.clip();
+      pen.fillStyle = tint; pen.globalAlpha = 0.2;
+      for (let i = begin; i <= end; i += 1) {
+        if (!(shown.columns[index][i] > 0)) continue;
+        const left = this.xOf(shown.ticks[i]), right = this.xOf(shown.ticks[Math.min(i + 1, end)]);
+        pen.fillRect(left, high, right - left, low - high);
+      }
+      pen.globalAlpha = 1;
+      this.drawLogged(pen, shown, index, tint, true, yOf, top + ROW);
+      this.drawCurve(pen, shown, index, tint, begin, end, true, yOf);
+      pen.restore();
+      pen.fillStyle = colour("--nc-ink"); pen.textAlign = "left"; pen.textBaseline = "middle";
+      pen.fillText(cut(pen, this.legendOf(shown, index, 1), width - RIGHT - LEFT - 8), LEFT + 4, top + ROW / 2);
+    },
+    // Rows that share half a pixel of the width are one line from their lowest to their highest value.
     drawCurve(pen, shown, index, tint, begin, end, isStep, yOf) {
-      const values = shown.columns[index];
+      const values = shown.columns[index], known = shown.ticks;
+      const half = (2 * this.inner()) / (run.to - run.from); // half pixels of a tick
+      let x = NaN, low, high, last;
+      const close = () => {
+        if (high > low) { pen.lineTo(x, low); pen.lineTo(x, high); pen.lineTo(x, last); }
+      };
       pen.strokeStyle = tint; pen.lineWidth = 1.5;
       pen.beginPath();
       for (let i = begin; i <= end; i += 1) {
-        const x = this.xOf(shown.ticks[i]), y = yOf(values[i]);
-        if (isStep && i > begin) pen.lineTo(x, yOf(values[i - 1]));
-        pen.lineTo(x, y);
+        if (!Number.isFinite(values[i])) { close(); x = NaN; continue; }
+        const at = LEFT + Math.round((known[i] - run.from) * half) / 2, y = yOf(values[i]);
+        if (at === x) {
+          if (y < low) low = y;
+          if (y > high) high = y;
+          last = y;
+          continue;
+        }
+        if (Number.isNaN(x)) pen.moveTo(at, y);
+        else {
+          close();
+          if (isStep) pen.lineTo(at, last);
+          pen.lineTo(at, y);
+        }
+        x = at; low = y; high = y; last = y;
       }
+      close();
       pen.stroke();
     },
     // The part of a machine's log that is shown, null without one.
@@ -323,19 +376,30 @@ export default {
       const value = Math.abs(tick - near) >= Math.max(1, step) ? null : this.valueAt({ ticks, columns: [values] }, 0, near);
       return value === null ? "" : ` ${run.words.log} ${short(value * factor)}`;
     },
-    drawLegend(pen, shown, label, factor, indices, tints, top, width) {
+    // Name and value at the cursor, without one at the session's tick; compared: what it is away.
+    legendOf(shown, index, factor) {
       const both = compared(), tick = both ? both[1] : run.cursor, isNow = tick === null || tick === run.tick;
       const at = tick === null ? -1 : indexAt(shown.ticks, tick);
       const from = both ? indexAt(shown.ticks, both[0]) : -1;
+      const value = isNow ? run.now[index] : at < 0 ? null : shown.columns[index][at];
+      const before = from < 0 ? null : shown.columns[index][from];
+      const known = Number.isFinite(value), name = run.names[index].replace(".ACS.ACT_POS", "");
+      const logged = this.loggedText(index, tick ?? run.tick, factor);
+      if (run.booleans[index]) {
+        const word = (truth) => (truth > 0 ? "TRUE" : "FALSE");
+        const was = known && Number.isFinite(before) && before !== value ? `${word(before)} → ` : "";
+        return `${name} ${known ? was + word(value) : ""}${logged}`;
+      }
+      const away = known && Number.isFinite(before) ? ` Δ ${short((value - before) * factor)}` : "";
+      return `${name} ${known ? short(value * factor) : ""}${away}${logged}`;
+    },
+    drawLegend(pen, shown, label, factor, indices, tints, top, width) {
       pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
       pen.fillText(label, LEFT - 5, top + 6);
       let x = LEFT + 4;
       pen.textAlign = "left";
       indices.forEach((index, place) => {
-        const value = isNow ? run.now[index] : at < 0 ? null : shown.columns[index][at];
-        const before = from < 0 ? null : shown.columns[index][from];
-        const away = Number.isFinite(value) && Number.isFinite(before) ? ` Δ ${short((value - before) * factor)}` : "";
-        const text = `${run.names[index].replace(".ACS.ACT_POS", "")} ${Number.isFinite(value) ? short(value * factor) : ""}${away}${this.loggedText(index, tick ?? run.tick, factor)}`;
+        const text = this.legendOf(shown, index, factor);
         const room = width - RIGHT - x - 14;
         if (room < 24) return;
         pen.fillStyle = tints[place]; pen.fillRect(x, top + 4, 9, 4);

@@ -15,6 +15,7 @@ from collections.abc import Callable, Collection, Sequence
 from pathlib import Path
 from typing import Any
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure, error_text
 from nctakt.comparison.overlay import LoggedCurve
@@ -40,8 +41,20 @@ _WAIT_S = 0.2
 #: Rows of the curves that are taken from the past, and how many of its ticks are shown.
 SCOPE_ROWS, SCOPE_TICKS = 1000, 200_000
 
+#: Paths of other channels that are drawn.
+_MAX_OTHERS = 7
+
 #: Opens the session of all programs, or of one; whether functions acknowledge themselves.
 Opener = Callable[[str | None, bool], Session]
+
+
+@dataclass(frozen=True, slots=True)
+class OtherPath:
+    """Signals of a channel that is not the one shown: X, Y, Z, ``None`` where it has none."""
+
+    channel: int
+    axes: tuple[str | None, ...]
+    rapid: str
 
 
 class SharedSession:
@@ -116,6 +129,7 @@ class SharedSession:
         description = session.description
         self.texts = description.texts
         self.units = description.signals
+        self.booleans = description.booleans
         self.cycle_time_us = description.cycle_time_us
         self.channel_count = description.channel_count
         self.lines: Sequence[str] = list(self.texts.get(self.file, ()))
@@ -128,9 +142,21 @@ class SharedSession:
         self._passing = None
         self.snapshot = self.snapshot_of(None)
 
+    def _other_paths(self) -> tuple[OtherPath, ...]:
+        """Return the paths of further channels whose axes can be drawn beside those shown."""
+        found: list[OtherPath] = []
+        for channel in range(1, self.channel_count + 1):
+            prefix = "" if channel == 1 else f"CH{channel}."
+            placed = view.placed_axes(view.axes_of(self.units, prefix))
+            if channel != self.channel and any(placed):
+                axes = tuple(axis and f"{prefix}{axis}.ACS.ACT_POS" for axis in placed)
+                found.append(OtherPath(channel, axes, f"{prefix}PATH.RAPID"))
+        return tuple(found[:_MAX_OTHERS])
+
     def _set_axes(self) -> None:
         self._conditions = tuple(conditions_of(self.lines))
         self.axes = view.axes_of(self.units, self.prefix)
+        self.other_paths = self._other_paths()
         first = view.first_signals(self.units, self.lines, self.prefix)
         logged = (name for name in self.logged if name in self.units)
         self.scope = list(dict.fromkeys((*logged, *first)))[: view.MAX_SIGNALS]
@@ -414,7 +440,13 @@ class SharedSession:
 
     @property
     def _drawn_signals(self) -> tuple[str, ...]:
-        return (*self.path_signals, *self.tip_signals, f"{self.prefix}PATH.RAPID")
+        others = (
+            name
+            for other in self.other_paths
+            for name in (*other.axes, other.rapid)
+            if name is not None
+        )
+        return (*self.path_signals, *self.tip_signals, f"{self.prefix}PATH.RAPID", *others)
 
     def _past(
         self, session: Session, first: int, end: int

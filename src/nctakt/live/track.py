@@ -152,14 +152,18 @@ def newer(part: Growing, entries: Sequence[Entry]) -> list[Entry]:
 
 
 def marks_of(events: Sequence[Event], file: str) -> list[Entry]:
-    """Return reactions, functions, messages and errors: tick, kind, label, line in the file."""
+    """Return reactions, functions, messages and errors.
+
+    Each with tick, kind, label, line in the file; reactions with the number of their channel, too.
+    """
     found: list[Entry] = []
     for event in events:
         line_in_text = 0 if event.span is None else event.span.line
         line = line_in_text if event.span is not None and event.span.file == file else 0
         match event.kind:
             case "fired":
-                found.append((event.tick, "fired", f"{event.cycle}:{line_in_text}", line))
+                label = f"{event.cycle}:{line_in_text}"
+                found.append((event.tick, "fired", label, line, max(event.channel, 1)))
             case "M" | "H":
                 found.append((event.tick, event.kind, event.kind + event.text.split()[0], line))
             case "output":

@@ -118,6 +118,19 @@ def axes_of(signals: Mapping[str, str], prefix: str = "") -> list[str]:
     return [match[2] for match in matches if match is not None and match[1] == prefix]
 
 
+def placed_axes(axes: Sequence[str]) -> tuple[str | None, str | None, str | None]:
+    """Return the axes of a channel that are drawn beside another one's as X, Y and Z.
+
+    By their first letters, where U, V, W stand for axes parallel to X, Y, Z.
+    """
+    found: dict[int, str] = {}
+    for axis in axes:
+        index = "XYZUVW".find(axis[0])
+        if index >= 0:
+            found.setdefault(index % 3, axis)
+    return found.get(0), found.get(1), found.get(2)
+
+
 def choosable(signals: Mapping[str, str]) -> list[str]:
     """Return the signals that a person may choose; those of channel 1 by their short names."""
     return [

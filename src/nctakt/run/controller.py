@@ -217,7 +217,8 @@ class Controller:
 
     def signals(self) -> list[Signal]:
         """Return all signals that a run can record, with their units."""
-        return [Signal(name, *found[1:]) for name, found in self._machine.signals().items()]
+        found = self._machine.signals().items()
+        return [Signal(name, one.unit, one.is_whole, one.labels) for name, one in found]
 
     def interface_image(self, name: str | None = None) -> SharedImage:
         """Return the HLI as bytes, live until it is closed, and shared under ``name`` if given.

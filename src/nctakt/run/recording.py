@@ -277,5 +277,6 @@ class Recording:
         machine = self._machine
         signals = machine.signals()
         machine.record.select([signals[name][0] for name in names])
-        header = tuple(Signal(name, *signals[name][1:]) for name in names)
+        chosen = [(name, signals[name]) for name in names]
+        header = tuple(Signal(name, one.unit, one.is_whole, one.labels) for name, one in chosen)
         return TraceHeader(machine.configuration.cycle_time_us, header)

@@ -230,6 +230,7 @@ class Engine:
             self._run.state is not None,
             self.statements.texts(),
             self.statements.lines(),
+            frozenset(name for name, found in self._signals.items() if found.is_boolean),
         )
 
     def _options(

@@ -62,8 +62,8 @@ class Inventory:
 class Description:
     """What a machine with its checked programs is before the first tick.
 
-    ``signals``: name -> unit. ``texts``: file -> its lines. ``inputs``: those that the setup has
-    planned. ``is_over``: the programs have errors.
+    ``signals``: name -> unit; ``booleans``: those that are true or false. ``texts``: file -> its
+    lines. ``inputs``: those that the setup has planned. ``is_over``: the programs have errors.
     """
 
     cycle_time_us: int
@@ -76,3 +76,4 @@ class Description:
     #: The files of a PLC in Structured Text with their lines, and where statements begin in them.
     plc_texts: Mapping[str, Sequence[str]] = field(default_factory=dict)
     plc_lines: Mapping[str, Sequence[int]] = field(default_factory=dict)
+    booleans: frozenset[str] = frozenset()

@@ -5,7 +5,7 @@
 const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 5000;
 
 export const run = {
-  names: [], units: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],
+  names: [], units: [], booleans: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],
   conditions: [], lanesShown: [], lanes: [], bars: { end: 0, lines: [] }, // up to "end" exact, then as sampled
   block: 0, tick: -1, latest: -1, // the last tick that has run: all values are those after it
   logged: {}, // by the signal's name: a machine's log in ticks of this run
@@ -37,7 +37,7 @@ const trim = (list, size) => { if (list.length > size) list.splice(0, list.lengt
 
 // Adds what the server sends: each part is new as a whole or goes on behind what is here.
 export const take = (news) => {
-  for (const name of ["names", "units", "hidden", "now", "block", "conditions", "lanesShown", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future", "logged"]) {
+  for (const name of ["names", "units", "booleans", "hidden", "now", "block", "conditions", "lanesShown", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future", "logged"]) {
     if (news[name] !== undefined) run[name] = news[name];
   }
   if (news.rows) {

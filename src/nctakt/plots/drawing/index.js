@@ -5,7 +5,11 @@ export const make = (tag, parent, properties = {}) => {
   parent.append(element);
   return element;
 };
-export const colour = (name) => getComputedStyle(document.body).getPropertyValue(name).trim();
+const colours = new Map(); // of the picture that is drawn: to ask for one takes long
+export const colour = (name) => {
+  if (!colours.has(name)) colours.set(name, getComputedStyle(document.body).getPropertyValue(name).trim());
+  return colours.get(name);
+};
 export const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 export const short = (value) => {
   if (Number.isInteger(value)) return String(value);
@@ -27,6 +31,7 @@ export const cut = (pen, text, width) => {
   return `${text.slice(0, end)}…`;
 };
 export const sized = (canvas, height) => {
+  colours.clear();
   const scale = window.devicePixelRatio || 1, width = canvas.clientWidth;
   canvas.style.height = `${height}px`;
   if (canvas.width !== Math.round(width * scale) || canvas.height !== Math.round(height * scale)) {

@@ -99,18 +99,19 @@ def prefix_of(index: int) -> str:
 
 def _signals_of(names: NameTable, panel: Mapping[str, PanelValue]) -> dict[str, SignalCell]:
     """Return the signals of a channel."""
-    signals = {
-        name: SignalCell(cell, row.unit, row.type != "REAL64")
-        for name, cell, row in names.signals()
-    }
+    signals = {name: _signal(cell, row.unit, row.type) for name, cell, row in names.signals()}
     for name, cell, type_ in names.values():
-        scalar = SCALARS[type_]
-        if scalar.is_numeric:
-            signals[name] = SignalCell(cell, "", scalar.is_integer)
+        if SCALARS[type_].is_numeric:
+            signals[name] = _signal(cell, "", type_)
     for value in panel.values():
         entry = value.entry
-        signals[value.name] = SignalCell(value.cell, entry.unit, entry.type != "REAL64")
+        signals[value.name] = _signal(value.cell, entry.unit, entry.type)
     return signals
+
+
+def _signal(cell: int, unit: str, type_: str) -> SignalCell:
+    """Return where a signal of a type is."""
+    return SignalCell(cell, unit, type_ != "REAL64", is_boolean=type_ == "BOOLEAN")
 
 
 _names: list[MachineNames] = []

@@ -20,13 +20,14 @@ NO_SCOPES = Text("", "")
 class SignalCell(NamedTuple):
     """Where a signal is: its cell, its unit, whether it is a whole number.
 
-    ``labels``: numbers and names of the items of an enumeration.
+    ``labels``: numbers and names of the items of an enumeration. ``is_boolean``: true or false.
     """
 
     cell: int
     unit: str = ""
     is_whole: bool = False
     labels: tuple[tuple[int, str], ...] = ()
+    is_boolean: bool = False
 
 
 class NamedValues(Protocol):

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections import deque
+from collections import Counter, deque
 from pathlib import Path
 from typing import Any
 
@@ -253,6 +253,26 @@ def test_everything_comes_back_in_place() -> None:
     assert held.names == {"a": {1, 2}}
     assert held.names["a"] is names
     assert bytes(held.data) == b"abcd"
+
+
+def test_order_and_kind_of_containers_come_back() -> None:
+    """Entries in another order, a value for another one, counts, an attribute taken away."""
+    held = Held()
+    counts = Counter(a=2, b=1)
+    held.names = {"a": {1}, "b": {2}}
+    held.items = [counts, held.names]
+    first = held.names["a"]
+    kept = KeptObjects(held)
+    held.names["a"] = held.names.pop("a")  # behind b now
+    counts["a"] += 1
+    del held.number
+    kept.put_back()
+    assert list(held.names.items()) == [("a", {1}), ("b", {2})]
+    held.names["a"] = {1}
+    kept.put_back()
+    assert held.names["a"] is first
+    assert counts == Counter(a=2, b=1)
+    assert held.number == 1
 
 
 def test_copy_of_a_renewed_object_keeps_its_content() -> None:

@@ -12,9 +12,10 @@ from support.random_seeds import all_seeds
 
 from nctakt.lists.format.times import Time
 from nctakt.run.controller import NcText
+from nctakt.run.realtime.snapshot import Snapshot
 from nctakt.studies.measuring.measure_nodes import Condition, Reaction
 from nctakt.studies.measuring.window import LOOK_TICKS, Injection, ValuesFrom
-from nctakt.studies.runs.shared_beginning import SharedBeginning
+from nctakt.studies.runs.shared_beginning import MAX_LEAD, SharedBeginning
 from nctakt.studies.runs.trial import Trials
 from nctakt.studies.study import Study
 
@@ -49,6 +50,25 @@ def test_a_tried_injection_has_the_row_of_a_run_from_the_start(
     for number in numbers:
         assert shared.row(number) == plan.runner.row(number)
     assert made.count(True) > len(numbers) // 3
+
+
+def test_one_snapshot_serves_the_injections_behind_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The unchanged run waits for less than 32 ticks; a run's row does not depend on where."""
+    taken: list[int] = []
+    take = Snapshot._take
+
+    def counted(self: Snapshot) -> None:
+        taken.append(self._realtime.kernel.tick)
+        take(self)
+
+    plan = each_tick(WAITING + MOVE, "PATH.SPEED < 0 within 40 ms")
+    shared, anew = (SharedBeginning(plan.runner, may_copy=False) for _ in range(2))
+    anew.row(20)
+    monkeypatch.setattr(Snapshot, "_take", counted)
+    rows = [shared.row(number) for number in range(10, 80)]
+    assert [tick for tick in taken if tick] == [10, 10 + MAX_LEAD, 10 + 2 * MAX_LEAD]
+    for number in (20, 41, 42, 73, 79):
+        assert anew.row(number) == rows[number - 10]
 
 
 def count_trials(monkeypatch: pytest.MonkeyPatch) -> list[bool]:

@@ -32,8 +32,9 @@ from nctakt.run.realtime.snapshot import Snapshot
 #: those that are the same in all of them.
 _VARIED = frozenset(("set", "at", "plc", "sinks"))
 _SAME = frozenset(("after", "memory_trace", "record_writes", "signals", "skip", "ticks", "until"))
-#: Attributes that get new values when a run goes on, and objects that results keep copies of.
-_REPLACED = ("_parts", "_decoded", "before")
+#: Attributes that get new values when a run goes on or are the same in all runs, and objects that
+#: results keep copies of.
+_REPLACED = ("_parts", "_decoded", "_bound_values", "before")
 _RENEWED = (EventRegistry, SourceFiles)
 
 
@@ -198,7 +199,7 @@ class Beginning(Generic[Own]):
 
 def _is_in_tick(plc: object) -> bool:
     """Return whether a PLC, or one of several, may run in the realtime part."""
-    return isinstance(plc, RealtimePlc | PlcGroup | Sequence)
+    return plc is not None and isinstance(plc, RealtimePlc | PlcGroup | Sequence)
 
 
 class Beginnings(Generic[Own]):

@@ -241,17 +241,13 @@ class Recording:
         """Keep messages, and turn errors of the realtime part into diagnostics."""
         machine = self._machine
         reports: Iterator[UserErrorReport] | None = None
-        subjects = map(int, events.column(rows.EVENT_SUBJECT))
-        for event, subject in zip(events, subjects, strict=True):
-            if event.kind == "message":
-                is_exclusive, is_unbroken, file = machine.registry.message_style(subject)
-                message = ProgramMessage(
-                    event.time_us, event.text, is_exclusive, is_unbroken, event.channel, file
-                )
-                self.messages.append(message)
-                if self.on_message is not None:
-                    self.on_message(message)
-            elif event.kind == "user_error":
+        for number, (tick, kind, channel, _, subject, *_) in enumerate(events.cells()):
+            if kind == rows.EVENT_MESSAGE:
+                self._keep_message(int(tick), int(channel), int(subject))
+            if kind == rows.EVENT_MESSAGE or kind not in _WATCHED:
+                continue  # which would be decoded for nothing
+            event = events[number]
+            if event.kind == "user_error":
                 reports = reports or iter(user_errors(events))
                 report = next(reports)
                 line = "" if report.span is None else machine.files.line_at(report.span)
@@ -264,6 +260,18 @@ class Recording:
             self._report(note)
         if machine.access.presences:
             self._functions.add(events)
+
+    def _keep_message(self, tick: int, channel: int, number: int) -> None:
+        """Keep a message of a program, by its number in the registry."""
+        registry = self._machine.registry
+        time_us = tick * self._machine.configuration.cycle_time_us
+        style = registry.message_style(number)
+        message = ProgramMessage(
+            time_us, registry.message(number), *style[:2], channel=channel, file=style[2]
+        )
+        self.messages.append(message)
+        if self.on_message is not None:
+            self.on_message(message)
 
     def _report_notice(self, event: Event) -> None:
         """Report a notice of the realtime cycles, once for each place of the program."""

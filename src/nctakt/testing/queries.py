@@ -40,6 +40,9 @@ PlcWord: TypeAlias = GivenPlc | str | Path
 
 _CYCLE_KINDS = ("M", "H")
 
+#: The kinds of events that are outputs of functions to the PLC.
+FUNCTION_KINDS = (*_CYCLE_KINDS, "output")
+
 
 class RunNc(Protocol):
     """The fixture ``run_nc`` of a test, for its annotation.
@@ -335,7 +338,7 @@ class NcRun:
 
     def function(self, name: str, *, line: int | None = None) -> Occurrences:
         """Return the outputs of ``M100`` or ``H7`` to the PLC."""
-        return self.find(name, ("M", "H", "output"), name, line=line)
+        return self.find(name, FUNCTION_KINDS, name, line=line)
 
     def message(self, text: str) -> Occurrences:
         """Return the program's messages with this text."""
@@ -351,16 +354,27 @@ class NcRun:
         cycle: int | str | None = None,
     ) -> Occurrences:
         """Return events of these kinds with this text (any if empty), line and cycle."""
-        trace = self.run.trace
-        alike = [] if trace is None else trace.events_of(kinds)
-        matching = [
-            event
-            for event in alike
-            if text in ("", _text(event))
-            and (line is None or _line(event) == line)
-            and (cycle is None or event.cycle == str(cycle))
-        ]
+        alike = self._alike(kinds)
+        matching = _matching(alike, text, line, cycle)
         return Occurrences(question, self._occurrences(matching), self._occurrences(alike))
+
+    def times_us(
+        self,
+        kinds: Sequence[str],
+        text: str,
+        *,
+        line: int | None = None,
+        cycle: int | str | None = None,
+    ) -> list[int]:
+        """Return the times of such events in microseconds of the run."""
+        first_us = self.run.first_tick * self.run.cycle_time_us
+        found = _matching(self._alike(kinds), text, line, cycle)
+        return [event.time_us - first_us for event in found]
+
+    def _alike(self, kinds: Sequence[str]) -> list[Event]:
+        """Return the events of these kinds."""
+        trace = self.run.trace
+        return [] if trace is None else trace.events_of(kinds)
 
     def _occurrences(self, events: Sequence[Event]) -> list[Occurrence]:
         first_us = self.run.first_tick * self.run.cycle_time_us
@@ -411,6 +425,19 @@ class NcRun:
 
 def _line(event: Event) -> int | None:
     return None if event.span is None else event.span.line
+
+
+def _matching(
+    events: Sequence[Event], text: str, line: int | None, cycle: int | str | None
+) -> list[Event]:
+    """Return the events with this text (any if empty), line and cycle."""
+    return [
+        event
+        for event in events
+        if text in ("", _text(event))
+        and (line is None or _line(event) == line)
+        and (cycle is None or event.cycle == str(cycle))
+    ]
 
 
 def _text(event: Event) -> str:

@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import cast, overload
 
 from nctakt.kernel import rows
-from nctakt.trace.events import Event, EventDecoder
+from nctakt.trace.events import ROW, Event, EventDecoder
 
 _ROW_SIZE = 8 * rows.EVENT_WIDTH
 
@@ -82,6 +82,10 @@ class EventChunk(Sequence[Event]):
     def with_data(self, data: bytes) -> EventChunk:
         """Return a chunk of other rows of the same run, not decoded yet."""
         return EventChunk(self._decoder, data)
+
+    def cells(self) -> Iterator[tuple[float, ...]]:
+        """Return the columns of each row in turn (``rows.EVENT_TICK`` …)."""
+        return ROW.iter_unpack(self._data)
 
     def column(self, number: int) -> list[float]:
         """Return one column of all rows (``rows.EVENT_KIND`` …)."""

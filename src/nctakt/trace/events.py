@@ -20,7 +20,7 @@ from nctakt.messages.catalogue import messages_of
 from nctakt.nc.meaning.words import ERROR_KEYWORDS
 from nctakt.nc.vocabulary.variables.strings import decode
 
-_ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
+ROW = struct.Struct(f"={rows.EVENT_WIDTH}d")
 
 _SCOPES = ("BLOCK", "PROG", "GLOBAL")
 #: Why the channel is emptied, by number.
@@ -151,7 +151,7 @@ class EventDecoder:
 
     def decode(self, data: bytes | memoryview) -> list[Event]:
         """Return the events of rows from ``Record.take_events``."""
-        return [self._event(*row) for row in _ROW.iter_unpack(data)]
+        return [self._event(*row) for row in ROW.iter_unpack(data)]
 
     def _event(
         self,

@@ -79,7 +79,7 @@ class VariableAccess:
         self._panels = panels
         self._kernel = kernel
         self._remarks = remarks
-        self._bound: dict[str, BoundValue] = {}
+        self._bound_values: dict[str, BoundValue] = {}
         #: The variables of a PLC that runs in the tick, by their paths.
         self.named: NamedValues | None = None
         #: Those of them that are signals: their cells, units, and whether they are integers.
@@ -129,11 +129,11 @@ class VariableAccess:
 
     def bind(self, name: str) -> BoundValue:
         """Return the value of this name, for any number of reads and writes; raises ``Failure``."""
-        bound = self._bound.get(arguments.text("name", name))
+        bound = self._bound_values.get(arguments.text("name", name))
         if bound is None:
             bound = self._bind(name)
-            if len(self._bound) < _MAX_BOUND:
-                self._bound[name] = bound
+            if len(self._bound_values) < _MAX_BOUND:
+                self._bound_values[name] = bound
         return bound
 
     def _bind(self, name: str) -> BoundValue:

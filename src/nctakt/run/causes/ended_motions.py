@@ -69,17 +69,15 @@ class EndedMotions:
 
     def add(self, events: EventChunk) -> Iterator[Diagnostic]:
         """Yield a note for each motion that these events end, once for each place."""
-        names = (rows.EVENT_KIND, rows.EVENT_SUBJECT, rows.EVENT_A, rows.EVENT_B, rows.EVENT_C)
-        columns = zip(*(events.column(name) for name in names), strict=True)
-        for event, (kind, subject, a, b, c) in zip(events, columns, strict=True):
+        for number, (tick, kind, _, _, subject, a, b, c) in enumerate(events.cells()):
             if kind == rows.EVENT_ENDED:
-                if event.tick != self._tick:
-                    self._tick, self._ends = event.tick, {}
+                if tick != self._tick:
+                    self._tick, self._ends = int(tick), {}
                 self._ends[int(subject)] = int(a)
             elif kind in _BEGINNINGS:
                 self._braking.pop(int(a), None)  # another motion has taken over
             elif kind == rows.EVENT_AXIS_ENDED and c != rows.NOT_WITH_CYCLE:
-                yield from self._give_up(event, int(subject), int(a), int(c))
+                yield from self._give_up(events[number], int(subject), int(a), int(c))
             elif kind == rows.EVENT_AXIS_CHANGED and b == rows.MOTION_STOPPED:
                 yield from self._stop(int(a), c)
 

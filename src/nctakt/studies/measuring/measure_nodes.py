@@ -17,7 +17,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time
 from nctakt.studies.measuring import courses
 from nctakt.studies.measuring.outcome import NotMeasuredError, Outcome
-from nctakt.testing.queries import NcRun, Occurrences
+from nctakt.testing.queries import FUNCTION_KINDS, NcRun
 
 #: A value: a number from signals, a count, an exact number, a text.
 Number = float | Fraction | str
@@ -150,17 +150,17 @@ class Event:
         if self.kind == "ended":
             return [outcome.run.virtual_time_us] if outcome.run.state == "ended" else []
         if self not in outcome.times_us:
-            outcome.times_us[self] = [one.at_us for one in self._occurrences(outcome.queries)]
+            outcome.times_us[self] = self._found_us(outcome.queries)
         return outcome.times_us[self]
 
-    def _occurrences(self, queries: NcRun) -> Occurrences:
+    def _found_us(self, queries: NcRun) -> list[int]:
         if self.kind == "fired":
-            return queries.find("", ("fired",), "", line=self.line, cycle=self.name or None)
+            return queries.times_us(("fired",), "", line=self.line, cycle=self.name or None)
         if self.kind == "message":
-            return queries.message(self.name)
+            return queries.times_us(("message",), self.name)
         if self.kind == "function":
-            return queries.function(self.name)
-        return queries.find("", ("error", "user_error", "warning", "notice"), self.name)
+            return queries.times_us(FUNCTION_KINDS, self.name)
+        return queries.times_us(("error", "user_error", "warning", "notice"), self.name)
 
     def count(self, outcome: Outcome) -> int:
         """Return how often it happened; an error of the decoder has no tick and counts as well."""

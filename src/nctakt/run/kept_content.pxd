@@ -21,3 +21,5 @@ cdef class KeptContent:
 
 @cython.locals(at=Py_ssize_t)
 cdef bint holds(dict content, list cells) except -1
+@cython.locals(i=Py_ssize_t)
+cdef bint holds_items(list items, list kept_items) except -1

@@ -66,7 +66,7 @@ class KeptContent:
         for one, name, kind, content in self.new:
             setattr(one, name, kind(content))
         for items, kept_items in self.lists:
-            if kept_items or items:
+            if not holds_items(items, kept_items):
                 items[:] = kept_items
         for memory, data in self.memories:
             memory[:] = data
@@ -102,4 +102,14 @@ def holds(content: dict[Any, Any], cells: list[Any]) -> bool:
         if key is not cells[at] or value is not cells[at + 1]:
             return False
         at += 2
+    return True
+
+
+def holds_items(items: list[Any], kept_items: list[Any]) -> bool:
+    """Return whether a list has these items, the same objects."""
+    if len(items) != len(kept_items):
+        return False
+    for i in range(len(items)):
+        if items[i] is not kept_items[i]:
+            return False
     return True

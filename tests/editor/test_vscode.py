@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -41,9 +42,40 @@ def test_the_package_has_all_files_that_the_manifest_names() -> None:
     contributed = MANIFEST["contributes"]
     named = [item["configuration"] for item in contributed["languages"]]
     named += [item["path"] for kind in ("grammars", "snippets") for item in contributed[kind]]
+    named += ["package.nls.json", "package.nls.de.json", MANIFEST["l10n"] + "/bundle.l10n.de.json"]
     for name in (MANIFEST["main"], *named):
         path = Path(name).as_posix()
         assert f"!{path}" in kept or f"!{path.partition('/')[0]}/**" in kept, name
+
+
+def test_all_texts_of_the_manifest_are_in_both_languages() -> None:
+    """Each text for a reader is a key of both files, which have the same keys and no others.
+
+    VS Code takes ``package.nls.de.json`` where its display language is German.
+    """
+    text = (FOLDER / "package.json").read_text("utf-8")
+    named = set(re.findall(r'"%([\w.]+)%"', text))
+    files = ("package.nls.json", "package.nls.de.json")
+    english, german = (json.loads((FOLDER / name).read_text("utf-8")) for name in files)
+    assert named == english.keys() == german.keys()
+    assert all(english[key] != german[key] for key in named)
+    for word in ("description", "title", "label", "markdownDescription"):
+        written = re.findall(rf'"{word}": "([^%"][^"]*)"', text)
+        assert written == ["nctakt"] * len(written), word
+
+
+def test_all_messages_of_the_extension_are_in_german() -> None:
+    """What the source gives to ``l10n.t`` is in the bundle, with the same placeholders."""
+    source = "".join(path.read_text("utf-8") for path in (FOLDER / "src").glob("*.ts"))
+    asked = re.findall(r"l10n\.t\(\s*(['\"])(.*?)\1\s*[,)]", source)
+    bundle = FOLDER / MANIFEST["l10n"] / "bundle.l10n.de.json"
+    german = json.loads(bundle.read_text("utf-8"))
+    assert {text for _, text in asked} == german.keys()
+    assert len(asked) == source.count("l10n.t(")
+    for text, translated in german.items():
+        assert sorted(re.findall(r"\{\d\}", text)) == sorted(re.findall(r"\{\d\}", translated))
+    shown = re.findall(r"(?:Message|Unavailable)\((?!vscode\.l10n|\s*vscode\.l10n)(\w+)", source)
+    assert set(shown) <= {"error", "complaint"}
 
 
 def test_what_the_extension_starts_imports_no_module_of_the_folder() -> None:

@@ -6,7 +6,7 @@ import * as path from "node:path";
 import * as vscode from "vscode";
 import { LanguageClient, type ServerOptions } from "vscode-languageclient/node";
 import { tracker } from "./debugging";
-import { middleware, register as registerObjects } from "./shown";
+import { language, middleware, register as registerObjects } from "./shown";
 
 const LANGUAGES = ["nctakt", "nctakt-list", "nctakt-st"];
 let client: LanguageClient | undefined;
@@ -40,7 +40,7 @@ async function startClient(): Promise<void> {
   client = new LanguageClient("nctakt", "nctakt", server, {
     documentSelector: [...LANGUAGES, ...others].map((language) => ({ language })),
     initializationOptions: {
-      language: settings().get<string>("language", "en"),
+      language: language(),
       reference: settings().get<string>("reference", ""),
     },
     synchronize: {
@@ -55,8 +55,11 @@ async function startClient(): Promise<void> {
   } catch (error) {
     const reason = error instanceof Error ? error.message : String(error);
     void vscode.window.showErrorMessage(
-      `nctakt could not be started (${[command, ...rest].join(" ")}): ${reason}. ` +
-        'Install it with its extra "editor", and name it in the setting nctakt.command.',
+      vscode.l10n.t(
+        'nctakt could not be started ({0}): {1}. Install it with its extra "editor", and name it in the setting nctakt.command.',
+        [command, ...rest].join(" "),
+        reason,
+      ),
     );
   }
 }
@@ -70,7 +73,7 @@ async function program(uri: unknown): Promise<string | undefined> {
         ? uri
         : vscode.window.activeTextEditor?.document.uri;
   if (target === undefined || target.scheme !== "file") {
-    void vscode.window.showWarningMessage("Open an NC program first.");
+    void vscode.window.showWarningMessage(vscode.l10n.t("Open an NC program first."));
     return undefined;
   }
   await vscode.workspace.textDocuments.find((one) => one.uri.fsPath === target.fsPath)?.save();
@@ -118,7 +121,7 @@ async function live(uri: unknown): Promise<void> {
   running.stderr.on("data", (data: Buffer) => (complaint += data.toString()));
   running.on("error", (error) => void vscode.window.showErrorMessage(error.message));
   running.on("exit", (code) => {
-    if (code && !shown) void vscode.window.showErrorMessage(complaint || `nctakt ended with ${code}`);
+    if (code && !shown) void vscode.window.showErrorMessage(complaint || vscode.l10n.t("nctakt ended with {0}", code));
   });
   running.stdout.on("data", (data: Buffer) => {
     const address = /https?:\/\/\S+/.exec(data.toString())?.[0];

@@ -28,8 +28,10 @@ const raw = new Set<string>();
 const encoder = new TextEncoder();
 const headings = vscode.languages.createDiagnosticCollection("nctakt headings");
 
-function language(): Language {
-  return vscode.workspace.getConfiguration("nctakt").get<string>("language") === "de" ? "de" : "en";
+/** The language of findings and headings: that of the setting, else the one in which the editor is. */
+export function language(): Language {
+  const chosen = vscode.workspace.getConfiguration("nctakt").get<string>("language", "auto");
+  return (chosen === "auto" ? vscode.env.language : chosen).startsWith("de") ? "de" : "en";
 }
 
 export const fileOf = (uri: vscode.Uri): vscode.Uri => uri.with({ scheme: "file" });
@@ -71,7 +73,7 @@ export class ObjectFiles implements vscode.FileSystemProvider {
 
   async readFile(uri: vscode.Uri): Promise<Uint8Array> {
     const parts = parse(await this.text(uri));
-    if (parts === undefined) throw vscode.FileSystemError.Unavailable(`${uri.path}: no texts to show`);
+    if (parts === undefined) throw vscode.FileSystemError.Unavailable(vscode.l10n.t("{0}: no texts to show", uri.path));
     open.set(uri.toString(), opened(parts));
     return encoder.encode(shown(parts, language()));
   }
@@ -81,7 +83,7 @@ export class ObjectFiles implements vscode.FileSystemProvider {
     const known = open.get(uri.toString());
     const disk = parse(await this.text(uri));
     if (known === undefined || disk === undefined || composed(disk) !== composed(known.base)) {
-      throw vscode.FileSystemError.Unavailable(`${uri.path} has changed on disk meanwhile.`);
+      throw vscode.FileSystemError.Unavailable(vscode.l10n.t("{0} has changed on disk meanwhile.", uri.path));
     }
     const now = withTexts(disk, new TextDecoder().decode(content));
     await vscode.workspace.fs.writeFile(fileOf(uri), encoder.encode(composed(now)));
@@ -93,7 +95,7 @@ export class ObjectFiles implements vscode.FileSystemProvider {
     try {
       return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
     } catch {
-      throw vscode.FileSystemError.Unavailable(`${uri.path}: not UTF-8`);
+      throw vscode.FileSystemError.Unavailable(vscode.l10n.t("{0}: not UTF-8", uri.path));
     }
   }
 
@@ -113,12 +115,12 @@ function withTexts(parts: Parts, text: string): Parts {
     return taken(parts, text, language());
   } catch (error) {
     if (!(error instanceof HeadingError)) throw error;
-    throw vscode.FileSystemError.Unavailable(`Not saved. ${wordsOf(error)}`);
+    throw vscode.FileSystemError.Unavailable(vscode.l10n.t("Not saved. {0}", wordsOf(error)));
   }
 }
 
 function wordsOf(error: HeadingError): string {
-  return `Each heading must stand once, in its order, as it was: ${error.heading}`;
+  return vscode.l10n.t("Each heading must stand once, in its order, as it was: {0}", error.heading);
 }
 
 /** Tell which heading is missing, at the beginning, or stands where it does not belong, there. */

@@ -22,7 +22,7 @@ pytestmark = [*BROWSER, pytest.mark.nightly]
 
 MAIN = pou_file(
     "MAIN",
-    "PROGRAM MAIN\nVAR\n    n : INT;\n    fbGate : FB_Gate;\nEND_VAR",
+    "PROGRAM MAIN\nVAR\n    n : INT; // cycles so far\n    fbGate : FB_Gate;\nEND_VAR",
     "n := n + 1;\nfbGate.Tick(n);\nfbGate(bGo := n > 2);",
 )
 GATE = pou_file(
@@ -117,6 +117,75 @@ def test_values_of_an_instance(browser: Any, part: Path) -> None:
         page.close()
 
 
+def test_structures_unfold_and_names_are_explained_by_keys(browser: Any, part: Path) -> None:
+    """The tree of the cursor's line, its values in the next tick; F1 has type and comment."""
+    with served(str(part), "--plc", str(part.parent / "Cell.plcproj")) as address:
+        page = opened(browser, address)
+        block, tree = page.locator(".nc-plc-line.nc-block"), page.get_by_test_id("plc-tree")
+        for line in ("n := n + 1;", "fbGate.Tick(n);", "nCount := nCount + nBy;"):
+            page.keyboard.press("i")
+            expect(block).to_contain_text(line)
+        expect(tree).to_have_count(0)
+        page.keyboard.press("U")
+        page.keyboard.press("o")
+        expect(block).to_contain_text("fbGate(bGo := n > 2);")
+        rows = tree.get_by_role("treeitem")
+        expect(rows).to_have_text(["▸fbGate = bGo FALSE, nCount 1", "n = 1"])
+        page.keyboard.press("e")
+        page.keyboard.press("Enter")
+        expect(tree).to_be_focused()
+        page.keyboard.press("ArrowRight")
+        unfolded = ["▾fbGate = bGo FALSE, nCount 1", "bGo = FALSE", "nCount = 1", "n = 1"]
+        expect(rows).to_have_text(unfolded)
+        expect(rows.first).to_have_attribute("aria-expanded", "true")
+        page.keyboard.press("e")
+        page.keyboard.press("F1")
+        told = page.get_by_test_id("plc-told")
+        expect(told).to_contain_text("VAR fbGate : FB_Gate;")
+        expect(told).to_contain_text("INT")
+        page.keyboard.press("Escape")
+        expect(told).to_be_hidden()
+        page.locator(".nc-plc-text", has_text="n : INT").hover(position={"x": 35, "y": 8})
+        expect(told).to_contain_text("VAR n : INT;")
+        expect(told).to_contain_text("cycles so far")
+        page.keyboard.press(".")
+        expect(rows.nth(2)).to_have_text("nCount = 1")
+        rows.first.click()
+        expect(rows).to_have_count(2)
+        page.close()
+
+
+def test_a_text_is_changed_and_saved_by_keys(browser: Any, part: Path) -> None:
+    """Nothing else of the file changes; the run begins anew; another writer is not overwritten."""
+    main = part.parent / "MAIN.TcPOU"
+    main.write_bytes(MAIN.replace("\n", "\r\n").encode())
+    with served(str(part), "--plc", str(part.parent / "Cell.plcproj")) as address:
+        page = opened(browser, address)
+        block, edit = page.locator(".nc-plc-line.nc-block"), page.get_by_test_id("plc-edit")
+        page.keyboard.press("i")
+        expect(block).to_contain_text("n := n + 1;n = 0")
+        page.keyboard.press("F2")
+        expect(edit.locator(".cm-content")).to_be_focused()
+        expect(edit).to_contain_text("n := n + 1;")
+        page.keyboard.press("Control+Home")
+        page.keyboard.type("n := n + 40; // <more>\n")
+        expect(page.get_by_text("not saved")).to_be_visible()
+        page.keyboard.press("Control+s")
+        expect(edit).to_be_hidden()
+        wanted = MAIN.replace("n := n + 1;", "n := n + 40; // <more>\nn := n + 1;")
+        assert main.read_bytes() == wanted.replace("\n", "\r\n").encode()
+        page.keyboard.press("Escape")
+        expect(page.get_by_test_id("plc-lines")).to_contain_text("n := n + 40;")
+        page.get_by_test_id("plc_edit").click()
+        expect(edit).to_be_visible()
+        main.write_bytes(MAIN.encode())
+        page.keyboard.type(" ")
+        page.keyboard.press("Control+s")
+        expect(page.get_by_text("901162")).to_be_visible()
+        assert main.read_bytes() == MAIN.encode()
+        page.close()
+
+
 def test_events_and_answers_lead_to_lines_of_the_plc(browser: Any) -> None:
     """M7 is acknowledged by a statement; why tells what that has written, and names others."""
     folder = Path(__file__).parents[2] / "examples" / "coolant"
@@ -154,9 +223,15 @@ def test_axe_finds_nothing_serious_in_the_plc(
         for _ in range(3):
             page.keyboard.press("i")
         expect(page.get_by_test_id("plc-standing")).to_contain_text("vor der markierten Zeile")
+        expect(page.locator(".nc-block")).to_contain_text("nCount := nCount + nBy;")
         page.keyboard.press("e")
         page.keyboard.press("F9")
         expect(page.locator(".nc-stopped")).to_have_count(1)
+        page.keyboard.press("Home")
+        page.keyboard.press("ArrowDown")
+        page.keyboard.press("F1")
+        expect(page.get_by_test_id("plc-told")).to_contain_text("FB_Gate")
+        expect(page.get_by_test_id("plc-tree")).to_be_visible()
         page.wait_for_timeout(400)
         assert serious(page, axe) == []
         page.emulate_media(color_scheme="dark")

@@ -4,7 +4,7 @@
 from support.plc_text import pou_file
 
 from nctakt.base.diagnostics import Span, Text
-from nctakt.live.plc_view import PlcText, file_names, places_in, statement_stops
+from nctakt.live.plc_view import PlcText, WordPlace, file_names, places_in, statement_stops
 from nctakt.plc.stepping.debugging import PlcFrame
 from nctakt.session.statements import PlcPlace
 
@@ -55,6 +55,8 @@ def test_rows_are_lines_of_the_file() -> None:
 
 def test_what_lines_name() -> None:
     """Paths, not what is called, arguments by name, words in comments and texts; each once."""
+    assert main().named_at(10) == (12, ("fbGate", "n"))
+    assert main().named_at(7) == main().named_at(99) == (0, ())
     named = main().named(0, 100)
     assert named == [
         (4, ("MAIN",)),
@@ -65,6 +67,33 @@ def test_what_lines_name() -> None:
     beside = main().beside(named, [[""], ["3"], ["3", "x" * 200, ""], [""]])
     assert beside == {4: "n = 3", 9: f"n = 3 · aTools[2].nLife = {'x' * 73}…"}
     assert len(beside[9]) == 100
+
+
+def test_words_are_places_of_the_file() -> None:
+    """Names at a column of the browser, or all of a row; of the lines 4 and 12 with markup before.
+
+    An emoji has two units of UTF-16.
+    """
+    text = main()
+    line = LINES[3]
+    assert line.endswith("<![CDATA[PROGRAM MAIN")
+    assert text.words_at(1, 9) == [WordPlace(4, line.index("MAIN"))]
+    assert text.words_at(1, 3) == text.words_at(0, None) == text.words_at(99, None) == []
+    row = "fbGate(bGo := n > 16#FF, sText := 'n');"
+    columns = [row.index(name) for name in ("fbGate", "bGo", "n >", "sText")]
+    assert text.words_at(10, None) == [WordPlace(12, column) for column in columns]
+    plain = PlcText("a.st", ["(* 😀 *) n := 1; // n"], [1], "en")
+    assert plain.words_at(0, 9) == [WordPlace(1, 9)]
+    assert plain.words_at(0, 8) == []
+
+
+def test_words_of_a_line_with_entities_are_not_placed() -> None:
+    """Its columns in the file are others than those shown."""
+    file = MAIN.replace("<![CDATA[PROGRAM", "PROGRAM").replace("END_VAR]]>", "END_VAR")
+    lines = file.replace("n : INT;", "n : INT := SEL(1 &lt; 2, 1, 2);").split("\n")
+    text = PlcText("MAIN.TcPOU", lines, [11, 12], "en")
+    assert text.words_at(1, None) != []
+    assert text.words_at(4, None) == []
 
 
 def test_where_the_session_stands() -> None:

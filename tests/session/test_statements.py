@@ -16,6 +16,7 @@ import pytest
 
 from nctakt import NcText
 from nctakt.base.failure import Failure
+from nctakt.plc.stepping.beside import Line
 from nctakt.session.session import Session
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
@@ -308,3 +309,25 @@ def test_values_beside_lines_are_those_of_their_unit(session: Session, cell: Pat
     session.run(until="statement cell.st:10")
     assert session.texts_beside(file, wanted[:3]) == [["1"], ["2", "1"], ["0"]]
     assert session.texts_beside(file, [(10, ["nCount"])], 1) == [[""]]
+
+
+def test_what_a_line_names_unfolds_as_a_tree(session: Session, cell: Path) -> None:
+    """What is opened, with paths as the line has them; nothing where the name has no value."""
+
+    def tree(line: Line, *opened: str, instance: str = "") -> list[tuple[int, str, str, str]]:
+        found = session.tree_beside(file, line, opened, None, instance)
+        return [(depth, one.name, one.path, one.text) for depth, one in found]
+
+    file = cell.as_posix()
+    session.step()
+    of_gate = session.below("MAIN.fbGate", None)
+    unfolded = tree((24, ["fbGate", "unknown", "n"]), "fbGate", "n", "other")
+    assert [row[:3] for row in unfolded] == [
+        (0, "fbGate", "fbGate"),
+        *((1, one.name, f"fbGate.{one.name}") for one in of_gate),
+        (0, "n", "n"),
+    ]
+    assert [text for _, _, _, text in unfolded[1:-1]] == [one.text for one in of_gate]
+    assert len(tree((24, ["fbGate"]))) == 1
+    assert tree((10, ["nCount"])) == []
+    assert tree((10, ["nCount"]), instance="MAIN.fbGate") == [(0, "nCount", "nCount", "2")]

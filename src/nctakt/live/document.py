@@ -130,7 +130,7 @@ class Document:
         lines = text.split("\n")
         content = encode_text("".join(line + end for line in lines), self._content)
         try:
-            _replace(path, content)
+            replace_file(path, content)
         except OSError as error:
             reason = error.strerror or str(error)
             raise Failure(diagnostic(FILE_NOT_WRITABLE, file=self.file, reason=reason)) from error
@@ -138,7 +138,7 @@ class Document:
         self._set(text)
 
 
-def _replace(path: Path, content: bytes) -> None:
+def replace_file(path: Path, content: bytes) -> None:
     """Write a file in one step: whoever reads it sees the old content or the new."""
     target = path.resolve()
     number, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)

@@ -358,6 +358,8 @@ class Page:
             await self._program.toggle_stop_at_cursor()
         elif name == "why":
             await self._lists.ask_why(*await self._program.place_of_cursor())
+        elif name == "explain":
+            self._program.plc.explain()
         elif is_step(name):
             await self._program.plc.step(name)
         elif (action := self._actions().get(name)) is not None:
@@ -377,6 +379,7 @@ class Page:
             "acknowledge": self._functions.acknowledge_first,
             "save": self._program.save,
             "condition": self._begin_condition,
+            "plc_edit": self._program.plc.toggle_edit,
             "plc_next_file": self._program.show_next_file,
             "search_variable": self._variables.focus_search,
             "scope_left": lambda: drawings.pan(-0.2),

@@ -10,7 +10,7 @@
   const find = () => document.querySelector("[data-testid=find]")?.focus();
 
   document.addEventListener("keydown", (event) => {
-    if (event.target.closest(".nc-plc-lines") && /^(Arrow|Page|Home|End)/.test(event.key)) return; // moves its cursor
+    if (event.target.closest(".nc-plc-lines, .nc-plc-tree") && /^(Arrow|Page|Home|End)/.test(event.key)) return; // moves its cursor
     const inside = isInField(event.target), isCommand = event.ctrlKey || event.metaKey;
     if (isCommand && event.key.toLowerCase() === "s") {
       event.preventDefault();
@@ -31,11 +31,12 @@
     }
     event.preventDefault();
     event.stopPropagation();
-    const lines = document.querySelector(".nc-plc-lines");
+    const typing = document.querySelector(".nc-plc-edit .cm-content"), lines = document.querySelector(".nc-plc-lines");
+    if (typing?.offsetParent && ["e", "F1", "F4", "g"].includes(event.key)) { if (event.key === "e") typing.focus(); return; }
     const shown = lines && lines.offsetParent ? lines : null; // a file of the PLC takes the editor's place
     if (event.key === "e") { if (shown || editor()) (shown || editor()).focus(); return; }
     if (event.key === "F1" || event.key === "F4" || event.key === "g") {
-      if (shown) return;
+      if (shown) { if (event.key === "F1") emitEvent("nctakt_key", { key: "F1" }); return; }
       if (event.key === "g") find();
       else if (event.key === "F1") globalThis.nctaktEditor?.explain();
       else globalThis.nctaktEditor?.next(event.shiftKey ? -1 : 1);

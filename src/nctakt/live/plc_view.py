@@ -11,6 +11,7 @@ import re
 from collections.abc import Mapping, Sequence
 from pathlib import PurePath
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.session.statements import PlcPlace, names_file
 from nctakt.st.files.shown_text import ShownLine, shown_lines
@@ -28,6 +29,15 @@ _STOP = re.compile(r"statement (?:(?P<file>.*):)?(?P<line>\d+)\b", re.IGNORECASE
 #: What a row of the page is: its number, 0 for a heading, and its text in parts with classes.
 Row = tuple[int, list[tuple[str, str]]]
 
+
+@dataclass(frozen=True, slots=True)
+class WordPlace:
+    """Where a word begins in its file: a line, from 1, a column in units of UTF-16, from 0."""
+
+    line: int
+    column: int
+
+
 #: Where a token is in its row, and its class.
 _Token = tuple[int, int, str]
 
@@ -41,9 +51,10 @@ class PlcText:
         self.file = file
         self._language: Language = language
         self._lines = shown_lines(file, lines)
+        self._file_lines = lines
         self._statements = statements
         self._indices = {one.line: index for index, one in enumerate(self._lines) if one.line}
-        self._tokens, self._paths = _read(self._lines)
+        self._tokens, self._paths, self._words = _read(self._lines)
 
     def rows(self) -> list[Row]:
         """Return the rows of the page."""
@@ -65,13 +76,43 @@ class PlcText:
         line = next((one.line for one in self._lines[index:] if one.line), 0)
         return next((one for one in self._statements if one >= line > 0), 0)
 
+    def text_at(self, index: int) -> int:
+        """Return the number of the text that a row is of, in the order of the file."""
+        begun = sum(one.heading is not None for one in self._lines[: index + 1])
+        return max(0, begun - 1)
+
     def named(self, first: int, last: int) -> list[tuple[int, tuple[str, ...]]]:
         """Return the lines of the file in some rows that name something, with their paths."""
         rows = range(max(first, 0), min(last + 1, len(self._lines)))
+        found = []
+        for index in rows:
+            paths = tuple(path for path, is_called in self._paths[index].items() if not is_called)
+            if paths and self._lines[index].line:
+                found.append((self._lines[index].line, paths))
+        return found
+
+    def named_at(self, index: int) -> tuple[int, tuple[str, ...]]:
+        """Return the line of the file in a row and all paths that it names, also what it calls."""
+        if not 0 <= index < len(self._lines):
+            return 0, ()
+        return self._lines[index].line, tuple(self._paths[index])
+
+    def words_at(self, index: int, column: int | None) -> list[WordPlace]:
+        """Return the names in a row as places of the file: at a column, or without one all.
+
+        A column counts in units of UTF-16, as browsers do.
+        """
+        if not 0 <= index < len(self._lines) or not self._lines[index].line:
+            return []
+        one = self._lines[index]
+        line = self._file_lines[one.line - 1]
+        prefix = line[: one.column - 1]
+        if not line[len(prefix) :].startswith(one.text):
+            return []  # written with entities: the columns are others
         return [
-            (self._lines[index].line, self._paths[index])
-            for index in rows
-            if self._paths[index] and self._lines[index].line
+            WordPlace(one.line, _units(prefix + one.text[:start]))
+            for start, end in self._words[index]
+            if column is None or _units(one.text[:start]) <= column < _units(one.text[:end])
         ]
 
     def beside(
@@ -136,6 +177,11 @@ def places_in(text: str, files: Mapping[str, Sequence[str]]) -> list[tuple[str, 
     return list(found)
 
 
+def _units(text: str) -> int:
+    """Return how many units of UTF-16 a text has."""
+    return len(text) + sum(one > "\uffff" for one in text)
+
+
 def _parts(text: str, tokens: Sequence[_Token]) -> list[tuple[str, str]]:
     """Return a line in parts, each with its class; "" for what has no colour."""
     found, end = [], 0
@@ -149,14 +195,17 @@ def _parts(text: str, tokens: Sequence[_Token]) -> list[tuple[str, str]]:
     return found
 
 
-def _read(lines: Sequence[ShownLine]) -> tuple[list[list[_Token]], list[tuple[str, ...]]]:
-    """Return tokens and named paths of lines."""
+def _read(
+    lines: Sequence[ShownLine],
+) -> tuple[list[list[_Token]], list[dict[str, bool]], list[list[tuple[int, int]]]]:
+    """Return of lines the tokens, the paths with whether they are only called, and the names."""
     text = "\n".join(one.text for one in lines)
     begins = [0]
     for one in lines:
         begins.append(begins[-1] + len(one.text) + 1)
     tokens: list[list[_Token]] = [[] for _ in lines]
-    names: list[dict[str, None]] = [{} for _ in lines]
+    names: list[dict[str, bool]] = [{} for _ in lines]
+    words: list[list[tuple[int, int]]] = [[] for _ in lines]
     row = end_of_path = depth = end = 0
     is_type = False
     for match in TOKEN.finditer(text):
@@ -168,16 +217,20 @@ def _read(lines: Sequence[ShownLine]) -> tuple[list[list[_Token]], list[tuple[st
         if kind == "word":
             kind = kind_of_word(match[0])
             is_type = (is_type or match[0].upper() == "TYPE") and match[0].upper() != "END_TYPE"
+            if not kind:
+                words[row].append((match.start() - begins[row], end - begins[row]))
             if not kind and not is_type and match.start() >= end_of_path:
                 path = _PATH.match(text, match.start())
                 assert path is not None
                 end_of_path = path.end()
                 follows = _FOLLOWING.match(text, end_of_path)
                 if follows is None or (follows[1] == ":=" and depth <= 0):
-                    names[row][path[0]] = None
+                    names[row][path[0]] = False
+                elif follows[1] == "(":
+                    names[row].setdefault(path[0], True)
         if kind:
             _add(tokens, begins, row, match.start(), match.end(), kind)
-    return tokens, [tuple(one) for one in names]
+    return tokens, names, words
 
 
 def _add(

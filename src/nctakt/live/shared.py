@@ -24,6 +24,7 @@ from nctakt.live.ahead import Ahead, FutureOf
 from nctakt.live.conditions import conditions_of
 from nctakt.live.parts.explaining import Explainer, Moment, why_plc_text, why_text
 from nctakt.live.plc_files import PlcFiles
+from nctakt.live.plc_words import PlcWords
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot
@@ -133,6 +134,7 @@ class SharedSession:
         self.cycle_time_us = description.cycle_time_us
         self.channel_count = description.channel_count
         self.lines: Sequence[str] = list(self.texts.get(self.file, ()))
+        self.plc_words = PlcWords(description.plc_texts)
         self._set_axes()
         self.track.clear(session.branch)
         self.log = RunLog(self.cycle_time_us)

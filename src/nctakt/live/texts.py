@@ -77,6 +77,14 @@ WORDS: dict[str, tuple[str, str]] = {
     "condition": ("Stop with a condition", "Haltepunkt mit Bedingung"),
     "plc_calls": ("Open calls", "Offene Aufrufe"),
     "plc_instance": ("Instance whose values are shown", "Instanz, deren Werte gezeigt werden"),
+    "plc_edit": ("Change the text, or show its lines", "Den Text ändern oder seine Zeilen zeigen"),
+    "plc_edited": ("Text of the PLC", "Text der SPS"),
+    "plc_not_edited": (
+        "This text cannot be changed here: its file has changed on disk, or is written otherwise.",
+        "Dieser Text lässt sich hier nicht ändern: seine Datei ist auf der Platte geändert oder "
+        "anders geschrieben.",
+    ),
+    "plc_tree": ("What the line names", "Was die Zeile nennt"),
     "plc_standing": (
         "in tick {tick}, before the marked line",
         "in Takt {tick}, vor der markierten Zeile",

@@ -72,7 +72,6 @@ def explained_word(
 ) -> dict[str, Any] | None:
     """Return what is known of the word at a place, as HTML and as text, and its columns."""
     from lsprotocol.types import MarkupContent  # noqa: PLC0415 - when it is asked for
-    from markdown2 import markdown  # noqa: PLC0415 - as above
 
     from nctakt.editor.display.hover import hover  # noqa: PLC0415 - as above
 
@@ -81,13 +80,21 @@ def explained_word(
     if found is None or found.range is None:
         return None
     assert isinstance(found.contents, MarkupContent)
-    text = found.contents.value
+    html, text = as_html(found.contents.value)
     return {
-        "html": str(markdown(text, safe_mode="escape", extras=_EXTRAS)),
-        "text": _MARKS.sub("", text),
+        "html": html,
+        "text": text,
         "from": found.range.start.character,
         "to": found.range.end.character,
     }
+
+
+def as_html(text: str) -> tuple[str, str]:
+    """Return an explanation in Markdown as HTML, and as plain text."""
+    from markdown2 import markdown  # noqa: PLC0415 - when it is asked for
+
+    html = str(markdown(text, safe_mode="escape", extras=_EXTRAS))
+    return html, _MARKS.sub("", text)
 
 
 def _document_and_position(cursor: TextCursor) -> tuple[Any, Any]:

@@ -494,6 +494,7 @@ class Engine:
             "below": self.statements.below,
             "value": self.statements.value,
             "texts_beside": self.statements.texts_beside,
+            "tree_beside": self.statements.tree_beside,
             "instances": self.statements.instances,
         }
         return questions[request](*words)

@@ -18,7 +18,7 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.base.notebook import html_columns, html_table
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.lists.format.times import Time, TimeLike
-from nctakt.plc.stepping.beside import Line
+from nctakt.plc.stepping.beside import Branch, Line
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.results.explained.why import WhyReport
 from nctakt.results.instruction_tree import ListedCycle
@@ -331,6 +331,21 @@ class Session:
         is of it, else in an ``instance`` of the block. "" for what has parts, or no value there.
         """
         return self._ask(self._core.cursor.look, "texts_beside", level, instance, file, lines)
+
+    def tree_beside(
+        self,
+        file: str,
+        line: Line,
+        opened: Sequence[str] = (),
+        level: int | None = 0,
+        instance: str = "",
+    ) -> list[Branch]:
+        """Return what a line of a PLC's file names as a tree: how deep each value is, and it.
+
+        What has one of the paths ``opened`` is unfolded. What has no value there is left out.
+        """
+        words = (level, instance, file, line, tuple(opened))
+        return self._ask(self._core.cursor.look, "tree_beside", *words)
 
     def plc_instances(self, file: str) -> list[str]:
         """Return the paths of the instances of the blocks that a PLC's file declares."""

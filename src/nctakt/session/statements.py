@@ -18,7 +18,7 @@ from nctakt.kernel.st.observing.probes import Sought
 from nctakt.kernel.tick.stops import Faults, PassesStatement, Stop
 from nctakt.messages import diagnostic
 from nctakt.messages.plc_debugging import NO_STATEMENT_THERE, NO_STRUCTURED_TEXT
-from nctakt.plc.stepping.beside import Line
+from nctakt.plc.stepping.beside import Branch, Line
 from nctakt.plc.stepping.debugging import PlcFrame, StDebugging
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.plc.structured_text import StructuredPlc
@@ -208,6 +208,12 @@ class Statements:
     ) -> list[list[str]]:
         """Return the values of what lines of a file name."""
         return self.plc.texts_beside(level, instance, file, lines)
+
+    def tree_beside(
+        self, level: int | None, instance: str, file: str, line: Line, opened: Sequence[str]
+    ) -> list[Branch]:
+        """Return what a line of a file names as a tree."""
+        return self.plc.tree_beside(level, instance, file, line, opened)
 
     def instances(self, file: str) -> list[str]:
         """Return the paths of the instances of the blocks that a file declares."""

@@ -82,6 +82,7 @@ GROUPS: tuple[tuple[str, tuple[Key, ...]], ...] = (
             Key("U", "plc_back_out", ("Shift+U", "⇧U")),
             _same("t", "plc_next_file", "T"),
             _same("c", "condition", "C"),
+            _same("F2", "plc_edit", "F2", is_everywhere=True),
         ),
     ),
     (

@@ -6,9 +6,10 @@ const MOVES = { ArrowDown: () => 1, ArrowUp: () => -1, PageDown: (page) => page,
   Home: () => -Infinity, End: () => Infinity };
 
 export default {
-  template: `
+  template: `<div class="nc-plc-holder">
     <div class="nc-plc-lines" role="listbox" tabindex="0" :aria-label="name" ref="scroller" data-testid="plc-lines"
-      :aria-activedescendant="isShown(cursor) ? idOf(cursor) : null" @scroll="look" @keydown="move">
+      :aria-activedescendant="isShown(cursor) ? idOf(cursor) : null" @scroll="scroll" @keydown="move"
+      @pointermove="point" @pointerleave="leave">
       <div role="presentation" :style="{ height: rows.length * height + 'px', position: 'relative' }">
         <div v-for="index in shown" :key="index" role="option" :id="idOf(index)" :aria-selected="index === cursor"
           :aria-setsize="rows.length" :aria-posinset="index + 1" :style="{ top: index * height + 'px' }"
@@ -18,10 +19,19 @@ export default {
           ><span class="nc-plc-text"><span v-for="(part, at) in rows[index][1]" :key="at" :class="part[1]">{{ part[0]
           }}</span></span><span v-if="beside[index]" class="nc-plc-value">{{ beside[index] }}</span></div>
       </div>
-    </div>`,
+    </div>
+    <div class="nc-plc-told cm-tooltip" v-show="told" :style="told ? toldPlace : {}" data-testid="plc-told"><div
+      :class="told ? 'nc-told' : ''" ref="told" role="status"></div></div>
+  </div>`,
   props: { rows: Array, name: String, marks: Object, beside: Object },
-  data: () => ({ first: 0, last: 0, cursor: 0, height: HEIGHT, told: "" }),
+  data: () => ({ first: 0, last: 0, cursor: 0, height: HEIGHT, view: "", told: null }),
   computed: {
+    toldPlace() {
+      const { index, x } = this.told, { scrollTop, clientHeight } = this.$refs.scroller;
+      const top = index * HEIGHT - scrollTop, isLow = top > clientHeight / 2;
+      return { left: `${Math.max(0, x)}px`, top: `${isLow ? top : top + HEIGHT}px`,
+        transform: isLow ? "translateY(-100%)" : "none" };
+    },
     shown() {
       const first = Math.max(0, this.first - AROUND), end = Math.min(this.rows.length, this.last + AROUND);
       return Array.from({ length: Math.max(0, end - first) }, (_, index) => first + index);
@@ -37,16 +47,55 @@ export default {
   methods: {
     idOf(index) { return `nc-plc-${this.$.uid}-${index}`; },
     isShown(index) { return this.shown.includes(index); },
+    scroll() {
+      this.leave();
+      this.look();
+    },
     look() {
       const { scrollTop, clientHeight } = this.$refs.scroller;
       this.first = Math.floor(scrollTop / HEIGHT);
       this.last = Math.ceil((scrollTop + clientHeight) / HEIGHT);
       const view = `${this.first} ${this.last} ${this.rows.length}`;
-      if (view === this.told || !clientHeight) return;
-      this.told = view;
+      if (view === this.view || !clientHeight) return;
+      this.view = view;
       this.$emit("view", [this.first, this.last]);
     },
+    // The pointer rests on a word: the server is asked for it; by F1, for all words of the cursor's row.
+    point(event) {
+      clearTimeout(this.rest);
+      const { clientX, clientY } = event, text = event.target.closest(".nc-plc-text");
+      if (this.pointed && text !== this.pointed) this.leave();
+      if (!text) return;
+      this.rest = setTimeout(() => {
+        const at = document.caretPositionFromPoint(clientX, clientY);
+        if (!at || !text.contains(at.offsetNode)) return;
+        const range = document.createRange();
+        range.setStart(text, 0);
+        range.setEnd(at.offsetNode, at.offset);
+        const box = this.$refs.scroller.getBoundingClientRect();
+        this.pointed = text;
+        this.ask(this.shown[[...text.parentNode.parentNode.children].indexOf(text.parentNode)],
+          range.toString().length, Math.min(clientX - box.left - 12, box.width / 2));
+      }, 300);
+    },
+    leave() {
+      clearTimeout(this.rest);
+      this.pointed = null;
+      this.asked = null;
+      this.told = null;
+    },
+    explain() { this.ask(this.cursor, -1, 60); },
+    ask(index, column, x) {
+      this.asked = { index, x, number: (this.asked?.number ?? 0) + 1 };
+      this.$emit("explain", [index, column]);
+    },
+    tell(index, html) {
+      if (!this.asked || this.asked.index !== index) return;
+      this.told = html ? this.asked : null;
+      this.$refs.told.setHTML(html);
+    },
     put(index) {
+      if (index !== this.cursor) this.leave();
       this.cursor = index;
       this.$emit("cursor", index);
     },
@@ -55,6 +104,8 @@ export default {
       this.$emit("stop", index);
     },
     move(event) {
+      if (event.key === "Escape") this.leave();
+      if (event.key === "Enter") this.$emit("enter");
       if (event.ctrlKey || event.metaKey || event.altKey || !(event.key in MOVES)) return;
       event.preventDefault();
       const page = Math.max(1, Math.floor(this.$refs.scroller.clientHeight / HEIGHT) - 1);

@@ -18,7 +18,9 @@ from nctakt.base.failure import Failure
 from nctakt.live.parts.commander import Commander, Newest
 from nctakt.live.parts.keys import label_of
 from nctakt.live.parts.naming import explained, named
-from nctakt.live.plc_view import PlcText, file_names, statement_stop, statement_stops
+from nctakt.live.parts.plc_edit import PlcEdit
+from nctakt.live.parts.plc_tree import PlcTree, TreeWish
+from nctakt.live.plc_view import PlcText, WordPlace, file_names, statement_stop, statement_stops
 from nctakt.live.view import Snapshot
 from nctakt.session.cursor import Step
 from nctakt.session.session import Session
@@ -57,14 +59,20 @@ class _Wish:
 class PlcPane:
     """The files of the PLC for one browser; ``is_shown``: one of them is.
 
-    ``on_files`` is called when there are others than before.
+    ``on_files`` is called when there are others than before, ``on_typed`` when one is changed.
     """
 
-    def __init__(self, commander: Commander, on_files: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        commander: Commander,
+        on_files: Callable[[], None],
+        on_typed: Callable[[], None],
+    ) -> None:
         self._commander = commander
         self._shared = commander.shared
         self._texts = commander.texts
         self._on_files = on_files
+        self._on_typed = on_typed
         self._serial = -1
         self._names: dict[str, str] = {}
         self._text: PlcText | None = None
@@ -74,7 +82,10 @@ class PlcPane:
         self._instances: list[str] = []
         self._stood: tuple[int, int] | None = None
         self._values = Newest(self._send_values)
+        self._questions = Newest(self._answer)
         self._wished: _Wish | None = None
+        self._tree: PlcTree
+        self.edit: PlcEdit
         self._build()
 
     @property
@@ -102,6 +113,9 @@ class PlcPane:
                     button = ui.button(icon=icon, on_click=self._stepper(name))
                     button.props(f"dense flat size=sm data-testid={name}")
                     explained(button, f"{texts[name]} ({label_of(name, texts.language)})")
+                button = ui.button(icon="edit_note", on_click=self.toggle_edit)
+                button.props("dense flat size=sm data-testid=plc_edit")
+                explained(button, f"{texts['plc_edit']} ({label_of('plc_edit', texts.language)})")
                 self._calls = self._select("plc_calls", self._choose_call)
                 self._instance = self._select("plc_instance", self._choose_instance)
             self._standing = ui.label().classes("nc-soft nc-plc-standing")
@@ -112,6 +126,10 @@ class PlcPane:
             self._lines.on("view", self._look)
             self._lines.on("cursor", self._put_cursor)
             self._lines.on("stop", self._click_number)
+            self._lines.on("explain", self._ask)
+            self._lines.on("enter", lambda _: self._tree.focus())
+            self._tree = PlcTree(self._shared, texts)
+            self.edit = PlcEdit(texts, self._on_typed)
         self._pane.set_visibility(False)
 
     def _select(self, name: str, choose: Callable[[Any], object]) -> Any:
@@ -137,6 +155,8 @@ class PlcPane:
         """Show the file of a key, or none; return whether the key is that of a file."""
         file = key.removeprefix("plc ")
         is_file = key.startswith("plc ") and file in self._names
+        if file != self.file or not is_file:
+            self._close_edit()
         if not is_file:
             self._text = None
         elif file != self.file:
@@ -157,6 +177,40 @@ class PlcPane:
         self._lines.update()
         ui.timer(0, self._find_instances, once=True)
         self.show(self._shared.snapshot)
+
+    # --- changes --------------------------------------------------------------------------------
+
+    def toggle_edit(self) -> None:
+        """Let the text of the cursor's row be changed, or show the lines again."""
+        if self.edit.is_open:
+            self._close_edit()
+            return
+        text = self._text
+        if text is None or not self._commander.may():
+            return
+        lines = self._shared.session.description.plc_texts[text.file]
+        if not self.edit.open(text.file, list(lines), text.text_at(self._cursor)):
+            ui.notify(self._texts["plc_not_edited"], type="warning")
+            return
+        self._lines.set_visibility(False)
+        self._on_typed()
+
+    def _close_edit(self) -> None:
+        self.edit.close()
+        self._lines.set_visibility(True)
+        self._on_typed()
+
+    async def save(self, run_it: Callable[[], None]) -> bool:
+        """Save the text that is changed and run again; return whether both are done."""
+
+        def save_and_run() -> None:
+            self.edit.write()
+            run_it()
+
+        is_done = await self._commander.attempt(save_and_run)
+        if is_done:
+            self._close_edit()
+        return is_done
 
     async def _find_instances(self) -> None:
         """Let a person choose an instance of a block, at first the first one."""
@@ -223,9 +277,9 @@ class PlcPane:
             for file, name in file_names(list(own)).items()
             if file.lower().rpartition(".")[2] != "tctto"
         }
-        self._on_files()
         if shown in self._names:
             self._open(shown)
+        self._on_files()
 
     def _standing_text(self, halt: PlcPlace | None) -> str:
         if halt is None:
@@ -243,6 +297,13 @@ class PlcPane:
         if wish != self._wished:
             self._wished = wish
             ui.timer(0, lambda: self._values.wish(wish), once=True)
+        self._show_tree(snapshot)
+
+    def _show_tree(self, snapshot: Snapshot) -> None:
+        """Show what the line of the cursor names."""
+        line, paths = (0, ()) if self._text is None else self._text.named_at(self._cursor)
+        instance = str(self._instance.value or "")
+        self._tree.show(TreeWish(snapshot.number, self.file, line, paths, self._level, instance))
 
     async def _send_values(self, wish: _Wish) -> None:
         text = self._text
@@ -277,6 +338,28 @@ class PlcPane:
     def _put_cursor(self, event: Any) -> None:
         if isinstance(event.args, int):
             self._cursor = event.args
+            self._show_tree(self._shared.snapshot)
+
+    def explain(self) -> None:
+        """Explain the names in the cursor's row."""
+        self._lines.run_method("explain")
+
+    async def _ask(self, event: Any) -> None:
+        """Explain the word in a row that is at a column, or all of the row."""
+        if not isinstance(event.args, list) or len(event.args) != 2 or self._text is None:
+            return
+        index, column = event.args
+        if isinstance(index, int) and isinstance(column, int):
+            words = self._text.words_at(index, column if column >= 0 else None)
+            await self._questions.wish((self._text, index, words, column < 0))
+
+    async def _answer(self, asked: tuple[PlcText, int, list[WordPlace], bool]) -> None:
+        text, index, words, is_by_key = asked
+        explained = self._shared.plc_words.explained
+        found = await run.io_bound(explained, text.file, words, self._texts.language)
+        html = self._texts["nothing_known"] if is_by_key and found is None else ""
+        if text is self._text:
+            self._lines.run_method("tell", index, html if found is None else found)
 
     async def _click_number(self, event: Any) -> None:
         if isinstance(event.args, int):

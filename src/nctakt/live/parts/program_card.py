@@ -131,7 +131,7 @@ class ProgramCard:
                 line_wrapping=True,
                 on_change=self._changed,
             ).props("data-testid=editor")
-            self.plc = PlcPane(self._commander, self._show_choices)
+            self.plc = PlcPane(self._commander, self._show_choices, self._show_edited)
             self._show_length()
             ui.on("nctakt_line", self._click)
             ui.on("nctakt_lines", self._wish_lines)
@@ -215,8 +215,7 @@ class ProgramCard:
         if arrived is not None:
             self.reveal(arrived[1], arrived[0])
         self.plc.show(snapshot)
-        is_edited = self.is_edited and not self._is_long
-        self._edited.set_text(f"● {self._texts['edited']}" if is_edited else "")
+        self._show_edited()
         shared, file = self._shared, self.document.file
         marks = []
         if self._checked is not None:
@@ -228,6 +227,13 @@ class ProgramCard:
         if marks != self._marks and self._is_ready and (self.is_checked or not self.is_edited):
             self._marks = marks
             self._run(f"mark({json.dumps(marks)})")
+
+    def _show_edited(self) -> None:
+        """Show whether what is written is not saved."""
+        is_edited = self.is_edited and not self._is_long
+        if self.plc.is_shown:
+            is_edited = self.plc.edit.is_changed
+        self._edited.set_text(f"● {self._texts['edited']}" if is_edited else "")
 
     def _run(self, call: str) -> None:
         """Let the browser's editor do something."""
@@ -307,6 +313,7 @@ class ProgramCard:
         """Use dark or light colours."""
         # not as a property of the element: with it the browser gets the text that the server knows
         self._editor.run_method("setTheme", "vscodeDark" if is_dark else "basicLight")
+        self.plc.edit.set_dark(is_dark)
 
     def reveal(self, line: int, file: str = "") -> None:
         """Scroll to a line, of a file of the PLC or of the program."""
@@ -456,6 +463,11 @@ class ProgramCard:
     async def save(self) -> None:
         """Save the text and run the programs again."""
         if not self._commander.may():
+            return
+        if self.plc.edit.is_open:
+            if await self.plc.save(lambda: self._shared.reopen(self._shared.program)):
+                ui.notify(self._texts["saved"], type="positive", timeout=2000)
+                await self._play()
             return
         text = self.text
 

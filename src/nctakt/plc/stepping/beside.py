@@ -16,7 +16,7 @@ from dataclasses import replace
 from nctakt.base.failure import Failure
 from nctakt.kernel.st import kinds
 from nctakt.plc.stepping.places import Call, Place, Places
-from nctakt.plc.stepping.shown import Shown
+from nctakt.plc.stepping.shown import PlcValue, Shown
 from nctakt.st.program import Program
 from nctakt.st.sources import Piece
 from nctakt.st.types import ArrayType, BlockType, Callable, Kind, Pou, Storage, StructType
@@ -24,8 +24,14 @@ from nctakt.st.types import ArrayType, BlockType, Callable, Kind, Pou, Storage, 
 #: Instances of a block that are named at most, and elements of an array that are looked at.
 MAX_INSTANCES, MAX_ELEMENTS = 200, 100
 
+#: A tree's rows at most, those below one value, and how deep it unfolds.
+MAX_ROWS, MAX_BELOW, MAX_DEPTH = 1000, 200, 30
+
 #: A line of a file, and the paths that it names.
 Line = tuple[int, Sequence[str]]
+
+#: A row of a tree: how deep it is, and its value.
+Branch = tuple[int, PlcValue]
 
 #: Nothing is open, and only global variables are seen.
 _NO_CALL = Call(Callable("", ""), None, 0, 0)
@@ -60,24 +66,71 @@ class Beside:
         """Return the values of what lines name; "" for what has none there, or has parts."""
         found = []
         for number, paths in lines:
-            begin, end = self._stretch(file, number)
-            if declared := self._globals_in(begin, end):
-                found.append([self._global_text(path, declared) for path in paths])
-                continue
-            call = self._call(open_call, instance, end)
-            found.append([self._text(path, call) for path in paths])
+            places = self._in_line(open_call, instance, file, number)
+            values = (self._value(path, *places(path)) for path in paths)
+            found.append(["" if one is None or one.count else one.text for one in values])
         return found
+
+    def tree(
+        self, open_call: Call | None, instance: str, file: str, line: Line, opened: Sequence[str]
+    ) -> list[Branch]:
+        """Return what a line names as a tree, unfolded below the paths that are ``opened``."""
+        number, paths = line
+        places = self._in_line(open_call, instance, file, number)
+        found: list[Branch] = []
+        for path in paths:
+            name, call = places(path)
+            value = self._value(path, name, call)
+            if value is not None:
+                self._unfold(0, replace(value, path=path), (path, name), call, set(opened), found)
+        return found
+
+    def _unfold(
+        self,
+        depth: int,
+        value: PlcValue,
+        root: tuple[str, str],
+        call: Call | None,
+        opened: set[str],
+        found: list[Branch],
+    ) -> None:
+        """Add a value and, where it is opened, what is below it.
+
+        ``root``: the path in the line, and that by which it is found.
+        """
+        if len(found) >= MAX_ROWS:
+            return
+        found.append((depth, value))
+        if not value.count or value.path not in opened or depth == MAX_DEPTH:
+            return
+        shown, own = root
+        try:
+            location = self._places.find(own + value.path[len(shown) :], call)
+            inside = [] if location is None else self._shown.below(location, 0, MAX_BELOW)
+        except Failure:
+            return
+        for one in inside:
+            path = shown + one.path[len(own) :]
+            self._unfold(depth + 1, replace(one, path=path), root, call, opened, found)
+        if value.count > len(inside) and len(found) < MAX_ROWS:
+            rest = PlcValue("…", f"{value.path} …", "", f"+ {value.count - len(inside)}")
+            found.append((depth + 1, rest))
+
+    def _in_line(
+        self, open_call: Call | None, instance: str, file: str, number: int
+    ) -> Function[[str], tuple[str, Call | None]]:
+        """Return what gives for a path of a line the one to look for, and the call that sees it."""
+        begin, end = self._stretch(file, number)
+        if declared := self._globals_in(begin, end):
+            return lambda path: (declared.get(path.lower(), ""), _NO_CALL)
+        call = self._call(open_call, instance, end)
+        return lambda path: (path, call)
 
     def _globals_in(self, begin: int, end: int) -> dict[str, str]:
         """Return the global variables that a stretch of text declares, with their paths."""
         starts = self._global_starts
         inside = starts[bisect_left(starts, (begin, "", "")) : bisect_left(starts, (end, "", ""))]
         return {name: path for _, name, path in inside}
-
-    def _global_text(self, path: str, declared: dict[str, str]) -> str:
-        """Return the value of a global variable where it is declared."""
-        name = declared.get(path.lower())
-        return "" if name is None else self._text(name, _NO_CALL)
 
     def _call(self, open_call: Call | None, instance: str, position: int) -> Call | None:
         """Return the call in which the names at a position have values; its frame may be none."""
@@ -119,18 +172,18 @@ class Beside:
         except Failure:
             return None
 
-    def _text(self, path: str, call: Call | None) -> str:
-        if call is None:
-            return ""
+    def _value(self, shown: str, path: str, call: Call | None) -> PlcValue | None:
+        """Return the value of a path in a call; ``None`` for what has none there."""
+        if call is None or not path:
+            return None
         first = path.partition(".")[0].partition("[")[0].partition("^")[0].strip().lower()
         if not call.frame and self._lives_in_call(first, call):
-            return ""
+            return None
         try:
             location = self._places.find(path, call)
-            shown = None if location is None else self._shown.value(path, location)
+            return None if location is None else self._shown.value(shown, location)
         except Failure:
-            return ""
-        return "" if shown is None or shown.count else shown.text
+            return None
 
     def _lives_in_call(self, name: str, call: Call) -> bool:
         """Return whether a name is one of a call's frame."""

@@ -27,7 +27,7 @@ from nctakt.messages.plc_debugging import (
     NOT_EVALUATED,
     UNKNOWN_PLC_VARIABLE,
 )
-from nctakt.plc.stepping.beside import Beside, Line
+from nctakt.plc.stepping.beside import Beside, Branch, Line
 from nctakt.plc.stepping.places import Call, Place, Places
 from nctakt.plc.stepping.shown import PlcValue, Shown, whole_text
 from nctakt.plc.structured_text import StructuredPlc
@@ -258,6 +258,12 @@ class StDebugging:
     ) -> list[list[str]]:
         """Return the values of what lines of a file name, in an open call or an instance."""
         return self.beside.texts(self._call(level), instance, file, lines)
+
+    def tree_beside(
+        self, level: int | None, instance: str, file: str, line: Line, opened: Sequence[str]
+    ) -> list[Branch]:
+        """Return what a line of a file names as a tree, in an open call or an instance."""
+        return self.beside.tree(self._call(level), instance, file, line, opened)
 
     def scopes(self, level: int | None) -> list[str]:
         """Return the names of the scopes of a call, without one the global ones."""

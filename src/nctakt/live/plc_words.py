@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: MIT
+"""What the page explains of a PLC's files: the answers of the language server.
+
+In: the texts that the session runs, places in them. Out: HTML. Nothing is executed.
+The functions are those of ``nctakt lsp``; of its libraries only lsprotocol is needed.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from nctakt.base.diagnostics import Language
+from nctakt.live.plc_view import WordPlace
+from nctakt.live.words import as_html
+
+#: Words of a line that are explained at most.
+_MAX_WORDS = 12
+
+
+class PlcWords:
+    """Explains the words of a session's files; ``texts``: their lines by their names."""
+
+    def __init__(self, texts: Mapping[str, Sequence[str]]) -> None:
+        self._lines = {_located(file): list(lines) for file, lines in texts.items()}
+        self._documents: dict[str, Any] = {}
+        self._answers: Any = None
+        self._lock = threading.Lock()
+
+    def explained(self, file: str, words: Sequence[WordPlace], language: Language) -> str | None:
+        """Return what is known of words of a file as HTML; ``None`` where it is nothing."""
+        found: dict[str, None] = {}
+        with self._lock:
+            for word in words[:_MAX_WORDS]:
+                text = self._explained(file, word, language)
+                if text:
+                    found[text] = None
+        return as_html("\n\n---\n\n".join(found))[0] if found else None
+
+    def _explained(self, file: str, word: WordPlace, language: Language) -> str:
+        from lsprotocol.types import MarkupContent, Position  # noqa: PLC0415 - when asked for
+
+        document = self._document(file)
+        position = Position(word.line - 1, word.column)
+        found = self._answers.hover(document, position, language)
+        if found is None:
+            return ""
+        assert isinstance(found.contents, MarkupContent)
+        return found.contents.value
+
+    def _document(self, file: str) -> Any:
+        """Return a file as a document that is open, as all files of the session are."""
+        from nctakt.editor.document import (  # noqa: PLC0415 - when it is asked for
+            STRUCTURED_LANGUAGE,
+            Document,
+            uri_of,
+        )
+        from nctakt.editor.structured_text.answers import (  # noqa: PLC0415 - as above
+            StructuredAnswers,
+        )
+        from nctakt.editor.structured_text.plc_projects import (  # noqa: PLC0415 - as above
+            PlcProjects,
+        )
+
+        if self._answers is None:
+            projects = PlcProjects(self._documents, self._lines.get)
+            self._answers = StructuredAnswers(projects)
+        path = _located(file)
+        uri = uri_of(path)
+        if uri not in self._documents:
+            lines = self._lines[path]
+            name = path.as_posix()
+            self._documents[uri] = Document(uri, path, name, STRUCTURED_LANGUAGE, 0, lines)
+        return self._documents[uri]
+
+
+def _located(file: str) -> Path:
+    return Path(file).absolute()

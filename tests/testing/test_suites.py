@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from support.plc_text import pou_file
 
 from nctakt.cli import main
 
@@ -87,3 +89,107 @@ def test_a_file_that_is_not_there(folder: Path, capsys: pytest.CaptureFixture[st
     assert main(["test", "nowhere/part.nc::expectations"]) == 2
     assert "error 900500: nowhere/part.nc does not exist" in capsys.readouterr().err
     assert main(["test", "part.nc::expectations", *WORDS]) == 0
+
+
+#: What a test needs of TcUnit's own sources, written for this test: what each declares and does.
+SOURCES = {
+    "FB_Runner": (
+        "FUNCTION_BLOCK FB_Runner VAR AllTestSuitesFinished : BOOL; n : INT; END_VAR",
+        "GVL_TcUnit.pSuite^(); n := n + 1; AllTestSuitesFinished := n = 4;",
+    ),
+    "FB_Test": (
+        "FUNCTION_BLOCK FB_Test VAR_INPUT TestName, AssertionMessage : T_MaxString;\n"
+        "TestIsFinished, TestIsSkipped, TestIsFailed : BOOL; Duration : LREAL; END_VAR",
+        "",
+    ),
+    "FB_TestSuite": (
+        "FUNCTION_BLOCK FB_TestSuite\nVAR_INPUT NumberOfTests : UINT;"
+        " Tests : ARRAY[1..3] OF FB_Test; nAt : UINT; END_VAR",
+        "",
+        '<Method Name="FB_init" Id="{1}"><Declaration>METHOD FB_init : BOOL VAR_INPUT '
+        "bInitRetains, bInCopyCode : BOOL; END_VAR</Declaration><Implementation><ST>"
+        "GVL_TcUnit.pSuite := THIS;</ST></Implementation></Method>"
+        '<Method Name="AssertTrue" Id="{2}"><Declaration>METHOD AssertTrue VAR_INPUT '
+        "Condition : BOOL; Message : T_MaxString; END_VAR</Declaration><Implementation><ST>"
+        "IF NOT Condition THEN Tests[nAt].TestIsFailed := TRUE; "
+        "Tests[nAt].AssertionMessage := Message; END_IF</ST></Implementation></Method>",
+    ),
+    "TEST": (
+        "FUNCTION TEST : BOOL VAR_INPUT TestName : T_MaxString; END_VAR VAR i : UINT; END_VAR",
+        "FOR i := 1 TO GVL_TcUnit.pSuite^.NumberOfTests DO"
+        " IF GVL_TcUnit.pSuite^.Tests[i].TestName = TestName THEN"
+        " GVL_TcUnit.pSuite^.nAt := i; RETURN; END_IF END_FOR"
+        " GVL_TcUnit.pSuite^.NumberOfTests := i; GVL_TcUnit.pSuite^.nAt := i;"
+        " GVL_TcUnit.pSuite^.Tests[i].TestName := TestName;"
+        " GVL_TcUnit.pSuite^.Tests[i].TestIsSkipped := TestName = 'later';",
+    ),
+    "TEST_FINISHED": (
+        "FUNCTION TEST_FINISHED : BOOL",
+        "GVL_TcUnit.pSuite^.Tests[GVL_TcUnit.pSuite^.nAt].TestIsFinished := TRUE;"
+        " GVL_TcUnit.pSuite^.Tests[GVL_TcUnit.pSuite^.nAt].Duration := 0.25;",
+    ),
+    "RUN": ("FUNCTION RUN : BOOL", "GVL_TcUnit.TcUnitRunner();"),
+}
+LISTS = """<?xml version="1.0" encoding="utf-8"?>
+<TcPlcObject><GVL Name="GVL_TcUnit" Id="{3}"><Declaration>{attribute 'qualified_only'}
+VAR_GLOBAL TcUnitRunner : FB_Runner; pSuite : POINTER TO FB_TestSuite; END_VAR</Declaration></GVL>
+</TcPlcObject>
+"""
+OWN_SUITE = (
+    "TEST('right'); AssertTrue(TRUE, ''); TEST_FINISHED();\n"
+    "TEST('wrong'); AssertTrue(FALSE, 'no gate'); TEST_FINISHED();\n"
+    "TEST('later');\n"
+)
+
+
+def project_of(names: Iterable[str], *libraries: str) -> str:
+    """A project with objects and libraries."""
+    items = [f'<Compile Include="{name}"/>' for name in names]
+    items += [f'<PlaceholderReference Include="{name}"/>' for name in libraries]
+    return f"<Project><ItemGroup>{''.join(items)}</ItemGroup></Project>"
+
+
+@pytest.fixture
+def own(folder: Path) -> Path:
+    """The folder with a project that brings sources of TcUnit."""
+    library = folder / "libraries" / "TcUnit"
+    library.mkdir(parents=True)
+    for name, parts in SOURCES.items():
+        (library / f"{name}.TcPOU").write_text(pou_file(name, *parts), "utf-8")
+    (library / "GVL_TcUnit.TcGVL").write_text(LISTS, "utf-8")
+    files = ["GVL_TcUnit.TcGVL", *(f"{name}.TcPOU" for name in SOURCES)]
+    (library / "TcUnit.plcproj").write_text(project_of(files, "Tc2_Standard"), "utf-8")
+    (folder / "nctakt.toml").write_text('[plc]\nlibraries = ["libraries"]\n', "utf-8")
+    declared = "FUNCTION_BLOCK FB_Suite EXTENDS FB_TestSuite"
+    (folder / "FB_Suite.TcPOU").write_text(pou_file("FB_Suite", declared, OWN_SUITE), "utf-8")
+    declared = "PROGRAM MAIN VAR fbSuite : FB_Suite; END_VAR"
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", declared, "TcUnit.RUN();"), "utf-8")
+    names = ("FB_Suite.TcPOU", "MAIN.TcPOU")
+    (folder / "Cell.plcproj").write_text(project_of(names, "TcUnit"), "utf-8")
+    return folder
+
+
+def test_suites_of_tcunits_own_sources(own: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """ST-904: one test each, with the place where it is opened, its message, its duration."""
+    assert main(["test", "Cell.plcproj", "--junit", "report.xml", *WORDS]) == 1
+    shown = capsys.readouterr().out
+    assert "1 failed, 1 passed, 1 skipped" in shown
+    assert "FB_Suite.TcPOU:6: no gate" in shown
+    cases = {one.get("name"): one for one in ElementTree.parse("report.xml").iter("testcase")}
+    assert list(cases) == ["right", "wrong", "later"]
+    assert cases["right"].get("time") == "0.250"
+
+
+def test_tests_of_own_sources_are_chosen(own: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """ST-904: by words of their names; of a test that never ends, name and time are shown."""
+    assert main(["test", "Cell.plcproj", "-k", "right", *WORDS]) == 0
+    assert "1 passed, 2 deselected" in capsys.readouterr().out
+    path = own / "FB_Suite.TcPOU"
+    text = path.read_text("utf-8")
+    path.write_text(text.replace("TRUE, ''); TEST_FINISHED();", "TRUE, '');"), "utf-8")
+    runner = own / "libraries" / "TcUnit" / "FB_Runner.TcPOU"
+    runner.write_text(runner.read_text("utf-8").replace("n = 4", "n = -1"), "utf-8")
+    settings = 'until = "1 s"\n[plc]\nlibraries = ["libraries"]\n'
+    (own / "nctakt.toml").write_text(settings, "utf-8")
+    assert main(["test", "Cell.plcproj", "-k", "right", *WORDS]) == 1
+    assert "902540" in capsys.readouterr().out

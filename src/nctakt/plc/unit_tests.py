@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
+from functools import cached_property
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass, field
@@ -32,7 +33,7 @@ from nctakt.st.check.project import DEFAULT_CYCLE_US, DEFAULT_TASK
 from nctakt.st.files.suffixes import TEXT_SUFFIXES
 from nctakt.st.program import Program, Task
 from nctakt.st.tree import Call
-from nctakt.st.types import Callable, Kind, Node, Pou
+from nctakt.st.types import ArrayType, BlockType, Callable, Kind, Node, Pou
 from nctakt.st.vocabulary.libraries import TEST_LIBRARY
 from nctakt.translation.observing.units import methods_of
 from nctakt.translation.variables import instances_of
@@ -47,6 +48,9 @@ OTHER_TESTS = "tests with computed names"
 _TICKS_AT_ONCE = 200
 #: The library keeps what a run finds under this name.
 _RUN = "__TestRun"
+#: Where TcUnit's own sources say that all suites have ended, and what is read of their tests.
+_SOURCES_ENDED = "GVL_TcUnit.TcUnitRunner.AllTestSuitesFinished"
+_READ_OF_TESTS = {"testname", "testisfinished", "testisskipped", "testisfailed", "assertionmessage"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +107,7 @@ def may_hold_suites(path: Path, data: bytes) -> bool:
 def load_suites(path: Path, plc: Path | None = None) -> StructuredPlc:
     """Return the PLC that runs the suites of a file; raises ``PlcError`` with its mistakes.
 
-    Raises it also where the sources of another library declare suites (902911).
+    Raises it also where sources of TcUnit keep results in a way that is not known (902911).
 
     ``plc``: the project's own text, which belongs to a single file with suites; of its tasks none
     runs then, but the programs of the file.
@@ -122,8 +126,24 @@ def load_suites(path: Path, plc: Path | None = None) -> StructuredPlc:
 
 def _check_library(program: Program) -> None:
     """Raise ``PlcError`` where suites are those of a library that keeps its results otherwise."""
-    if _base_of(program) is not None and not any(one.name == _RUN for one in program.lists):
+    base = _base_of(program)
+    if base is not None and not _has_own_results(program) and not _has_results_of_sources(base):
         raise PlcError(diagnostic(OTHER_TEST_LIBRARY))
+
+
+def _has_own_results(program: Program) -> bool:
+    """Return whether suites are those of the library of nctakt."""
+    return any(one.name == _RUN for one in program.lists)
+
+
+def _has_results_of_sources(base: Pou) -> bool:
+    """Return whether the suites of TcUnit's own sources keep what a run is read from."""
+    tests = base.members.get("tests")
+    array = None if tests is None else tests.type
+    test = array.element if isinstance(array, ArrayType) else None
+    if not isinstance(test, BlockType) or "numberoftests" not in base.members:
+        return False
+    return _READ_OF_TESTS <= test.pou.members.keys()
 
 
 def _base_of(program: Program) -> Pou | None:
@@ -242,11 +262,14 @@ class SuiteRun:
         controller, plc = self._controller, self._plc
         controller.start(NcText("no program", "M30\n"), plc=plc)
         end = self._until.ticks(controller.cycle_time_us)
-        while controller.tick < end and not self._fault and not self._value("bIsFinished"):
+        while controller.tick < end and not self._fault and not self._has_ended():
             step = controller.step(min(_TICKS_AT_ONCE, end - controller.tick))
             if plc.context.fault:
                 self._fault = step.diagnostics[-1]
         return self._read()
+
+    def _has_ended(self) -> bool:
+        return bool(self._value("bIsFinished"))
 
     def _value(self, path: str) -> int:
         return int(self._plc.read(f"{_RUN}.{path}"))
@@ -274,18 +297,26 @@ class SuiteRun:
         if self._value("nCycle") or self._fault:
             self._add_tests_without_turn(results)
         else:
-            for suite in self._suites.values():
-                message = diagnostic(SUITE_NOT_CALLED, suite=suite.path)
-                results.problems[suite.path].append(self._rendered(message))
+            self._complain_of_suites(results)
         return results
 
-    def _add_tests_without_turn(self, results: SuiteResults) -> None:
-        """Let tests fail that a suite has not opened before the run ended without its end."""
-        ended = {
+    def _complain_of_suites(self, results: SuiteResults) -> None:
+        """Note of all suites that nothing calls them."""
+        for suite in self._suites.values():
+            message = diagnostic(SUITE_NOT_CALLED, suite=suite.path)
+            results.problems[suite.path].append(self._rendered(message))
+
+    def _ended(self) -> set[str]:
+        """Return the paths of the suites that have ended."""
+        return {
             suite.path
             for number, suite in self._numbers.items()
             if self._value(f"aSuites[{number}].bIsFinished")
         }
+
+    def _add_tests_without_turn(self, results: SuiteResults) -> None:
+        """Let tests fail that a suite has not opened before the run ended without its end."""
+        ended = self._ended()
         for suite in self._suites.values():
             if suite.path in ended:
                 continue
@@ -361,15 +392,90 @@ class SuiteRun:
         """Return why a test has not ended: a fault, an unknown name, the time."""
         if self._fault is not None:
             return self._rendered(self._fault)
-        unknown = self._span("nUnknown")
-        if unknown is not None:
-            text = self._text("sUnknown")
-            return self._rendered(diagnostic(UNKNOWN_TEST_FINISHED, unknown, name=text))
+        if (unknown := self._unknown()) is not None:
+            return unknown
         time = Time(self._controller.tick * self._controller.cycle_time_us)
         message = diagnostic(TEST_UNFINISHED, span, name=name, suite=suite.path, time=time)
         return self._rendered(message)
 
+    def _unknown(self) -> str | None:
+        """Return what is wrong where a test was finished that there is not."""
+        unknown = self._span("nUnknown")
+        if unknown is None:
+            return None
+        text = self._text("sUnknown")
+        return self._rendered(diagnostic(UNKNOWN_TEST_FINISHED, unknown, name=text))
+
+
+class SourcesRun(SuiteRun):
+    """The same with TcUnit's own sources, whose suites hold their tests themselves.
+
+    They do not keep where an assertion is, nor what it expected: a failure has its message, at the
+    place where its test is opened.
+    """
+
+    def _has_ended(self) -> bool:
+        return bool(self._plc.read(_SOURCES_ENDED))
+
+    def _unknown(self) -> str | None:
+        return None
+
+    def _ended(self) -> set[str]:
+        """Return the paths of the suites all of whose tests have ended; an open run has others."""
+        if self._has_ended():
+            return {suite.path for suite in self._suites.values()}
+        return set()
+
+    def _read(self) -> SuiteResults:
+        results = SuiteResults({suite.path: {} for suite in self._suites.values()})
+        for suite in self._suites.values():
+            results.problems[suite.path] = []
+            count = int(self._plc.read(f"{suite.path}.NumberOfTests"))
+            room = self._tests.element_count
+            if count > room:
+                results.problems[suite.path].append(self._rendered(diagnostic(TOO_MANY_TESTS)))
+            for number in range(1, min(count, room) + 1):
+                outcome = self._outcome(f"{suite.path}.Tests[{number}].", suite)
+                results.outcomes[suite.path][outcome.name] = outcome
+        if self._has_ended() or self._fault or any(results.outcomes.values()):
+            self._add_tests_without_turn(results)
+        else:
+            self._complain_of_suites(results)
+        return results
+
+    @cached_property
+    def _tests(self) -> ArrayType:
+        """The tests of a suite of these sources."""
+        base = _base_of(self._plc.program)
+        array = None if base is None else base.members["tests"].type
+        if not isinstance(array, ArrayType):
+            raise PlcError(diagnostic(OTHER_TEST_LIBRARY))
+        return array
+
+    @cached_property
+    def _has_durations(self) -> bool:
+        """Whether a test of these sources has its duration, in s."""
+        return isinstance(self._tests.element, BlockType) and (
+            "duration" in self._tests.element.pou.members
+        )
+
+    def _outcome(self, row: str, suite: Suite) -> Outcome:
+        name = str(self._plc.read(f"{row}TestName"))
+        outcome = Outcome(name, bool(self._plc.read(f"{row}TestIsSkipped")))
+        test = suite.tests.get(name)
+        span = None if test is None else test.span
+        if self._has_durations:
+            outcome.duration_us = round(1e6 * float(self._plc.read(f"{row}Duration")))
+        if self._plc.read(f"{row}TestIsFailed"):
+            message = str(self._plc.read(f"{row}AssertionMessage"))
+            where = "" if span is None else f"{span.file}:{span.line}: "
+            outcome.problems.append(f"{where}{message or 'an assertion failed'}")
+        if not self._plc.read(f"{row}TestIsFinished") and not outcome.is_disabled:
+            outcome.problems.append(self._why_unfinished(span, name, suite))
+        return outcome
+
 
 def run_suites(plc: StructuredPlc, machine: Machine, until: TimeLike | None = None) -> SuiteResults:
     """Run the suites of a PLC on a machine; raises ``Failure`` for what cannot begin."""
-    return SuiteRun(plc, machine, until).results()
+    kind = SuiteRun if _has_own_results(plc.program) else SourcesRun
+    return kind(plc, machine, until).results()

@@ -76,8 +76,8 @@ PYTEST_MISSING = error(
 )
 OTHER_TEST_LIBRARY = error(
     902911,
-    en="suites are tested with the TcUnit of nctakt, not with the sources in [plc] libraries",
-    de="Suiten werden mit dem TcUnit von nctakt geprüft, nicht mit den Quellen in [plc] libraries",
-    remedy_en="Remove its project from these folders; nctakt run runs suites with its sources.",
-    remedy_de="Sein Projekt aus diesen Ordnern entfernen; nctakt run führt es mit ihnen aus.",
+    en="these sources of TcUnit keep results in a way that nctakt does not know",
+    de="diese Quellen von TcUnit halten Ergebnisse auf eine Art, die nctakt nicht kennt",
+    remedy_en="Remove them from [plc] libraries, for the TcUnit of nctakt, or take newer ones.",
+    remedy_de="Sie aus [plc] libraries entfernen, für das TcUnit von nctakt, oder neuere nehmen.",
 )

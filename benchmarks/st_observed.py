@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""``python -m benchmarks.st_observed``: what it costs to look into a PLC in Structured Text.
+
+- Coverage, and coverage with ``why``, beside the same run without: at most 1.5 times as long.
+- A step back through the code of the PLC, into calls and over them: at most 100 ms.
+- 1,000 unit tests of 100 cycles each by ``nctakt test``, with the start of the process: at most
+  20 s on one core.
+
+All figures are times of the processor, of all processes together: what other work on the machine
+takes away is not in them. Runs that are compared take turns, and the best of each counts. The
+invented PLC has 20 blocks with methods, conditions, loops and arrays, and no natives.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from nctakt.base.mode import is_compiled
+from nctakt.plc.structured_text import load_structured
+from nctakt.run.controller import Controller, NcText
+from nctakt.session.session import Session
+
+TURNS, TICKS = 5, 40_000
+STEPS = 40
+TESTS, CYCLES = 1000, 100
+
+BLOCK = """\
+FUNCTION_BLOCK FB_Gate
+VAR_INPUT bGo : BOOL; END_VAR
+VAR_INPUT nCount : INT; END_VAR
+VAR nState, i : INT; fWay : LREAL; aTimes : ARRAY[0..9] OF INT; END_VAR
+METHOD Advance : BOOL
+VAR_INPUT nBy : INT; END_VAR
+fWay := fWay + nBy * 0.125;
+IF fWay > 100.0 AND nBy > 0 THEN
+    fWay := 0.0;
+    Advance := TRUE;
+END_IF
+END_METHOD
+CASE nState OF
+    0: IF bGo THEN nState := 1; END_IF
+    1: IF Advance(3) THEN nState := 2; nCount := nCount + 1; END_IF
+    2: FOR i := 0 TO 9 DO aTimes[i] := aTimes[i] + i; END_FOR
+       nState := 0;
+END_CASE
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR aGates : ARRAY[1..20] OF FB_Gate; i, n : INT; END_VAR
+n := n + 1;
+FOR i := 1 TO 20 DO
+    aGates[i](bGo := (n + i) MOD 7 <> 0);
+    IF aGates[i].nCount > 1000 THEN aGates[i].nCount := 0; END_IF
+END_FOR
+END_PROGRAM
+CONFIGURATION Cell RESOURCE Controller ON PLC
+TASK Fast(INTERVAL := T#1MS, PRIORITY := 1); PROGRAM Main1 WITH Fast : MAIN;
+END_RESOURCE END_CONFIGURATION
+"""
+NC = f"G04 X{TICKS / 1000}\nM30\n"
+
+
+def processor_s() -> float:
+    """Return how long this process and its children have computed."""
+    own = os.times()
+    return own.user + own.system + own.children_user + own.children_system
+
+
+def took(action: Callable[[], object]) -> float:
+    """Return how long an action computes."""
+    begin = processor_s()
+    action()
+    return processor_s() - begin
+
+
+def observed(path: Path) -> None:
+    """Print what coverage and ``why`` add to a run."""
+
+    def run(counts: bool, why: bool) -> None:
+        plc = load_structured(path)
+        if counts:
+            plc.count_branches()
+        Controller().run(NcText("part.nc", NC), plc=plc, ticks=TICKS, why=why, signals=[])
+
+    kinds = {"plain": (False, False), "coverage": (True, False), "coverage and why": (True, True)}
+    times: dict[str, list[float]] = {name: [] for name in kinds}
+    for _ in range(TURNS):
+        for name, words in kinds.items():
+            times[name].append(took(lambda words=words: run(*words)))
+    plain = min(times.pop("plain"))
+    print(f"a run of {TICKS:,} ticks, 20 blocks each: {plain:.2f} s")
+    for name, own in times.items():
+        print(f"  with {name}: {min(own):.2f} s, {min(own) / plain:.2f} times (goal 1.5)")
+
+
+def steps_back(path: Path) -> None:
+    """Print how long steps back through the code take."""
+    with Session(NcText("part.nc", NC), plc=path) as session:
+        session.run("10 s")
+        session.step_statement()
+        for step in ("into", "over"):
+            times = []
+            for _ in range(STEPS):
+                begin = time.perf_counter()
+                used = took(lambda step=step: session.step_statement_back(step))
+                times.append((used, time.perf_counter() - begin))
+            used, passed = zip(*times, strict=True)
+            print(
+                f"a step back {step}: {1000 * statistics.median(used):.1f} ms of the processor in "
+                f"the median, {1000 * max(used):.1f} ms at most (goal 100), "
+                f"{1000 * statistics.median(passed):.1f} ms passed"
+            )
+
+
+def unit_tests(folder: Path) -> None:
+    """Print how long unit tests take."""
+    tests = "".join(
+        f"METHOD Test{number}\nVAR_INST nCycle : INT; END_VAR\nTEST('test {number}');\n"
+        f"nCycle := nCycle + 1;\nAssertTrue(nCycle > 0, 'counts');\n"
+        f"IF nCycle = {CYCLES} THEN TEST_FINISHED(); END_IF\nEND_METHOD\n"
+        for number in range(TESTS)
+    )
+    calls = "".join(f"Test{number}();\n" for number in range(TESTS))
+    text = (
+        f"FUNCTION_BLOCK FB_Suite EXTENDS FB_TestSuite\n{tests}{calls}END_FUNCTION_BLOCK\n"
+        "PROGRAM MAIN VAR fbSuite : FB_Suite; END_VAR TcUnit.RUN(); END_PROGRAM\n"
+    )
+    (folder / "suites.st").write_text(text, "utf-8")
+    (folder / "pytest.ini").write_text("[pytest]\n", "utf-8")
+    words = [sys.executable, "-m", "nctakt", "test", "suites.st", "--", "-q", "--no-header"]
+    words += ["-p", "no:cacheprovider", "-p", "no:asyncio"]
+
+    def run() -> None:
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, check=False)
+        assert f"{TESTS} passed" in done.stdout, done.stdout + done.stderr
+
+    print(f"{TESTS:,} unit tests of {CYCLES} cycles: {took(run):.1f} s (goal 20)")
+
+
+def main() -> None:
+    """Measure and print."""
+    print(f"{platform.machine()}, Python {platform.python_version()}, compiled: {is_compiled()}")
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        path = folder / "cell.st"
+        path.write_text(BLOCK, "utf-8")
+        observed(path)
+        steps_back(path)
+        path.unlink()
+        unit_tests(folder)
+
+
+if __name__ == "__main__":
+    main()

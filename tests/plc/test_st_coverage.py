@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nctakt import Controller, NcText
 from nctakt.plc.structured_text import load_structured
-from nctakt.results.coverage import BranchCounts, Coverage
+from nctakt.results.coverage import BranchCounts, Coverage, NearestMiss
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
 
@@ -68,6 +68,52 @@ def row(branch: BranchCounts) -> tuple[int, str, int, int, int]:
     return branch.line, branch.word, condition.true, condition.false, branch.bodies
 
 
+def nearest_of(branch: BranchCounts) -> list[NearestMiss | None]:
+    """How near a condition and its operands came to being true, and to being false."""
+    conditions = (branch.condition, *branch.parts)
+    return [miss for one in conditions for miss in (one.nearest, one.nearest_to_false)]
+
+
+def nearest_in(folder: Path, condition: str, *statements: str) -> NearestMiss | None:
+    """How near a condition came to being true in cycles with n from 1 to 5."""
+    path = folder / "near.st"
+    path.write_text(
+        "TYPE E_Gate : (Shut, Open := 5); END_TYPE\n"
+        "FUNCTION F_Next : INT VAR_INPUT n : INT; END_VAR F_Next := n + 1; END_FUNCTION\n"
+        "PROGRAM MAIN VAR n : INT; r : REAL; u : ULINT; t : TIME; e : E_Gate; b : BOOL; END_VAR\n"
+        f"n := n + 1; {' '.join(statements)}\nIF {condition} THEN n := n; END_IF\nEND_PROGRAM\n",
+        "utf-8",
+    )
+    plc = load_structured(path)
+    coverage = Controller().run(NcText("part.nc", CYCLE), plc=plc, ticks=45, why=True).coverage
+    (unit,) = [one for one in coverage.cycles if one.name == "MAIN"]
+    (branch,) = unit.branches
+    if branch.condition.nearest is not None:
+        assert "nearest" in CoverageText(coverage, "en").table()
+    return branch.condition.nearest
+
+
+def test_how_near_comparisons_came(tmp_path: Path) -> None:
+    """The sides of the evaluation that was nearest, the first one of several; its distance."""
+    assert nearest_in(tmp_path, "n > 7") == NearestMiss(5, 7, 2)
+    assert nearest_in(tmp_path, "10 - n = 2") == NearestMiss(5, 2, 3)
+    assert nearest_in(tmp_path, "ABS(n - 3) < 0") == NearestMiss(0, 0, 0)
+    assert nearest_in(tmp_path, "r > 10.5", "r := n * 2;") == NearestMiss(10, 10.5, 0.5)
+    huge = 18_446_744_073_709_551_615.0
+    assert nearest_in(tmp_path, "u < 5", "u := 16#FFFFFFFFFFFFFFFF;") == NearestMiss(
+        huge, 5, huge - 5
+    )
+    assert nearest_in(tmp_path, "t >= T#1S", "t := T#900MS;") == NearestMiss(900, 1000, 100)
+    assert nearest_in(tmp_path, "e = E_Gate.Open") == NearestMiss(0, 5, 5)
+
+
+def test_nothing_is_near_without_numbers(tmp_path: Path) -> None:
+    """A truth, and a comparison that calls code, which might come to the same comparison."""
+    assert nearest_in(tmp_path, "b") is None
+    assert nearest_in(tmp_path, "b = TRUE") is None
+    assert nearest_in(tmp_path, "F_Next(n) > 100") is None
+
+
 def test_branches_of_the_plc_are_counted(tmp_path: Path) -> None:
     """n is 1 … 5: 3 takes the IF, 4 the ELSIF, the others ELSE, whose FOR passes twice each."""
     units = {cycle.name: cycle for cycle in covered(tmp_path).cycles}
@@ -87,6 +133,9 @@ def test_branches_of_the_plc_are_counted(tmp_path: Path) -> None:
         ("n = 3", 1, 4),
         ("n > 100", 0, 5),
     ]
+    nearest = [one and (one.left, one.right, one.distance) for one in nearest_of(main.branches[0])]
+    assert nearest == [None, None, None, None, (5, 100, 95), None]
+    assert nearest_of(main.branches[6]) == [None, None]
     assert [main.branches[index].outer for index in (2, 3, 4)] == [None, 2, None]
     act, never = units["FB_Two.Act"], units["FB_Two.Never"]
     assert (act.scope, act.runs, row(act.branches[0])) == ("METHOD", 2, (24, "IF", 1, 1, 1))

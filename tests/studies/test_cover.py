@@ -70,6 +70,30 @@ def test_guided_search_reaches_rare_branches(cycle: str, names: list[str], budge
     assert len(reached.first) == reached.coverage.branches
 
 
+def test_branches_of_several_plcs_are_reached(tmp_path: Path) -> None:
+    """Each PLC in Structured Text has targets: of one comparison, of two, behind an ELSIF.
+
+    The values of comparisons lead there: no run of a hundred hits 77,777 or 4711 by chance.
+    """
+    codes = {
+        "first.st": "IF nPart = 77777 THEN n := 1; ELSIF nPart > 99000 THEN n := 2; END_IF",
+        "second.st": "IF nGate > 4000 AND fWay * 2.0 < 91.5 THEN IF nGate = 4711 THEN\n"
+        "n := 3; END_IF END_IF",
+    }
+    variables = "nPart, nGate : DINT; fWay : LREAL := 1000; n : INT;"
+    plcs = [tmp_path / name for name in codes]
+    for plc, code in zip(plcs, codes.values(), strict=True):
+        name = f"P_{plc.stem.title()}"
+        text = f"PROGRAM {name}\nVAR {variables} END_VAR\n{code}\nEND_PROGRAM\n"
+        plc.write_text(text, "utf-8")
+    names = ("P_First.nPart", "P_Second.nGate", "P_Second.fWay")
+    study = study_of(program(""), *names, plc=[str(plc) for plc in plcs])
+    reached = study.cover(150)
+    files = {Path(one.file).name for one in reached.first}
+    assert (reached.is_whole, files) == (True, set(codes))
+    assert reached.coverage.branches == 4
+
+
 def test_a_pulse_is_moved_to_where_the_axis_is() -> None:
     """A value of one tick, while X is between 15 and 15.2: the time of one beside the other."""
     cycle = on("V.E.TRIGGER == 1 && V.RTA.ACS.ACT_POS.X > 15 && V.RTA.ACS.ACT_POS.X < 15.2")

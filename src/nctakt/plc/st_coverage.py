@@ -9,19 +9,48 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.results.coverage import BranchCounts, ConditionCounts, Coverage, CycleCounts
+from nctakt.base.dataclass import dataclass
+from nctakt.results.coverage import (
+    BranchCounts,
+    ConditionCounts,
+    Coverage,
+    CycleCounts,
+    NearestMiss,
+)
 from nctakt.st.program import Program
 from nctakt.st.sources import Sources
+from nctakt.st.tree import Binary
 from nctakt.st.types import Expression
 from nctakt.translation.observing.branches import BranchNumbers, NumberedBranch, NumberedUnit
+from nctakt.translation.observing.compared import is_compared
 
 
-def coverage_of(program: Program, numbers: BranchNumbers, counts: Sequence[int]) -> Coverage:
+@dataclass(frozen=True, slots=True)
+class Counts:
+    """What a run has counted: how often, and of comparisons how near they came.
+
+    ``left``, ``right`` and ``distances``: both sides and how far they were apart, below 0 where
+    that is not known.
+    """
+
+    of: Sequence[int]
+    left: Sequence[float]
+    right: Sequence[float]
+    distances: Sequence[float]
+
+    def miss(self, number: int) -> NearestMiss | None:
+        """Return how near a comparison came to what it has never been."""
+        if self.of[number] or self.distances[number] < 0.0:
+            return None
+        return NearestMiss(self.left[number], self.right[number], self.distances[number])
+
+
+def coverage_of(program: Program, numbers: BranchNumbers, counts: Counts) -> Coverage:
     """Return the coverage of a program by its counts; it belongs to a run that is counted once."""
     return Coverage(tuple(_unit(program.sources, unit, counts) for unit in numbers.units))
 
 
-def _unit(sources: Sources, unit: NumberedUnit, counts: Sequence[int]) -> CycleCounts:
+def _unit(sources: Sources, unit: NumberedUnit, counts: Counts) -> CycleCounts:
     piece = sources.piece_of(unit.called.start)
     file = "" if piece is None else piece.file
     first = sources.line_number(unit.called.start)
@@ -35,17 +64,17 @@ def _unit(sources: Sources, unit: NumberedUnit, counts: Sequence[int]) -> CycleC
         source,
         _lines(sources, unit.starts),
         1,
-        counts[unit.number],
+        counts.of[unit.number],
         tuple(_branch(sources, branch, counts) for branch in unit.branches),
     )
 
 
-def _branch(sources: Sources, branch: NumberedBranch, counts: Sequence[int]) -> BranchCounts:
+def _branch(sources: Sources, branch: NumberedBranch, counts: Counts) -> BranchCounts:
     piece = sources.piece_of(branch.start)
     file, line, column = ("", 0, 0) if piece is None else (piece.file, *piece.locate(branch.start))
     text = "ELSE" if branch.kind == "ELSE" else sources.line(file, line).strip()
     if branch.condition is None:
-        evaluated = bodies = counts[branch.number]
+        evaluated = bodies = counts.of[branch.number]
         condition = ConditionCounts(text, "", bodies, 0)
     else:
         condition = _condition(sources, branch.condition, branch.number, counts)
@@ -67,10 +96,19 @@ def _branch(sources: Sources, branch: NumberedBranch, counts: Sequence[int]) -> 
 
 
 def _condition(
-    sources: Sources, expression: Expression, number: int, counts: Sequence[int]
+    sources: Sources, expression: Expression, number: int, counts: Counts
 ) -> ConditionCounts:
     text = sources.text(expression.start, expression.end)
-    return ConditionCounts(text, "", counts[number], counts[number + 1])
+    is_known = isinstance(expression, Binary) and is_compared(expression)
+    operator = expression.operator.value if isinstance(expression, Binary) and is_known else ""
+    return ConditionCounts(
+        text,
+        operator,
+        counts.of[number],
+        counts.of[number + 1],
+        counts.miss(number),
+        counts.miss(number + 1),
+    )
 
 
 def _lines(sources: Sources, starts: Sequence[int]) -> tuple[int, ...]:

@@ -46,7 +46,7 @@ from nctakt.messages.plcs.plc_code import (
 from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.recursion import allow_depth
-from nctakt.plc.st_coverage import coverage_of
+from nctakt.plc.st_coverage import Counts, coverage_of
 from nctakt.plc.st_interface import StInterface, connect, lay_out, names_of
 from nctakt.plc.st_reasons import StReasons
 from nctakt.project.project_file import Project, find_project
@@ -317,7 +317,9 @@ class StructuredPlc(RealtimePlc):
         """Return which branches have run since it was attached; ``None`` if nothing counts them."""
         if self._numbers is None:
             return None
-        return coverage_of(self.program, self._numbers, self.context.counts)
+        own = self.context
+        counts = Counts(own.counts, own.near_left, own.near_right, own.distances)
+        return coverage_of(self.program, self._numbers, counts)
 
     def side(self) -> PlcSide:
         """Return its tasks on the machine that it is attached to."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from nctakt.kernel.st import chains, kinds
 from nctakt.kernel.st.kept import RealAfter, WholeAfter
-from nctakt.kernel.st.observing.counting import CountedTruth
+from nctakt.kernel.st.observing.counting import ComparedTruth, CountedTruth, SeenReal, SeenWhole
 from nctakt.kernel.st.observing.noted import NotedReal, NotedWhole
 from nctakt.kernel.st.reals import (
     CompareReal,
@@ -62,6 +62,7 @@ from nctakt.translation.body import CannotRunError, is_standard, value_type
 from nctakt.translation.designators import Designators
 from nctakt.translation.layout import as_word, is_real, is_unsigned, kind_of
 from nctakt.translation.locations import Location
+from nctakt.translation.observing.compared import is_compared
 
 _REAL = {
     Operator.ADD: kinds.LINK_ADD,
@@ -95,7 +96,8 @@ class Values(Designators):
         node = self._whole(expression)
         number = self.project.counted.get(id(expression))
         if number is not None:
-            node = CountedTruth(node, number)
+            counted = ComparedTruth if is_compared(expression) else CountedTruth
+            node = counted(node, number)
         row = None if self.notes is None else self.notes.by_identity.get(id(expression))
         return node if row is None else NotedWhole(node, row)
 
@@ -224,9 +226,16 @@ class Values(Designators):
         left_type, right_type = _shown(left), _shown(right)
         if isinstance(left_type, StringType) or isinstance(right_type, StringType):
             return CompareStrings(self.text(left), self.text(right), relation)
+        is_seen = id(expression) in self.project.counted and is_compared(expression)
         if is_real(left_type) or is_real(right_type):
-            return CompareReal(self.real(left), self.real(right), relation)
+            reals = self.real(left), self.real(right)
+            if is_seen:
+                reals = SeenReal(reals[0], True), SeenReal(reals[1], False)
+            return CompareReal(*reals, relation)
         node, other = self.bound(left), self.bound(right)
+        if is_seen:
+            node = SeenWhole(node, True, is_unsigned(left_type))
+            other = SeenWhole(other, False, is_unsigned(right_type))
         if _fits_signed(left) and _fits_signed(right):
             return CompareWhole(node, other, relation)
         unsigned = is_unsigned(left_type) or _is_natural(left)

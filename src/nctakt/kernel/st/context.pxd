@@ -40,6 +40,11 @@ cdef class PlcContext:
     cdef readonly long long[::1] trail
     cdef public long long trail_length
     cdef readonly long long[::1] counts
+    cdef readonly double[::1] near_left
+    cdef readonly double[::1] near_right
+    cdef readonly double[::1] distances
+    cdef public double seen_left
+    cdef public double seen_right
     cdef long long count_end
     cdef public bint stops_at_invalid
     cdef public bint wraps_conversions
@@ -48,6 +53,8 @@ cdef class PlcContext:
     cdef void wrote_target(self, long long at, int kind, long long source) noexcept nogil
     cdef void wrote_bytes(self, long long at, long long size, long long source) noexcept nogil
     cdef void count(self, long long number) noexcept nogil
+    @cython.locals(missed=cython.longlong, distance=cython.double, known=cython.double)
+    cdef void approach(self, long long number, long long truth) noexcept nogil
     cpdef void begin(self, long long now) noexcept nogil
     cdef void fail(self, int message, long long a, long long b) noexcept nogil
     cdef int stop_at(self, long long source) noexcept nogil

@@ -28,7 +28,9 @@ class PlcContext:
     ``instruction_ns``: how long an instruction takes, 0: no time; ``overrun_task`` is the number of
     a task whose cycle took too long, ``overrun_ns`` how long, 0 where nothing is to be reported.
     ``caller`` is the source of the latest call of a test's function; ``counts`` says how often
-    conditions and bodies ran.
+    conditions and bodies ran, ``near_left``, ``near_right`` and ``distances`` how near comparisons
+    came to what they have never been; below 0 there is nothing to say. ``seen_left`` and
+    ``seen_right`` are the sides of the latest comparison.
     ``notes`` keeps what leads to changes while somebody wants to know (``is_noting``).
     ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
     its source, its values and the calls that led to it (ST-560).
@@ -73,6 +75,11 @@ class PlcContext:
         self.trail_length = 0
         self.count_end = 0
         self.counts = memoryview(bytearray(8)).cast("q")
+        self.near_left = memoryview(bytearray(8)).cast("d")
+        self.near_right = memoryview(bytearray(8)).cast("d")
+        self.distances = memoryview(bytearray(8)).cast("d")
+        self.seen_left = 0.0
+        self.seen_right = 0.0
         self.stops_at_invalid = True
         self.wraps_conversions = False
 
@@ -80,6 +87,11 @@ class PlcContext:
         """Count the runs of ``size`` conditions and bodies from now on."""
         check_range(size, 0, kinds.MAX_COUNTS, "counts")
         self.counts = memoryview(bytearray(8 * size + 8)).cast("q")
+        self.near_left = memoryview(bytearray(8 * size + 8)).cast("d")
+        self.near_right = memoryview(bytearray(8 * size + 8)).cast("d")
+        self.distances = memoryview(bytearray(8 * size + 8)).cast("d")
+        for number in range(size):
+            self.distances[number] = -1.0
         self.count_end = size
 
     def keep_notes(self) -> Notes:
@@ -110,6 +122,23 @@ class PlcContext:
         """Count a condition or a body, if it is counted at all."""
         if number < self.count_end:
             self.counts[number] += 1
+
+    def approach(self, number: int, truth: int) -> None:
+        """Note how near a comparison came to what it has never been: its sides, their distance.
+
+        ``number``: that of its being true.
+        """
+        missed = number + 1 if truth else number
+        if number + 1 >= self.count_end or self.counts[missed] != 0:
+            return
+        distance = self.seen_left - self.seen_right
+        if distance < 0.0:
+            distance = -distance
+        known = self.distances[missed]
+        if distance >= 0.0 and (known < 0.0 or distance < known):
+            self.near_left[missed] = self.seen_left
+            self.near_right[missed] = self.seen_right
+            self.distances[missed] = distance
 
     def begin(self, now: int) -> None:
         """Begin a cycle: no instruction is counted yet, no call is open."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.results.coverage import (
+    WITHOUT_CONDITION,
     BranchCounts,
     ConditionCounts,
     Coverage,
@@ -20,6 +21,9 @@ from nctakt.results.histories import WITHOUT_VALUES
 
 #: A branch: its file, the line of its definition, its index there.
 BranchKey = tuple[str, int, int]
+
+#: Words of branches that follow others of their ``$IF`` or IF.
+_FOLLOWING = ("$ELSEIF", "$ELSE", "ELSIF", "ELSE")
 
 #: What is left of a condition whose values say nothing; of one with values it is less.
 _UNKNOWN = 1.0
@@ -80,18 +84,18 @@ def _rest(levels: int, cycle: CycleCounts, index: int) -> BranchDistance:
     else:
         earlier = _earlier(cycle.branches, index)
         misses = [_miss(one, to=False) for one in earlier if not one.condition.false]
-        misses += [(_UNKNOWN, None)] * (branch.word != "$ELSE")
+        misses += [(_UNKNOWN, None)] * (branch.word not in WITHOUT_CONDITION)
     rest = sum(rest for rest, _ in misses) or _UNKNOWN
     difference = next((difference for _, difference in misses if difference is not None), None)
     return BranchDistance(levels, rest, difference)
 
 
 def _earlier(branches: tuple[BranchCounts, ...], index: int) -> list[BranchCounts]:
-    """Return the branches before one in the same ``$IF``."""
+    """Return the branches before one in the same ``$IF`` or IF."""
     earlier: list[BranchCounts] = []
     word = branches[index].word
     for branch in reversed(branches[:index]):
-        if word == "$IF":
+        if word not in _FOLLOWING:
             break
         if branch.outer == branches[index].outer:
             earlier.append(branch)
@@ -107,7 +111,7 @@ def _miss(branch: BranchCounts, *, to: bool) -> tuple[float, float | None]:
     """
     nearest = _nearest(branch.condition, to=to)
     if nearest is None:
-        return _UNKNOWN, None
+        return _of_parts(branch, to=to)
     if branch.condition.operator in WITHOUT_VALUES:
         parts = [_nearest(part, to=to) for part in branch.parts]
         first = next((part for part in parts if part is not None), None)
@@ -115,6 +119,17 @@ def _miss(branch: BranchCounts, *, to: bool) -> tuple[float, float | None]:
         return max(_MIN_REST, nearest.distance), difference
     share = nearest.distance / (nearest.distance + 1.0)
     return max(_MIN_REST, share), nearest.left - nearest.right
+
+
+def _of_parts(branch: BranchCounts, *, to: bool) -> tuple[float, float | None]:
+    """Return the same of a condition of Structured Text, of which the operands alone are known."""
+    known = [_nearest(part, to=to) for part in branch.parts]
+    misses = [one for one in known if one is not None]
+    if not misses:
+        return _UNKNOWN, None
+    shares = (one.distance / (one.distance + 1.0) for one in misses)
+    rest = max(_MIN_REST, sum(shares) / len(misses))
+    return rest, misses[0].left - misses[0].right
 
 
 def _nearest(condition: ConditionCounts, *, to: bool) -> NearestMiss | None:

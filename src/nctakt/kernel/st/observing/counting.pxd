@@ -1,14 +1,32 @@
 # SPDX-License-Identifier: MIT
 # C types of counting.py.
 cimport cython
-from nctakt.kernel.st cimport kinds
+from nctakt.kernel.st cimport kinds, words
 from nctakt.kernel.st.context cimport PlcContext
+from nctakt.kernel.st.reals cimport Real
 from nctakt.kernel.st.steps cimport Step
 from nctakt.kernel.st.wholes cimport Whole
 
 cdef class CountedTruth(Whole):
     cdef Whole operand
     cdef long long number
+    @cython.locals(value=cython.longlong)
+    cdef long long value(self, PlcContext context) noexcept nogil
+
+cdef class SeenWhole(Whole):
+    cdef Whole operand
+    cdef bint is_left
+    cdef bint is_unsigned
+    @cython.locals(value=cython.longlong, seen=cython.double)
+    cdef long long value(self, PlcContext context) noexcept nogil
+
+cdef class SeenReal(Real):
+    cdef Real operand
+    cdef bint is_left
+    @cython.locals(seen=cython.double)
+    cdef double number(self, PlcContext context) noexcept nogil
+
+cdef class ComparedTruth(CountedTruth):
     @cython.locals(value=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
 

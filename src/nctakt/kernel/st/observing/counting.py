@@ -8,8 +8,9 @@ a run that counts does the same as one that does not.
 from __future__ import annotations
 
 from nctakt.kernel.base.bounds import check_range
-from nctakt.kernel.st import kinds
+from nctakt.kernel.st import kinds, words
 from nctakt.kernel.st.context import PlcContext
+from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import Step
 from nctakt.kernel.st.wholes import Whole
 
@@ -26,6 +27,53 @@ class CountedTruth(Whole):
         value = self.operand.value(context)
         if context.fault == 0:
             context.count(self.number if value else self.number + 1)
+        return value
+
+
+class SeenWhole(Whole):
+    """A side of a comparison that is counted: its value is noted."""
+
+    def __init__(self, operand: Whole, is_left: bool, is_unsigned: bool) -> None:
+        self.operand = operand
+        self.is_left = is_left
+        self.is_unsigned = is_unsigned
+
+    def value(self, context: PlcContext) -> int:
+        value = self.operand.value(context)
+        seen = value + 0.0
+        if self.is_unsigned and value < 0:
+            seen = words.real_of_unsigned(value)
+        if self.is_left:
+            context.seen_left = seen
+        else:
+            context.seen_right = seen
+        return value
+
+
+class SeenReal(Real):
+    """A side of a comparison of real numbers that is counted: its value is noted."""
+
+    def __init__(self, operand: Real, is_left: bool) -> None:
+        self.operand = operand
+        self.is_left = is_left
+
+    def number(self, context: PlcContext) -> float:
+        seen = self.operand.number(context)
+        if self.is_left:
+            context.seen_left = seen
+        else:
+            context.seen_right = seen
+        return seen
+
+
+class ComparedTruth(CountedTruth):
+    """A comparison whose sides are noted: also how near it came to what it has never been."""
+
+    def value(self, context: PlcContext) -> int:
+        value = self.operand.value(context)
+        if context.fault == 0:
+            context.count(self.number if value else self.number + 1)
+            context.approach(self.number, value)
         return value
 
 

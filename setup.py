@@ -12,13 +12,16 @@ the oldest on. Otherwise they are for the Python that builds them, and decode so
 and under Linux with the sanitizers of addresses and of undefined behaviour.
 """
 
+import gc
 import os
 import re
 import runpy
 import sys
 import sysconfig
+import traceback
+from collections.abc import Callable
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext, get_abi3_suffix
@@ -57,6 +60,11 @@ DIRECTIVES = {
 #: none is built with ``-O1``; for ``schedule/`` alone that would save two seconds.
 FAST = ["-O2", "-g0", "-ffp-contract=off"]
 CHECKED = ["-O1", "-g0", "-ffp-contract=off"]
+#: What of a module runs once, when it is imported, is not worth the time of an optimization.
+if sys.platform == "linux":
+    FAST.append('-DCYTHON_SMALL_CODE=__attribute__((cold, optimize("O0")))')
+#: The versions of Cython that translate a module with C types read before as they do without.
+SHARES_TYPES = ("3.2.", "3.3.")
 #: Not twice what the sanitizer of addresses finds: these four take as long to compile as the rest.
 SANITIZERS = [
     "-fsanitize=address,undefined",
@@ -120,6 +128,97 @@ def files_of(source: Path, needed: dict[Path, set[Path]]) -> set[Path]:
             found.add(path)
             waiting += needed.get(path, ())
     return found
+
+
+def module_name(path: Path) -> str:
+    """Return the name of the module whose source or C types are in a file."""
+    return ".".join(path.relative_to(SOURCES).with_suffix("").parts)
+
+
+def run_in_forks(jobs: dict[str, Callable[[], bool]], processes: int) -> None:
+    """Do each job in a fork of this process.
+
+    Raise ``BaseError`` where one does not return true, and name all of these.
+    """
+    sys.stdout.flush()
+    sys.stderr.flush()
+    # What is there now lives on: no fork has to look through it for what it could free.
+    gc.freeze()
+    running: dict[int, str] = {}
+    failed = []
+    waiting = list(jobs)
+    while waiting or running:
+        if not waiting or len(running) == processes:
+            process, status = os.wait()
+            name = running.pop(process)
+            if status:
+                failed.append(name)
+            continue
+        name = waiting.pop(0)
+        process = os.fork()
+        if process:
+            running[process] = name
+            continue
+        is_done = False
+        try:
+            is_done = jobs[name]()
+        except BaseException:  # noqa: BLE001, the process ends here
+            traceback.print_exc()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(not is_done)
+    gc.unfreeze()
+    if failed:
+        raise BaseError(f"not translated: {', '.join(sorted(failed))}")
+
+
+def translations(
+    modules: list[Extension], folder: Path, directives: dict[str, Any]
+) -> dict[str, Callable[[], bool]]:
+    """Return what translates each of the modules in a fork of this process.
+
+    All C types are read here. ``cythonize`` reads for each module anew those that it needs, which
+    takes most of its time. The C files are the same but for the order of declarations. A module
+    that has to do with no array reads its types itself: it would get Cython's code for arrays, and
+    not the type which that needs, because other modules have declared some.
+    """
+    from Cython.Compiler import Main  # noqa: PLC0415
+    from Cython.Compiler.Options import CompilationOptions  # noqa: PLC0415
+
+    settings: dict[str, Any] = {
+        "compiler_directives": directives,
+        "include_path": [str(SOURCES)],
+        "shared_utility_qualified_name": SHARED,
+    }
+    options = CompilationOptions(**settings)
+    options.configure_language_defaults("py")
+    context = Main.Context.from_options(options)
+    needed = cimports()
+    for path in sorted(needed):
+        if path.suffix == ".pxd":
+            context.find_module(module_name(path))
+
+    def translate(one: Extension) -> bool:
+        source = Path(one.sources[0])
+        files = files_of(source, needed) - {Path("setup.py")}
+        own = {module_name(path) for path in files if path.suffix == ".pxd"}
+        has_arrays = any("::1]" in path.read_text("utf-8") for path in files)
+        context.pxds = {
+            name: types
+            for name, types in context.pxds.items()
+            if str(types[1].qualified_name) in own
+        }
+        target = folder / source.with_suffix(".c")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        found = Main.compile_single(
+            str(source),
+            CompilationOptions(**settings, output_file=str(target)),
+            one.name,
+            context=context if has_arrays else None,
+        )
+        return found.num_errors == 0
+
+    return {one.name: lambda one=one: translate(one) for one in modules}
 
 
 def write_state_source() -> None:
@@ -216,15 +315,28 @@ class BuildExtensions(build_ext):
                     stale.append(one)
         # What is up to date is not shown to Cython: it would look at its own files, too, which are
         # new in each environment that pip builds in.
-        cythonize(
-            stale,
-            build_dir=str(folder),
-            compiler_directives=DIRECTIVES | {"boundscheck": self.checked},
-            force=True,
-            nthreads=self.parallel,
-            quiet=True,
-            shared_utility_qualified_name=SHARED,
-        )
+        directives = DIRECTIVES | {"boundscheck": self.checked}
+
+        def translate_alone(modules: list[Extension], processes: int) -> bool:
+            cythonize(
+                modules,
+                build_dir=str(folder),
+                compiler_directives=directives,
+                force=True,
+                nthreads=processes,
+                quiet=True,
+                shared_utility_qualified_name=SHARED,
+            )
+            return True
+
+        if sys.platform != "linux" or not version.startswith(SHARES_TYPES):
+            translate_alone(stale, self.parallel)
+        elif stale:
+            jobs = translations([one for one in stale if one.name != SHARED], folder, directives)
+            for one in stale:
+                if one.name == SHARED:
+                    jobs[SHARED] = lambda one=one: translate_alone([one], 0)
+            run_in_forks(jobs, self.parallel)
         for one in self.extensions:
             source = Path(one.sources[0])
             if source.suffix != ".c" or one.name == SHARED:

@@ -67,6 +67,17 @@ def test_modules_that_have_moved_are_removed(setup: ModuleType, tmp_path: Path) 
     assert sorted(found) == sorted(kept)
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems translate without forks")
+def test_modules_that_cannot_be_translated_are_named() -> None:
+    """The others are translated first, so that one build shows all mistakes."""
+    jobs = '{"right": lambda: True, "wrong": lambda: False, "broken": lambda: 1 / 0}'
+    code = f"import runpy; runpy.run_path('setup.py')['run_in_forks']({jobs}, 2)"
+    done = run("-c", code)
+    assert done.returncode == 1
+    assert "ZeroDivisionError" in done.stderr
+    assert done.stderr.rstrip().endswith("not translated: broken, wrong")
+
+
 @pytest.mark.nightly
 @pytest.mark.slow
 @needs_compiled_modules

@@ -2,7 +2,7 @@
 # C types of command_bounds.py: the numbers of a row are Python's here, which may be anything.
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
-from nctakt.kernel.base.bounds cimport check_index, check_range
+from nctakt.kernel.base cimport bounds
 from nctakt.kernel.tick.command_execution cimport CommandExecutor
 
 @cython.locals(axes=Py_ssize_t, cell_count=Py_ssize_t, count=Py_ssize_t)

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from nctakt.kernel import cells, codes, rows
-from nctakt.kernel.base.bounds import check_index, check_range
+from nctakt.kernel.base import bounds
 from nctakt.kernel.tick.command_execution import CommandExecutor
 
 #: How many columns a command of each kind has at least; a segment is prepared by the queue.
@@ -87,66 +87,70 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
     kind = command[0] if command else None
     if kind not in _MIN_LENGTH:
         raise ValueError(f"{kind} is not a kind of command")
-    check_range(len(command), _MIN_LENGTH[kind], executor.queue.width, "length of a command")
+    bounds.check_range(len(command), _MIN_LENGTH[kind], executor.queue.width, "length of a command")
     axes = executor.path.axes.count
     cell_count = len(executor.cells)
     if kind == rows.WRITE_VARIABLE:
-        check_index(command[rows.VARIABLE_CELL], cell_count, "cell")
+        bounds.check_index(command[rows.VARIABLE_CELL], cell_count, "cell")
     elif kind == rows.WRITE_TEXT:
         check_text(command, 8 * cell_count)
     elif kind == rows.READ:
-        check_index(command[rows.READ_CELL], cell_count, "cell")
+        bounds.check_index(command[rows.READ_CELL], cell_count, "cell")
     elif kind == rows.DEFINE_CYCLE:
-        check_index(command[rows.CYCLE_SLOT], executor.manager.capacity, "slot")
+        bounds.check_index(command[rows.CYCLE_SLOT], executor.manager.capacity, "slot")
     elif kind == rows.TIMER:
-        check_index(command[rows.TIMER_NUMBER], cells.TIMERS, "timer")
+        bounds.check_index(command[rows.TIMER_NUMBER], cells.TIMERS, "timer")
     elif kind in (rows.SPINDLE, rows.AWAIT_SPINDLE):
-        check_index(command[rows.JOB_SPINDLE], executor.context.spindles.count, "spindle")
+        bounds.check_index(command[rows.JOB_SPINDLE], executor.context.spindles.count, "spindle")
     elif kind == rows.SPINDLE_AXIS:
-        check_index(command[rows.GIVING_SPINDLE], executor.context.spindles.count, "spindle")
+        bounds.check_index(command[rows.GIVING_SPINDLE], executor.context.spindles.count, "spindle")
     elif kind == rows.CUTTING_SPEED:
         spindles = executor.context.spindles.count
-        check_index(command[rows.CUTTING_SPINDLE], spindles, "spindle")
-        check_index(command[rows.CUTTING_AXIS], axes, "axis")
+        bounds.check_index(command[rows.CUTTING_SPINDLE], spindles, "spindle")
+        bounds.check_index(command[rows.CUTTING_AXIS], axes, "axis")
     elif kind == rows.SPINDLE_LIMITS:
         spindles = executor.context.spindles.count
-        check_index(command[rows.LIMITED_SPINDLE], spindles, "spindle")
+        bounds.check_index(command[rows.LIMITED_SPINDLE], spindles, "spindle")
     elif kind == rows.FIXED_STOP:
-        check_index(command[rows.FIXED_STOP_AXIS], executor.path.count, "axis of the channel")
+        bounds.check_index(
+            command[rows.FIXED_STOP_AXIS], executor.path.count, "axis of the channel"
+        )
     elif kind == rows.SET_OFFSET:
-        check_index(command[rows.OFFSET_AXIS], axes, "axis")
-        check_index(command[rows.OFFSET_KIND], codes.OFFSET_KINDS, "kind of offset")
+        bounds.check_index(command[rows.OFFSET_AXIS], axes, "axis")
+        bounds.check_index(command[rows.OFFSET_KIND], codes.OFFSET_KINDS, "kind of offset")
     elif kind in _OF_AN_AXIS:
-        check_index(command[rows.HOMED_AXIS], axes, "axis")
+        bounds.check_index(command[rows.HOMED_AXIS], axes, "axis")
     elif kind == rows.COUPLE:
         slave, master = command[rows.COUPLED_AXIS], command[rows.COUPLED_TO]
-        check_index(slave, axes, "axis")
+        bounds.check_index(slave, axes, "axis")
         if master != -1:
-            check_index(master, axes, "axis")
+            bounds.check_index(master, axes, "axis")
             executor.path.axes.couplings.check(slave, master)
     elif kind == rows.SET_ORIGIN:
-        check_index(command[rows.ORIGIN_AXIS], axes, "axis")
+        bounds.check_index(command[rows.ORIGIN_AXIS], axes, "axis")
     elif kind == rows.SET_TURN:
-        check_index(command[rows.TURN_FIRST], axes, "axis")
+        bounds.check_index(command[rows.TURN_FIRST], axes, "axis")
         for number in command[rows.TURN_SECOND : rows.TURN_MATRIX]:
-            check_range(number, 0, axes, "axis")
+            bounds.check_range(number, 0, axes, "axis")
     elif kind == rows.SET_TRANSFORMATION:
         maps = executor.path.axes.transformations.maps.used
         for number in command[rows.TRANSFORMATION_NUMBER : rows.ARGUMENTS + 2]:
-            check_index(number, maps, "map")
+            bounds.check_index(number, maps, "map")
     elif kind == rows.POSITIONS:
         count = len(command) - rows.POSITIONS_AXES
-        check_range(command[rows.POSITIONS_COUNT], 0, count, "number of axes")
+        bounds.check_range(command[rows.POSITIONS_COUNT], 0, count, "number of axes")
         for number in command[rows.POSITIONS_AXES :]:
-            check_index(number, axes, "axis")
+            bounds.check_index(number, axes, "axis")
 
 
 def check_text(command: list[Any], size: int) -> None:
     """Raise ``ValueError`` unless characters and zeros lie in the memory of ``size`` bytes."""
-    check_range(command[rows.TEXT_FIRST], 0, size, "byte of a text")
-    check_range(command[rows.TEXT_COUNT], 0, len(command) - rows.TEXT_CHARACTERS, "characters")
-    check_range(command[rows.TEXT_ZEROS], 0, size, "zeros")
+    bounds.check_range(command[rows.TEXT_FIRST], 0, size, "byte of a text")
+    bounds.check_range(
+        command[rows.TEXT_COUNT], 0, len(command) - rows.TEXT_CHARACTERS, "characters"
+    )
+    bounds.check_range(command[rows.TEXT_ZEROS], 0, size, "zeros")
     length = command[rows.TEXT_FIRST] + command[rows.TEXT_COUNT] + command[rows.TEXT_ZEROS]
-    check_range(command[rows.TEXT_CELL], 0, (size - length) // 8, "cell")
+    bounds.check_range(command[rows.TEXT_CELL], 0, (size - length) // 8, "cell")
     for character in command[rows.TEXT_CHARACTERS :]:
-        check_index(character, 256, "character")
+        bounds.check_index(character, 256, "character")

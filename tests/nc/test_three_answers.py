@@ -16,6 +16,8 @@ from nctakt.nc.vocabulary.function_rows import Form, GFunction
 
 #: The messages that report the level.
 REFUSED, ACCEPTED = 900200, 900201
+#: The message that shows the forms of a command.
+MISFORMED = 900233
 
 
 def told(block: str) -> list[tuple[int, str]]:
@@ -62,6 +64,19 @@ def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
     name = entry.name + "POWER" if entry.name.endswith("_") else entry.name
     numbers = [number for number, text in told(f"{name} [X]") if entry.meaning.en in text]
     assert numbers == [REFUSED]
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [one for one in rows(Kind.COMMAND, Support.SIMULATED) if one.forms == (one.name,)],
+    ids=lambda one: one.name,
+)
+def test_a_command_whose_name_is_its_only_form_has_no_arguments(entry: Entry) -> None:
+    """The error shows the form; the form itself is in order, or needs something of the machine."""
+    texts = [text for number, text in told(f"{entry.name} [1]") if number == MISFORMED]
+    assert len(texts) == 1
+    assert entry.name in texts[0]
+    assert MISFORMED not in {number for number, _ in told(entry.name)}
 
 
 @pytest.mark.parametrize("entry", rows(Kind.VARIABLE, Support.REFUSED), ids=lambda one: one.name)

@@ -270,7 +270,7 @@ G_FUNCTION = Recipe(
 )
 
 HASH_COMMAND = Recipe(
-    "A `#` command of the decoder: 5 files",
+    "A `#` command of the decoder: 3 files",
     (
         Edit(
             "src/nctakt/nc/vocabulary/commands.tsv",
@@ -278,19 +278,16 @@ HASH_COMMAND = Recipe(
             "#EXPL SYN\tsimulated",
         ),
         Edit(
-            "src/nctakt/nc/check/hash_commands.py",
-            '    ("EXAMPLE",),\n',
-            '    ("BLOCKSEARCH", "LOCKED"),\n',
+            "src/nctakt/decoder/flow/hash_commands.py",
+            '            "#EXAMPLE": self._example,\n',
+            '            "#FACE": ',
         ),
         Edit(
             "src/nctakt/decoder/flow/hash_commands.py",
-            '        elif words == ("EXAMPLE",):\n            state.absolute = False\n',
-            '        elif words[:2] == ("OPTIONAL", "EXECUTION"):\n',
-        ),
-        Edit(
-            "tests/nc/check_words.nc",
-            '#EXAMPLE [1] ; error 900233 "EXAMPLE"\n',
-            "#BACKWARD STORAGE CLEAR [1]",
+            "    def _example(self, _command: tree.HashCommand, _: int) -> Iterable[Command]:\n"
+            "        self._values.state.absolute = False\n"
+            "        return ()\n\n",
+            "    def _orient_tool(",
         ),
         Edit(
             "tests/decoder/test_example_command.py",
@@ -301,7 +298,8 @@ HASH_COMMAND = Recipe(
         ),
     ),
     (
-        "tests/nc/test_check_chunks.py",
+        "tests/nc/test_three_answers.py::test_a_command_whose_name_is_its_only_form_has_no_arguments"
+        "[#EXAMPLE]",
         "tests/nc/test_support.py",
         "tests/decoder/test_example_command.py",
     ),

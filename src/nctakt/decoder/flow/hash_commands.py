@@ -6,7 +6,7 @@ In: checked nodes. Out: commands, or changes of the decoder's state.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Callable, Generator, Iterable
 
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.blocks.block_decoder import BlockDecoder
@@ -20,7 +20,6 @@ from nctakt.decoder.blocks.path.feed_forward import follow_feed_forward
 from nctakt.decoder.blocks.tool_commands import ToolCommands
 from nctakt.decoder.cycles.builder import TIMER_ACTIONS
 from nctakt.decoder.flow.couplings import Couplings
-from nctakt.decoder.state.geometry.coordinate_systems import LAYERS
 from nctakt.decoder.state.queued.commands import (
     Answer,
     ClearHistory,
@@ -44,17 +43,12 @@ from nctakt.messages.path.transformations import NOT_IN_MACHINE_COORDINATES
 from nctakt.messages.programs.decoder import MSG_FORMAT_MISMATCH, UNKNOWN_TIMER
 from nctakt.messages.programs.single_steps import NEGATIVE_RESOLUTION
 from nctakt.nc import tree
-from nctakt.nc.meaning.axes import is_coupling
-from nctakt.nc.meaning.coordinates import (
-    CONVERSIONS,
-    MACHINE_COMMANDS,
-    PLANE_COMMANDS,
-    TRANSFORMATION_COMMANDS,
-)
-from nctakt.nc.meaning.path import SPLINE_COMMANDS, keywords
-from nctakt.nc.meaning.words import SINGLE_STEP_OFF, TOOL_COMMANDS, is_for_simulation
-from nctakt.nc.vocabulary.commands import INITS
-from nctakt.nc.vocabulary.file_names import MESSAGES, is_file_name, named_files
+from nctakt.nc.meaning.coordinates import CONVERSIONS
+from nctakt.nc.meaning.path import keywords
+from nctakt.nc.meaning.words import SINGLE_STEP_OFF, is_for_simulation
+from nctakt.nc.vocabulary.entries import Support
+from nctakt.nc.vocabulary.file_names import MESSAGES, named_files
+from nctakt.nc.vocabulary.support_level import hash_command
 from nctakt.nc.vocabulary.variables.system_variables import TIMERS
 
 #: Commands of coordinates and transformations that ``#MCS ON`` excludes, by their first words.
@@ -80,6 +74,59 @@ class HashCommands:
         self._machine = MachineCoordinates(values, self._systems, self._transformations)
         self._planes = RotatingPlanes(values, self._transformations)
         self._is_part_simulated = False
+        self._decoders = self._table()
+
+    def _table(self) -> dict[str, Callable[[tree.HashCommand, int], Iterable[Command]]]:
+        """Return the functions that decode commands, by their rows in ``commands.tsv``."""
+        return {
+            "#ACS": self._systems.command,
+            "#AKIMA TRANS": self._splines.settings,
+            "#AX LINK": self._couplings.command,
+            "#BACKWARD STORAGE CLEAR": self._clear_history,
+            "#BCS": self._systems.command,
+            "#CHANNEL INIT": self._take_positions,
+            "#CS": self._systems.command,
+            "#CS ADD": self._systems.command,
+            "#CS MODE": self._systems.command,
+            "#CS SELECT": self._systems.command,
+            "#CYL": self._planes.command,
+            "#CYL OFF": self._planes.command,
+            "#DELETE": self._delete,
+            "#DISABLE AX LINK": self._couplings.command,
+            "#ECS": self._effector,
+            "#ENABLE AX LINK": self._couplings.command,
+            "#FACE": self._planes.command,
+            "#FACE OFF": self._planes.command,
+            "#FILE NAME": self._file,
+            "#FILENAME": self._file,
+            "#FILTER": self._refuse_filters,
+            "#KIN ID": self._transformations.command,
+            "#MAIN SPINDLE": self._spindles.choose_main,
+            "#MCS": self._machine.command,
+            "#MCS TO WCS": self._machine.command,
+            "#MEAS": self._measuring.command,
+            "#OPTIONAL EXECUTION": self._optional_part,
+            "#ORI MODE": self._transformations.command,
+            "#PTP": self._transformations.command,
+            "#RTCP": self._transformations.command,
+            "#SET ASPLINE MODE": self._splines.settings,
+            "#SET AX LINK": self._couplings.command,
+            "#SET DEC LR SOLL": self._take_positions,
+            "#SET SPLINETYPE": self._splines.settings,
+            "#SINGLE STEP": self._single_step,
+            "#SPLINE TYPE": self._splines.settings,
+            "#TLAX": self._tools.length_axis,
+            "#TLC": self._transformations.command,
+            "#TOOL DATA": self._tools.command,
+            "#TOOL LIFE DEF": self._tools.command,
+            "#TOOL LIFE READ": self._tools.command,
+            "#TOOL LIFE REMOVE": self._tools.command,
+            "#TOOL ORI CS": self._orient_tool,
+            "#TOOL PREP": self._tools.command,
+            "#TOOL REFRESH": self._tools.command,
+            "#TRAFO": self._transformations.command,
+            "#WCS TO MCS": self._machine.command,
+        }
 
     def begin_program(self, span: Span) -> Generator[Command, Answer]:
         """Begin a program with the offsets and the transformation of the lists."""
@@ -101,64 +148,50 @@ class HashCommands:
         yield from self._transformations.end_program(span)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#DELETE``, ``#CS``, ``#ACS``, ``#TRAFO``, ``#MCS``, ``#FACE``, ``#FILENAME``,
-        ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``.
-
-        Other commands have no effect.
-        """
+        """Execute a command; one that is not simulated passes the check if it does nothing."""
         words = tuple(word.name for word in command.words)
         self._check_coordinates(words, command.span)
         state = self._values.state
         if state.path.compensation.is_left and state.shapes.holds_motions:
             source = self._environment.source_id(command.span)
             yield ReleaseMotions(source, number, command.span)
-        if words == ("DELETE",):
-            for argument in command.arguments:
-                assert isinstance(argument, tree.Variable)
-                self._values.program_values.delete(argument)
-        elif " ".join(words) in TOOL_COMMANDS:
-            yield from self._tools.command(command, number)
-        elif words[0] == "TLAX":
-            yield from self._tools.length_axis(command, number)
-        elif words == ("SINGLE", "STEP"):
-            yield from self._single_step(command, number)
-        elif words[0] == "MEAS":
-            yield from self._measuring.command(command, number)
-        elif is_coupling(command):
-            yield from self._couplings.command(command, number)
-        elif words == ("ECS", "ON"):
+        entry = hash_command(words)
+        assert entry is not None
+        decode = self._decoders.get(entry.name)
+        if decode is not None:
+            yield from decode(command, number)
+        else:
+            assert entry.support is not Support.SIMULATED, entry.name
+
+    def _delete(self, command: tree.HashCommand, _number: int) -> Iterable[Command]:
+        for argument in command.arguments:
+            assert isinstance(argument, tree.Variable)
+            self._values.program_values.delete(argument)
+        return ()
+
+    def _effector(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        if command.words[-1].name == "ON":
             direction = yield from self._tool.effector(command.span, number)
             yield from self._systems.enter_effector(direction, command.span, number)
-        elif words[0] in LAYERS:
+        else:
             yield from self._systems.command(command, number)
-        elif words == ("MAIN", "SPINDLE"):
-            yield from self._spindles.choose_main(command, number)
-        elif words == ("TOOL", "ORI", "CS"):
-            yield from self._tool.command(command.span, number)
-        elif " ".join(words) in TRANSFORMATION_COMMANDS:
-            yield from self._transformations.command(command, number)
-        elif " ".join(words) in SPLINE_COMMANDS:
-            yield from self._splines.settings(command, number)
-        elif " ".join(words) in PLANE_COMMANDS:
-            yield from self._planes.command(command, number)
-        elif " ".join(words) in MACHINE_COMMANDS:
-            yield from self._machine.command(command, number)
-        elif is_file_name(words):
-            yield from self._file(command, number)
-        elif words == ("BACKWARD", "STORAGE", "CLEAR"):
-            yield ClearHistory(self._environment.source_id(command.span), number)
-        elif words[:2] == ("OPTIONAL", "EXECUTION"):
-            yield from self._optional_part(command, number)
-        elif words[0] == "FILTER":
-            self._refuse_filters(words[-1], command.span)
-        elif words in INITS:
-            source = self._environment.source_id(command.span)
-            yield from self._check_numbers(command, number)
-            self._check_free(command)
-            self._values.check_flush_allowed("#" + " ".join(words), command.span)
-            answer = yield PositionRequest(source, number)
-            assert isinstance(answer, tuple)
-            self._values.state.positions = list(answer)
+
+    def _orient_tool(self, command: tree.HashCommand, number: int) -> Iterable[Command]:
+        return self._tool.command(command.span, number)
+
+    def _clear_history(self, command: tree.HashCommand, number: int) -> Iterable[Command]:
+        yield ClearHistory(self._environment.source_id(command.span), number)
+
+    def _take_positions(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
+        """Go on from where the axes are."""
+        source = self._environment.source_id(command.span)
+        yield from self._check_numbers(command, number)
+        self._check_free(command)
+        name = "#" + " ".join(word.name for word in command.words)
+        self._values.check_flush_allowed(name, command.span)
+        answer = yield PositionRequest(source, number)
+        assert isinstance(answer, tuple)
+        self._values.state.positions = list(answer)
 
     def _single_step(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Let single block have no effect, or again, or stop at other block numbers."""
@@ -173,7 +206,7 @@ class HashCommands:
             self._values.fail(NEGATIVE_RESOLUTION, item.value.span, value=value)
         yield SingleStep(source, number, resolution=int(resolution))
 
-    def _optional_part(self, command: tree.HashCommand, number: int) -> Iterator[Command]:
+    def _optional_part(self, command: tree.HashCommand, number: int) -> Iterable[Command]:
         """Let no backward motion go into a part that it would leave out."""
         switch = command.words[2].name
         if switch == "ON":
@@ -183,14 +216,17 @@ class HashCommands:
         if switch == "OFF":
             self._is_part_simulated = False
 
-    def _refuse_filters(self, switch: str, span: Span) -> None:
+    def _refuse_filters(self, command: tree.HashCommand, _number: int) -> Iterable[Command]:
         """Raise ``DecodeError`` where an axis has a filter that ``#FILTER`` would switch on."""
-        if switch == "OFF":
-            return
+        if command.words[-1].name == "OFF":
+            return ()
         for index, axis in enumerate(self._environment.axes):
             if axis.filter_type != 0:
                 name = self._environment.places.name(index)
-                self._values.fail(FILTER_NOT_SIMULATED, span, axis=name, type=axis.filter_type)
+                self._values.fail(
+                    FILTER_NOT_SIMULATED, command.span, axis=name, type=axis.filter_type
+                )
+        return ()
 
     def _check_coordinates(self, words: tuple[str, ...], span: Span) -> None:
         """Check that no other coordinates are asked for between ``#MCS ON`` and ``#MCS OFF``."""

@@ -403,8 +403,6 @@ class Checker:
         if entry is None:
             nearest = support_level.nearest_hash(words) or "–"
             self._findings.report(UNKNOWN_COMMAND, command.span, word=name, nearest=nearest)
-        elif words == ["EXPL", "SYN"] and not command.arguments:
-            return
         elif check_path_command(command, self._values, self._words.axes[:3], self._findings):
             return
         elif check_cs_command(command, self._values, self._findings):
@@ -437,6 +435,8 @@ class Checker:
         elif self._commands.command(command, words) or self._signals.command(command):
             pass
         elif self._exchange.command(command):
+            pass
+        elif entry.forms == (name,) and not command.arguments:
             pass
         elif entry.support is Support.SIMULATED:
             forms = forms_of(entry.name)

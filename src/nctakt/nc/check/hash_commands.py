@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The forms of ``#`` commands of the main program.
 
-In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT``, ``#BACKWARD STORAGE CLEAR``, ``#DISABLE MODAL
-CYCLE``. Out: diagnostics.
+In: ``#TIMER``, ``#FILENAME``, ``#CHANNEL INIT`` and others. Out: diagnostics. A command without
+arguments needs no check here: the only form in its row of ``commands.tsv`` is its name.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.nc.check.path.path_commands import check_item
 from nctakt.nc.check.single_steps import check_single_step
 from nctakt.nc.meaning.path import Form
 from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
-from nctakt.nc.vocabulary.commands import INIT, OLD_INIT, forms_of
+from nctakt.nc.vocabulary.commands import INIT, forms_of
 from nctakt.nc.vocabulary.file_names import (
     MESSAGES,
     NAMED_FILES,
@@ -30,13 +30,6 @@ from nctakt.nc.vocabulary.file_names import (
 
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
-_WITHOUT_ARGUMENTS = (
-    ("BACKWARD", "STORAGE", "CLEAR"),
-    ("DISABLE", "MODAL", "CYCLE"),
-    ("BLOCKSEARCH", "LOCKED"),
-    ("BLOCKSEARCH", "RELEASED"),
-    OLD_INIT,
-)
 
 
 class CommandChecker:
@@ -72,12 +65,6 @@ class CommandChecker:
             check_single_step(command, self._values, self._findings)
         elif words[:2] == ["OPTIONAL", "EXECUTION"]:
             check_optional(command, self._values, self._findings)
-        elif tuple(words) in _WITHOUT_ARGUMENTS:
-            if command.arguments:
-                name = "#" + " ".join(words)
-                self._findings.report(
-                    INVALID_COMMAND_FORM, command.span, command=name, forms=forms_of(name)
-                )
         else:
             return False
         return True

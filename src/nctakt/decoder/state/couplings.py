@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.decoder.state.queued.commands import Command
+from nctakt.kernel import rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +133,8 @@ class Couple(Command):
 
     ``allowed_d``: mm or degrees that their actual positions may differ, 0: any way.
     """
+
+    packed_as = rows.COUPLE
 
     slave: int
     master: int

@@ -5,11 +5,14 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command
+from nctakt.kernel import rows
 
 
 @dataclass(frozen=True, slots=True)
 class Home(Command):
     """An axis begins to move to its zero pulse, by ``distance`` mm or degrees; ``speed``: per s."""
+
+    packed_as = rows.HOME
 
     axis: int
     distance: float
@@ -20,6 +23,8 @@ class Home(Command):
 class Refer(Command):
     """The place where an axis is now is this position, in mm or degrees."""
 
+    packed_as = rows.REFER
+
     axis: int
     position: float
 
@@ -28,6 +33,8 @@ class Refer(Command):
 class FeedForward(Command):
     """Another share of the command speed of an axis bypasses its position control."""
 
+    packed_as = rows.FEED_FORWARD
+
     axis: int
     share: float
 
@@ -35,6 +42,8 @@ class FeedForward(Command):
 @dataclass(frozen=True, slots=True)
 class MoveAlone(Command):
     """An axis begins to move beside the path: to a position, or by a distance, mm or degrees."""
+
+    packed_as = rows.MOVE_ALONE
 
     axis: int
     value: float
@@ -50,6 +59,8 @@ class Oscillate(Command):
     one, -1 until it is ended.
     """
 
+    packed_as = rows.OSCILLATE
+
     axis: int
     first: float
     second: float
@@ -64,6 +75,8 @@ class Oscillate(Command):
 class EndOscillation(Command):
     """The oscillation of an axis ends; ``how``: ``codes.FINISHES`` …, ``speed`` of RETURNS."""
 
+    packed_as = rows.END_OSCILLATION
+
     axis: int
     how: int
     speed: float
@@ -72,6 +85,8 @@ class EndOscillation(Command):
 @dataclass(frozen=True, slots=True)
 class SetSoftwareLimits(Command):
     """The software limits of the independent motions of an axis, in mm or degrees."""
+
+    packed_as = rows.SOFTWARE_LIMITS
 
     axis: int
     low: float

@@ -18,8 +18,10 @@ from nctakt.kernel.cycles.cycles import RealtimeCycle
 @dataclass(frozen=True, slots=True)
 class Command:
     """``source`` is the place (``base/source_ids.py``), ``number`` the N word of its block, 0
-    without."""
+    without. ``packed_as``: the kind of the row whose arguments are the fields in their order; 0 of
+    a command that ``packing.py`` packs otherwise or that has no row."""
 
+    packed_as = 0
     source: int
     number: int
 
@@ -71,6 +73,8 @@ class Segment(Command):
 class Dwell(Command):
     """A dwell of ``ticks`` ticks."""
 
+    packed_as = rows.DWELL
+
     ticks: int
 
 
@@ -103,6 +107,8 @@ CONTROL_ACTIONS = {
 class CycleControl(Command):
     """A management command for the cycle with this ID (RC-111)."""
 
+    packed_as = rows.CONTROL_CYCLE
+
     action: int
     identity: int
 
@@ -126,6 +132,8 @@ class TechnologyOutput(Command):
 class AwaitAcknowledge(Command):
     """Goes on when the PLC has taken this function."""
 
+    packed_as = rows.AWAIT_ACKNOWLEDGE
+
     function: int
 
 
@@ -135,6 +143,8 @@ class WriteVariable(Command):
 
     ``is_reported``: it is an event; that of a V.RT* variable, which changes how the run goes on.
     """
+
+    packed_as = rows.WRITE_VARIABLE
 
     cell: int
     value: float
@@ -175,6 +185,8 @@ class SetOffset(Command):
     ``kind`` as in ``kernel/axes/coordinates.py``.
     """
 
+    packed_as = rows.SET_OFFSET
+
     axis: int
     kind: int
     value: float
@@ -183,6 +195,8 @@ class SetOffset(Command):
 @dataclass(frozen=True, slots=True)
 class SetOrigin(Command):
     """The program's coordinate system begins here on a machine axis, mm or degrees (MO-8)."""
+
+    packed_as = rows.SET_ORIGIN
 
     axis: int
     value: float
@@ -202,6 +216,8 @@ class SetTurn(Command):
 @dataclass(frozen=True, slots=True)
 class SetTransformation(Command):
     """A map is active from here on, 0: none; ``of_segments``: that of the motions after it."""
+
+    packed_as = rows.SET_TRANSFORMATION
 
     map_number: int
     of_segments: int
@@ -223,6 +239,8 @@ class Freeze(Command):
 class UserErrorReport(Command):
     """``#ERROR`` of the main program is reported (RC-402); its values follow."""
 
+    packed_as = rows.USER_ERROR
+
     identity: int
     reaction: int
 
@@ -239,6 +257,8 @@ class UserErrorValue(Command):
 @dataclass(frozen=True, slots=True)
 class UserErrorStop(Command):
     """The ``#ERROR`` before it stops the channel."""
+
+    packed_as = rows.USER_STOP
 
     reaction: int
 
@@ -278,12 +298,16 @@ class ProgramEnd(Command):
 class ProgramStop(Command):
     """M00, or with ``is_optional`` M01: waits for START."""
 
+    packed_as = rows.PROGRAM_STOP
+
     is_optional: bool
 
 
 @dataclass(frozen=True, slots=True)
 class GiveUp(Command):
     """After what was prepared the channel stops with an error of the decoder."""
+
+    packed_as = rows.GIVE_UP
 
     message: int
 
@@ -308,6 +332,8 @@ WAIT_FLUSH, WAIT_READ, WAIT_POSITIONS, WAIT_WRITE = range(4)
 class WaitMark(Command):
     """Why the command after it empties the channel; ``cell``: the variable, 0 for none."""
 
+    packed_as = rows.WAIT_MARK
+
     reason: int
     cell: int
 
@@ -315,6 +341,8 @@ class WaitMark(Command):
 @dataclass(frozen=True, slots=True)
 class ProgramTimer(Command):
     """``#TIMER … SYN`` of the main program: START 1, STOP 2, READ 3, CLEAR 4."""
+
+    packed_as = rows.TIMER
 
     timer: int
     action: int
@@ -324,10 +352,14 @@ class ProgramTimer(Command):
 class LoopBegin(Command):
     """``#RT WHILE``: what follows, up to its end, is the body of a realtime loop."""
 
+    packed_as = rows.LOOP_BEGIN
+
 
 @dataclass(frozen=True, slots=True)
 class LoopPass(Command):
     """The end of each pass of a realtime loop: it is counted."""
+
+    packed_as = rows.LOOP_PASS
 
 
 @dataclass(frozen=True, slots=True)
@@ -343,6 +375,8 @@ class FixedStop(Command):
     ``begin``, ``end``: parts of the way. ``needed``: an axis that finds no stop is an error.
     """
 
+    packed_as = rows.FIXED_STOP
+
     axis: int
     is_on: bool
     limit: float
@@ -355,6 +389,8 @@ class FixedStop(Command):
 @dataclass(frozen=True, slots=True)
 class FixedStopEnd(Command):
     """The block that moves to a fixed stop is over."""
+
+    packed_as = rows.FIXED_STOP_END
 
 
 @dataclass(frozen=True, slots=True)
@@ -371,15 +407,21 @@ class Measure(Command):
 class MeasureEnd(Command):
     """The motion that looks for an edge is over; its function is waited for."""
 
+    packed_as = rows.MEASURE_END
+
 
 @dataclass(frozen=True, slots=True)
 class ClearHistory(Command):
     """Nothing before this is walked back (``#BACKWARD STORAGE CLEAR``)."""
 
+    packed_as = rows.CLEAR_HISTORY
+
 
 @dataclass(frozen=True, slots=True)
 class EmptyBlock(Command):
     """A motion of length 0 or a dwell of no tick, which an armed BLOCK cycle passes over."""
+
+    packed_as = rows.EMPTY_BLOCK
 
 
 @dataclass(frozen=True, slots=True)
@@ -413,6 +455,8 @@ class AwaitSignal(Command):
     ``overtakes``: also one that its sender has sent after others.
     """
 
+    packed_as = rows.AWAIT_SIGNAL
+
     signal: int
     senders: int
     overtakes: bool
@@ -421,6 +465,8 @@ class AwaitSignal(Command):
 @dataclass(frozen=True, slots=True)
 class RemoveSignals(Command):
     """``#SIGNAL REMOVE SYN``: the oldest signal ``low``, or all of a range of numbers."""
+
+    packed_as = rows.REMOVE_SIGNAL
 
     low: int
     high: int

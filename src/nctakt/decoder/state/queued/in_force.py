@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command
+from nctakt.kernel import rows
 from nctakt.nc.vocabulary.functions import NUMBERED_ZERO_OFFSET, ZERO_OFFSETS
 
 
@@ -30,5 +31,7 @@ class InForce:
 @dataclass(frozen=True, slots=True)
 class ModalMark(Command):
     """Something else is in force from here on; ``modal``: its number."""
+
+    packed_as = rows.MODAL_MARK
 
     modal: int

@@ -6,118 +6,35 @@ Segments are not packed but prepared in the queue (``CommandQueue.put_segment``)
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from operator import attrgetter
 
-from nctakt.decoder.state.couplings import Couple
-from nctakt.decoder.state.queued.axis_commands import (
-    EndOscillation,
-    FeedForward,
-    Home,
-    MoveAlone,
-    Oscillate,
-    Refer,
-    SetSoftwareLimits,
-)
 from nctakt.decoder.state.queued.commands import (
-    AwaitAcknowledge,
-    AwaitSignal,
     BlockMark,
-    ClearHistory,
     Command,
-    CycleControl,
-    Dwell,
-    EmptyBlock,
-    FixedStop,
-    FixedStopEnd,
     Flush,
     Freeze,
-    GiveUp,
     LoadCycle,
-    LoopBegin,
     LoopEnd,
-    LoopPass,
     Measure,
-    MeasureEnd,
     PositionRequest,
     ProgramEnd,
-    ProgramStop,
-    ProgramTimer,
     ReadRealtime,
-    RemoveSignals,
     Segment,
     SendSignal,
-    SetOffset,
-    SetOrigin,
-    SetTransformation,
     SetTurn,
     TechnologyOutput,
-    UserErrorReport,
-    UserErrorStop,
     UserErrorValue,
     UserMessage,
-    WaitMark,
     WriteText,
-    WriteVariable,
 )
-from nctakt.decoder.state.queued.in_force import ModalMark
 from nctakt.decoder.state.queued.limit_commands import SetLimits
-from nctakt.decoder.state.queued.probe_commands import Touch, TouchEnd
-from nctakt.decoder.state.queued.spindle_commands import (
-    AwaitSpindle,
-    CuttingSpeed,
-    SpindleAxis,
-    SpindleJob,
-    SpindleLimits,
-)
 from nctakt.decoder.state.queued.start_block import SingleStep, StartReached
-from nctakt.decoder.state.queued.tool_life import SetToolLife, ToolLifeFactors
+from nctakt.decoder.state.queued.tool_life import ToolLifeFactors
 from nctakt.kernel import codes, rows
 
-#: Kinds of the commands whose arguments are their fields in this order.
-_KINDS: dict[type[Command], int] = {
-    Dwell: rows.DWELL,
-    CycleControl: rows.CONTROL_CYCLE,
-    AwaitAcknowledge: rows.AWAIT_ACKNOWLEDGE,
-    SpindleJob: rows.SPINDLE,
-    AwaitSpindle: rows.AWAIT_SPINDLE,
-    WriteVariable: rows.WRITE_VARIABLE,
-    SetOffset: rows.SET_OFFSET,
-    SetOrigin: rows.SET_ORIGIN,
-    SetTransformation: rows.SET_TRANSFORMATION,
-    UserErrorReport: rows.USER_ERROR,
-    UserErrorStop: rows.USER_STOP,
-    ModalMark: rows.MODAL_MARK,
-    WaitMark: rows.WAIT_MARK,
-    ProgramTimer: rows.TIMER,
-    FixedStop: rows.FIXED_STOP,
-    FixedStopEnd: rows.FIXED_STOP_END,
-    MeasureEnd: rows.MEASURE_END,
-    Touch: rows.TOUCH,
-    TouchEnd: rows.TOUCH_END,
-    Home: rows.HOME,
-    MoveAlone: rows.MOVE_ALONE,
-    Oscillate: rows.OSCILLATE,
-    EndOscillation: rows.END_OSCILLATION,
-    Refer: rows.REFER,
-    SetSoftwareLimits: rows.SOFTWARE_LIMITS,
-    Couple: rows.COUPLE,
-    FeedForward: rows.FEED_FORWARD,
-    SetToolLife: rows.TOOL_LIFE,
-    ClearHistory: rows.CLEAR_HISTORY,
-    CuttingSpeed: rows.CUTTING_SPEED,
-    SpindleLimits: rows.SPINDLE_LIMITS,
-    SpindleAxis: rows.SPINDLE_AXIS,
-    EmptyBlock: rows.EMPTY_BLOCK,
-    LoopBegin: rows.LOOP_BEGIN,
-    LoopPass: rows.LOOP_PASS,
-    ProgramStop: rows.PROGRAM_STOP,
-    AwaitSignal: rows.AWAIT_SIGNAL,
-    RemoveSignals: rows.REMOVE_SIGNAL,
-    GiveUp: rows.GIVE_UP,
-}
-#: What reads source, block number and arguments of each of them.
-_READERS = {command: attrgetter(*command.__match_args__) for command in _KINDS}
+#: What reads source, block number and arguments of a command whose arguments are its fields.
+_READERS: dict[type[Command], Callable[[Command], tuple[float, ...]]] = {}
 
 
 def pack(command: Command, reference: int = 0) -> list[float]:
@@ -125,10 +42,12 @@ def pack(command: Command, reference: int = 0) -> list[float]:
 
     ``reference`` is the slot of a cycle or the number of a text or program.
     """
-    kind = _KINDS.get(type(command))
-    if kind is not None:
-        return [kind, *_READERS[type(command)](command)]
-    return _packed_specially(command, (command.source, command.number), reference)
+    read = _READERS.get(type(command))
+    if read is None:
+        if not command.packed_as:
+            return _packed_specially(command, (command.source, command.number), reference)
+        read = _READERS[type(command)] = attrgetter(*command.__match_args__)
+    return [command.packed_as, *read(command)]
 
 
 def _packed_specially(command: Command, head: tuple[int, int], reference: int) -> list[float]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command, PositionRequest
+from nctakt.kernel import rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,6 +18,8 @@ class Touch(Command):
     ``may_be_pressed``: the probe may be pressed where the motion begins.
     """
 
+    packed_as = rows.TOUCH
+
     part: float
     ticks: int
     level: int
@@ -28,6 +31,8 @@ class Touch(Command):
 @dataclass(frozen=True, slots=True)
 class TouchEnd(Command):
     """The motion that measures with a touch probe is over."""
+
+    packed_as = rows.TOUCH_END
 
 
 @dataclass(frozen=True, slots=True)

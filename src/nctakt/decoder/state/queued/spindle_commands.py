@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command
+from nctakt.kernel import rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,6 +15,8 @@ class SpindleJob(Command):
     Degrees and degrees per second; ``direction`` 0 of M19: the shortest way. ``ticks``: how long a
     spindle of the PLC takes. ``ignores_override``: the operator's override has no effect (G167).
     """
+
+    packed_as = rows.SPINDLE
 
     spindle: int
     function: int
@@ -32,6 +35,8 @@ class CuttingSpeed(Command):
     ``limit_v``: highest speed in degrees per second, 0 for that of the spindle.
     """
 
+    packed_as = rows.CUTTING_SPEED
+
     spindle: int
     surface_v: float = 0.0
     axis: int = 0
@@ -48,6 +53,8 @@ class SpindleLimits(Command):
     this gear step instead, with ``jerk`` in degrees per second³, 0: unlimited.
     """
 
+    packed_as = rows.SPINDLE_LIMITS
+
     spindle: int
     low_v: float
     high_v: float
@@ -60,6 +67,8 @@ class SpindleLimits(Command):
 class SpindleAxis(Command):
     """The spindle gives its axis away, or takes it again (``S[PUTAX]``, ``S[CALLAX]``)."""
 
+    packed_as = rows.SPINDLE_AXIS
+
     spindle: int
     gives: bool
 
@@ -67,5 +76,7 @@ class SpindleAxis(Command):
 @dataclass(frozen=True, slots=True)
 class AwaitSpindle(Command):
     """Goes on when the spindle has reached its speed or position, or the PLC has acknowledged."""
+
+    packed_as = rows.AWAIT_SPINDLE
 
     spindle: int

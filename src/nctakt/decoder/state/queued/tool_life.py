@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command
+from nctakt.kernel import rows
 
 #: Time or distance of ``#TOOL LIFE DEF`` that stays as it is.
 UNCHANGED = -1.0
@@ -17,6 +18,8 @@ class SetToolLife(Command):
     ``tool``: number of the text of the tool's ID, ``basic``: its first part. ``time``: seconds,
     ``distance``: mm.
     """
+
+    packed_as = rows.TOOL_LIFE
 
     action: int
     tool: int = 0

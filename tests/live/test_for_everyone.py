@@ -148,6 +148,30 @@ def test_small_windows(visit: Any, axe: str, width: int, height: int) -> None:
     page.close()
 
 
+@pytest.mark.parametrize(
+    ("width", "height", "scheme"),
+    [(1280, 800, "dark"), (900, 700, "light"), (390, 844, "light")],
+)
+def test_axe_finds_nothing_in_what_opens(
+    visit: Any, axe: str, width: int, height: int, scheme: str
+) -> None:
+    """Menus, which Enter opens and Esc closes, and a tooltip."""
+    page = visit(width, height, scheme)
+    menu = page.locator(".q-menu")
+    for name in ("save-run", "turn"):
+        page.get_by_test_id(name).press("Enter")
+        expect(menu).to_be_visible()
+        page.wait_for_timeout(400)
+        assert serious(page, axe) == [], name
+        page.keyboard.press("Escape")
+        expect(menu).to_have_count(0)
+    page.get_by_test_id("toggle").hover()
+    expect(page.locator(".q-tooltip")).to_be_visible()
+    page.wait_for_timeout(400)
+    assert serious(page, axe) == []
+    page.close()
+
+
 def test_all_by_keyboard(visit: Any) -> None:
     """Tab reaches each button and field, and leaves the editor."""
     page = visit(1280, 800, "light")

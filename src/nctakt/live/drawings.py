@@ -143,7 +143,7 @@ class Drawings:
                 with self._views, ui.menu():
                     for name in _VIEWS:
                         item = ui.menu_item(texts[f"view_{name}"], partial(self._choose_view, name))
-                        item.props(f"data-testid=view-{name}")
+                        item.props(f"role=menuitem data-testid=view-{name}")
             self._path = PathView().props("data-testid=path")
             self._path.props["name"] = texts["path_name"]
             self._name_columns()

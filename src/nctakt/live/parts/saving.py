@@ -80,7 +80,7 @@ class Saving:
         with button, ui.menu():
             for kind in KINDS:
                 item = ui.menu_item(texts[f"save_{kind}"], partial(self._save, kind))
-                item.props(f"data-testid=save-{kind}")
+                item.props(f"role=menuitem data-testid=save-{kind}")
 
     async def _save(self, kind: str) -> None:
         """Make the file and let the browser fetch it."""

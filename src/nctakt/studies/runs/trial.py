@@ -75,12 +75,12 @@ class Trials:
         if injection.tick == 0:
             values = array("d", before.values())
         for look in injection.looks():
-            made = self._run(look, inputs)
-            if made is None:
+            stretch = self._run(look, inputs)
+            if stretch is None:
                 return None
-            events.append(made[0])
-            taken.append(made[1])
-            values.frombytes(made[1])
+            events.append(stretch[0])
+            taken.append(stretch[1])
+            values.frombytes(stretch[1])
             run = decided_run(look, injection.cycle_time_us, before)
             outcome = WindowOutcome(run, injection, self._signals, values)
             if injection.is_decided(outcome):

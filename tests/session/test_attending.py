@@ -9,6 +9,7 @@ import pytest
 
 from nctakt import NcText
 from nctakt.session import Session
+from nctakt.session.listening import Listener
 
 pytestmark = pytest.mark.slow
 
@@ -82,3 +83,10 @@ def test_why(session: Session) -> None:
     session.run("0.15 s")
     text = session.why().select(line=2).render_at(session.tick - 1)
     assert "true since tick" in text
+
+
+def test_who_is_woken_waits_no_longer_for_a_frame() -> None:
+    """A command that changes what there is to see must not wait until a frame is due."""
+    listener = Listener((), 20.0)
+    listener.wake()
+    assert listener.take(600.0) is None

@@ -79,13 +79,14 @@ class Document:
         self.checker = checker
         self._content = b""
         self._seen: tuple[int, int] | None = None
+        self._other: tuple[int, int] | None = None
         self.text = ""
         self.lines: list[str] = []
         self.read()
 
     def read(self) -> None:
         """Read the file."""
-        self._seen = None
+        self._seen = self._other = None
         self._content = FileAccess().read_bytes(Path(self.file))
         self._set("\n".join(split_lines(decode_text(self._content).text)))
 
@@ -104,14 +105,21 @@ class Document:
         try:
             status = path.stat()
             seen = status.st_mtime_ns, status.st_size
-            if seen == self._seen:  # it is as it was when it was compared
-                return False
-            if path.read_bytes() != self._content:
-                return True
+            if seen in (self._seen, self._other):  # it is as it was when it was compared
+                return seen == self._other
+            is_other = path.read_bytes() != self._content
         except OSError:
             return True
-        self._seen = seen
-        return False
+        if is_other:
+            self._other = seen
+        else:
+            self._seen = seen
+        return is_other
+
+    @property
+    def is_gone(self) -> bool:
+        """Whether the file is not there."""
+        return not Path(self.file).exists()
 
     def check(self, text: str) -> list[Diagnostic]:
         """Return what the check finds in a text of the editor, with its notes."""
@@ -134,7 +142,7 @@ class Document:
         except OSError as error:
             reason = error.strerror or str(error)
             raise Failure(diagnostic(FILE_NOT_WRITABLE, file=self.file, reason=reason)) from error
-        self._content, self._seen = content, None
+        self._content, self._seen, self._other = content, None, None
         self._set(text)
 
 

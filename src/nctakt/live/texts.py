@@ -45,6 +45,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "save_short": ("Save and run", "Speichern, Neustart"),
     "saved": ("Saved; the program runs again.", "Gespeichert; das Programm läuft neu."),
     "on_disk": ("changed on disk", "auf der Platte geändert"),
+    "gone": ("gone from disk", "nicht mehr auf der Platte"),
     "plc_on_disk": ("PLC changed on disk", "SPS auf der Platte geändert"),
     "load": ("Load it", "Neu laden"),
     "long": ("{count} lines, not edited here", "{count} Zeilen, hier nicht geändert"),

@@ -307,7 +307,8 @@ class ProgramCard:
         is_plc = self._shared.plc_files.are_replaced
         self._load.set_visibility(is_replaced or is_plc)
         if is_replaced or is_plc:
-            self._edited.set_text(self._texts["on_disk" if is_replaced else "plc_on_disk"])
+            name = "gone" if self.document.is_gone else "on_disk"
+            self._edited.set_text(self._texts[name if is_replaced else "plc_on_disk"])
 
     def set_dark(self, is_dark: bool) -> None:
         """Use dark or light colours."""

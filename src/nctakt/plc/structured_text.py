@@ -18,6 +18,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.mode import is_compiled
 from nctakt.files.access import FileAccess
 from nctakt.hli.table import SINGLE_ROOTS
+from nctakt.kernel import rows
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.outside import Connection
 from nctakt.kernel.st.steps import Step, steps_in_order
@@ -88,6 +89,8 @@ if TYPE_CHECKING:
 _AXIS_MOTION = "__axis_motion"
 #: The list of the system's variables.
 _SYSTEM = "TwinCAT_SystemInfoVarList"
+#: The list in which code puts what is to be reported, and how much of a tick it holds.
+_REPORTED, _MOST = "__Messages", 16
 #: What a task counts in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
 #: Elementary instructions per µs of a task's cycle (ST-830).
@@ -232,6 +235,7 @@ class StructuredPlc(RealtimePlc):
         self._machine: AssembledMachine | None = None
         self._first_tick = 0
         self._has_ended = False
+        self._message_at = 0
         self._interface: StInterface | None = None
         self.context = self.translated.layout.context(self.translated.layout.memory())
 
@@ -272,6 +276,10 @@ class StructuredPlc(RealtimePlc):
             self._cyclic.append((task, tasks))
         tick_ns = 1000 * machine.configuration.cycle_time_us
         self._tasks = PlcTasks(context, tasks, tick_ns, kernel.tick, machine.memory, cnc)
+        counted = find_variable(self.program, f"{_REPORTED}.nCount")
+        self._message_at = 0 if counted is None else counted.address
+        if counted is not None:
+            self._tasks.watch_messages(counted.address)
         self._machine = machine
         self._has_ended = False
         self._first_tick = kernel.tick
@@ -387,6 +395,25 @@ class StructuredPlc(RealtimePlc):
             machine.memory,
             (INVALID_AXIS_COMMAND.id, AXIS_NOT_RELEASED.id),
         )
+
+    def record_messages(self) -> None:
+        """Record the texts that its code has reported in the latest tick (ST-721)."""
+        at, machine = self._message_at, self._machine
+        if not at or machine is None or self._tasks is None or not self._tasks.has_news:
+            return
+        count = int.from_bytes(self.context.peek(at, 4), "little")
+        self.context.poke(at, bytes(4))
+        texts = [
+            (str(self.read(f"{row}.sText")), int(self.read(f"{row}.nSource")))
+            for row in (f"{_REPORTED}.aRows[{i}]" for i in range(1, min(count, _MOST) + 1))
+        ]
+        if count > _MOST:
+            texts.append((f"{count - _MOST} more messages of this tick", 0))
+        is_alone = machine.registry.plc_span == self.span_of
+        for text, source in texts:
+            number = machine.registry.add_text(text)
+            place = -source if is_alone else 0
+            machine.record.event_between_ticks(rows.EVENT_MESSAGE, place, number, 0.0, 0.0, 0.0)
 
     def news(self) -> Sequence[Diagnostic]:
         """Return the fault that has stopped it, once; do what it commands that needs Python."""

@@ -193,6 +193,8 @@ class TickLoop:
 
     def settle(self, reason: int) -> None:
         """Hand on what the kernel has recorded, and do what it has returned for."""
+        for plc in self._realtime_plcs:
+            plc.record_messages()
         self.recording.drain()
         for plc in self._realtime_plcs:
             for message in plc.news():

@@ -42,6 +42,9 @@ from nctakt.translation.locations import Location, Origin
 from nctakt.translation.reflection import class_number, information
 from nctakt.translation.values import text_part
 
+#: Libraries whose functions ask from where they were called.
+_ASKING = (TEST_LIBRARY, "Tc2_System")
+
 
 class Calls(BuiltIns):
     """Calls, with their arguments and results."""
@@ -66,7 +69,8 @@ class Calls(BuiltIns):
             instance = WholeConstant(self.layout.address(called.instance))
         shared = 0 if fills_instance else self.project.shared_bytes(called)
         arguments, outputs = self._arguments(call, called, fills_instance)
-        if _library_of(called) == TEST_LIBRARY != _library_of(self.called):
+        library = _library_of(called)
+        if library in _ASKING and library != _library_of(self.called):
             arguments = steps_in_order([arguments, NoteCaller(call.start)])
         node = CallNode(callee, instance, shared, arguments, outputs, fills_instance, call.start)
         return self._noted(node, call)

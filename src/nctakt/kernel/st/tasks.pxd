@@ -50,6 +50,7 @@ cdef class PlcTasks(PlcSide):
     cdef long long tick_ns
     cdef long long first_tick
     cdef double[::1] cells
+    cdef long long message_at
     cdef long long input_count
     cdef long long[::1] input_address
     cdef long long[::1] input_byte

@@ -177,6 +177,7 @@ class PlcTasks(PlcSide):
         self.tick_ns = tick_ns
         self.first_tick = first_tick
         self.cells = memoryview(memory).cast("d")
+        self.message_at = 0
         self.input_count = 0
         self.input_address = memoryview(bytearray(8 * kinds.MAX_INPUTS)).cast("q")
         self.input_byte = memoryview(bytearray(8 * kinds.MAX_INPUTS)).cast("q")
@@ -193,6 +194,11 @@ class PlcTasks(PlcSide):
             self.input_address[self.input_count] = address + i
             self.input_byte[self.input_count] = byte
             self.input_count += 1
+
+    def watch_messages(self, address: int) -> None:
+        """Let Python look after each tick in which the number of messages is not 0 (ST-721)."""
+        check_range(address, kinds.NULL_BYTES, self.context.stack - 4, "address")
+        self.message_at = address
 
     def show(self, address: int, kind: int, cell: int) -> None:
         """Show a variable in a cell of the machine's memory after each tick."""
@@ -246,6 +252,8 @@ class PlcTasks(PlcSide):
         elif self.cnc.take() or self.context.overrun_task:
             self.has_news = True
         if self.context.notes.log_end > kinds.NOTE_LOG >> 1:
+            self.has_news = True
+        if self.message_at and words.load(self.context.memory, self.message_at, kinds.I32):
             self.has_news = True
 
     def show_outputs(self) -> None:

@@ -80,6 +80,9 @@ class RealtimePlc(WatchedPlc):
         """The files that it was read from."""
         return ()
 
+    def record_messages(self) -> None:
+        """Record the texts that its code has reported in the latest tick as events, if it can."""
+
     def news(self) -> Sequence[Diagnostic]:
         """Return what has stopped it since the last call."""
         raise NotImplementedError

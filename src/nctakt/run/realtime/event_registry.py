@@ -41,6 +41,7 @@ class EventRegistry:
         self._anonymous: dict[int, int] = {}
         self._probes = 0
         self._messages: list[UserMessage] = []
+        self._text_numbers: dict[str, int] = {}
         self._programs: list[str] = []
         self._threads: Sequence[str] = ()
         self._variable_texts: list[str] = []
@@ -182,6 +183,12 @@ class EventRegistry:
         """Register a message and return its number."""
         self._messages.append(message)
         return len(self._messages) - 1
+
+    def add_text(self, text: str) -> int:
+        """Register a text of the PLC as a message and return its number, the same each time."""
+        if text not in self._text_numbers:
+            self._text_numbers[text] = self.add_message(UserMessage(0, 0, text))
+        return self._text_numbers[text]
 
     def add_variable(self, text: str) -> int:
         """Register a variable's text and return its number, the same each time."""

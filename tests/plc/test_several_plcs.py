@@ -133,6 +133,35 @@ def test_the_last_one_of_a_tick_wins(first: int, second: int, percent: int) -> N
     assert controller.hli.override_pct == percent
 
 
+@pytest.mark.parametrize("order", [("one", "two"), ("two", "one")])
+def test_each_of_them_has_its_own_places_in_events(order: tuple[str, str]) -> None:
+    """An acknowledgement and a message have file and line of the PLC that they come from."""
+    gate = OPEN + (
+        "gpCh[0]^.head.plc_present_w := TRUE;\n"
+        "IF gpCh[0]^.techno_unit_std_sync[0].please_rw THEN\n"
+        "gpCh[0]^.techno_unit_std_sync[0].please_rw := FALSE;\n"
+        "gpCh[0]^.techno_unit_std_sync[0].done_w := TRUE;\n"
+        "END_IF\nEND_PROGRAM"
+    )
+    Path("one/gate.st").write_text(
+        f"PROGRAM MAIN VAR fbHli : MCV_HliInterface; END_VAR\n{gate}{EACH_TICK}", "utf-8"
+    )
+    Path("two/gate.st").write_text(
+        "PROGRAM MAIN\nVAR n : UDINT; END_VAR\nn := n + 1;\nIF n = 2 THEN\n"
+        f"ADSLOGSTR(1, 'two', '');\nEND_IF\nEND_PROGRAM{EACH_TICK}",
+        "utf-8",
+    )
+    plcs = [f"{folder}/gate.st" for folder in order]
+    with Session(NcText("part.nc", "G04 0.02\nM7\nM30"), plc=plcs) as session:
+        events = session.run().events
+    places = {
+        one.kind: f"{one.span.file}:{one.span.line}"
+        for one in events
+        if one.kind in ("acknowledged", "message") and one.span is not None
+    }
+    assert places == {"acknowledged": "one/gate.st:6", "message": "two/gate.st:5"}
+
+
 def test_a_project_wins_over_python() -> None:
     """Decision: Python writes after tick n, and the project in tick n + 1 before its end."""
 

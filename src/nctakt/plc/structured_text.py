@@ -257,6 +257,7 @@ class StructuredPlc(RealtimePlc):
         memory = layout.memory(bytes(interface.content))
         self.context = context = layout.context(memory)
         context.instruction_ns = self.instruction_ns
+        context.source_base = machine.registry.add_plc(self.program.sources)
         self._overrun_tasks = set()
         self._interface = interface
         cnc = connect(machine, interface, context, memory)
@@ -291,7 +292,6 @@ class StructuredPlc(RealtimePlc):
             names = names_of(machine, interface)
             tick = kernel.tick
             self._reasons = StReasons(self.program, self._rows, context, names, tick_ns, tick)
-        machine.registry.plc_span = self.span_of
         return self
 
     def count_branches(self) -> None:
@@ -409,10 +409,10 @@ class StructuredPlc(RealtimePlc):
         ]
         if count > _MOST:
             texts.append((f"{count - _MOST} more messages of this tick", 0))
-        is_alone = machine.registry.plc_span == self.span_of
+        base = self.context.source_base
         for text, source in texts:
             number = machine.registry.add_text(text)
-            place = -source if is_alone else 0
+            place = -(base + source) if source else 0
             machine.record.event_between_ticks(rows.EVENT_MESSAGE, place, number, 0.0, 0.0, 0.0)
 
     def news(self) -> Sequence[Diagnostic]:

@@ -51,6 +51,11 @@ class Sources:
     _bases: list[int] = field(default_factory=list)
     _end: int = 1
 
+    @property
+    def end(self) -> int:
+        """The number after those of all pieces."""
+        return self._end
+
     def add(self, piece: Piece) -> Piece:
         """Give a piece its numbers."""
         piece.base = self._end

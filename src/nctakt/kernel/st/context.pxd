@@ -29,6 +29,7 @@ cdef class PlcContext:
     cdef public long long steps
     cdef public long long max_steps
     cdef public long long instruction_ns
+    cdef public long long source_base
     cdef public long long overrun_task
     cdef public long long overrun_ns
     cdef public int fault
@@ -61,6 +62,7 @@ cdef class PlcContext:
     cdef int over_budget(self, long long source) noexcept nogil
     cdef void note_call(self, long long source) noexcept nogil
     cdef void note_writer(self, long long address, long long source) noexcept nogil
+    @cython.locals(source=cython.longlong)
     cpdef long long writer_of(self, long long address) noexcept nogil
     cdef long long checked(self, long long address, long long size) noexcept nogil
     cdef long long checked_target(self, long long address, long long size) noexcept nogil

@@ -27,6 +27,7 @@ class PlcContext:
     cycle of ``task``, up to ``max_steps`` (ST-830); ``now`` is the cycle's time in ns (ST-804).
     ``instruction_ns``: how long an instruction takes, 0: no time; ``overrun_task`` is the number of
     a task whose cycle took too long, ``overrun_ns`` how long, 0 where nothing is to be reported.
+    ``source_base`` moves its sources in events, where those of several PLCs differ.
     ``caller`` is the source of the latest call of a test's function; ``counts`` says how often
     conditions and bodies ran, ``near_left``, ``near_right`` and ``distances`` how near comparisons
     came to what they have never been; below 0 there is nothing to say. ``seen_left`` and
@@ -63,6 +64,7 @@ class PlcContext:
         self.steps = 0
         self.max_steps = 1000000
         self.instruction_ns = 0
+        self.source_base = 0
         self.overrun_task = 0
         self.overrun_ns = 0
         self.fault = 0
@@ -202,10 +204,14 @@ class PlcContext:
             self.writers[address - self.interface] = source
 
     def writer_of(self, address: int) -> int:
-        """Return the source of the statement that has written a byte last, 0 without one."""
+        """Return the source of the statement that has written a byte last, 0 without one.
+
+        It is moved by ``source_base``, so that the statements of several PLCs differ.
+        """
         if address < self.interface or address >= self.end:
             return 0
-        return self.writers[address - self.interface]
+        source = self.writers[address - self.interface]
+        return source + self.source_base if source else 0
 
     def poke(self, address: int, data: bytes) -> None:
         """Write bytes into the data or the interface, between two ticks."""

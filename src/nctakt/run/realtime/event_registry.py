@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import copy
+from bisect import bisect_left
 from collections import Counter
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.source_ids import SourceFiles, begins_at
@@ -19,6 +21,17 @@ from nctakt.kernel import codes
 from nctakt.kernel.cycles.cycles import CycleManager, RealtimeCycle
 from nctakt.results.run import FrozenValue, Reaction
 from nctakt.results.run_statistics import BranchKey, branch_key
+
+
+class PlcSources(Protocol):
+    """The texts of a PLC in the tick, with a number for each position in them, from 1 on."""
+
+    @property
+    def end(self) -> int:
+        """The number after those of all texts."""
+
+    def span(self, start: int, end: int) -> Span | None:
+        """Return where a part of the texts is, by the numbers of its positions."""
 
 
 class EventRegistry:
@@ -58,8 +71,18 @@ class EventRegistry:
         self._past_bodies: Counter[BranchKey] = Counter()
         self._meant_aborts: set[int] = set()
         self.on_cycle: Callable[[str, CycleDefinition], None] | None = None
-        #: Where a statement of the PLC in the tick is, by its number.
-        self.plc_span: Callable[[int], Span | None] | None = None
+        self._plcs: list[PlcSources] = []
+        self._plc_bases: list[int] = []
+
+    def add_plc(self, sources: PlcSources) -> int:
+        """Keep the texts of a PLC in the tick; return what its positions are moved by in events."""
+        for known, base in zip(self._plcs, self._plc_bases, strict=True):
+            if known is sources:
+                return base
+        base = self._plc_bases[-1] + self._plcs[-1].end if self._plcs else 0
+        self._plcs.append(sources)
+        self._plc_bases.append(base)
+        return base
 
     def with_own_files(self) -> EventRegistry:
         """Return the same names in another object, for when this one gets others."""
@@ -116,9 +139,13 @@ class EventRegistry:
 
     def span(self, source: int) -> Span | None:
         """Return the span of a source id; a negative one is that of a statement of the PLC."""
-        if source < 0:
-            return None if self.plc_span is None else self.plc_span(-source)
-        return self._files.span(source)
+        if source >= 0:
+            return self._files.span(source)
+        index = bisect_left(self._plc_bases, -source) - 1
+        if index < 0:
+            return None
+        start = -source - self._plc_bases[index]
+        return self._plcs[index].span(start, start + 1)
 
     def line_at(self, span: Span) -> str:
         """Return the source line of a span."""

@@ -155,7 +155,7 @@ def test_small_windows(visit: Any, axe: str, width: int, height: int) -> None:
 def test_axe_finds_nothing_in_what_opens(
     visit: Any, axe: str, width: int, height: int, scheme: str
 ) -> None:
-    """Menus, which Enter opens and Esc closes, and a tooltip."""
+    """Menus, which Enter opens and Esc closes, the list of a choice, and a tooltip."""
     page = visit(width, height, scheme)
     menu = page.locator(".q-menu")
     for name in ("save-run", "turn"):
@@ -165,6 +165,12 @@ def test_axe_finds_nothing_in_what_opens(
         assert serious(page, axe) == [], name
         page.keyboard.press("Escape")
         expect(menu).to_have_count(0)
+    page.get_by_test_id("speed").click()
+    expect(menu).to_be_visible()
+    page.wait_for_timeout(400)
+    assert serious(page, axe) == []
+    page.keyboard.press("Escape")
+    expect(menu).to_have_count(0)
     page.get_by_test_id("toggle").hover()
     expect(page.locator(".q-tooltip")).to_be_visible()
     page.wait_for_timeout(400)

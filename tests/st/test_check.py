@@ -467,3 +467,26 @@ END_PROGRAM
 """
     found = [one for one in check(text)[1] if one.message.id == 902500]
     assert [(one.values["name"], one.values["other"]) for one in found] == [("bBit", "nWord")]
+
+
+def test_a_name_that_a_known_library_lacks_here_is_told_as_that() -> None:
+    """ST-724: the library may well have it, so it is not said to be missing there."""
+    assert body_errors("b : BOOL;", "b := Tc2_System.F_CheckArea(1);") == [
+        "5: no F_CheckArea of the library Tc2_System is known here (C0004)",
+    ]
+
+
+def test_a_generic_block_is_refused_and_the_rest_of_its_head_is_read() -> None:
+    """EXTENDS and IMPLEMENTS come after VAR_GENERIC; nothing else is reported because of it."""
+    text = """INTERFACE I_Log
+END_INTERFACE
+FUNCTION_BLOCK Trace
+VAR_GENERIC CONSTANT nMax : UDINT := 10; END_VAR IMPLEMENTS I_Log
+VAR a : ARRAY[0..nMax] OF INT; END_VAR
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR t : Trace; l : I_Log; END_VAR
+l := t;
+END_PROGRAM
+"""
+    assert errors(text) == ["4: generic blocks (VAR_GENERIC) are not supported"]

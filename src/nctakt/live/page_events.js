@@ -46,6 +46,12 @@
     emitEvent("nctakt_key", { key: event.key });
   }, true);
 
+  // The options of a choice are in a part that can take the focus: by ARIA only a group may be that.
+  const options = "[role=listbox] > .q-virtual-scroll__content:not([role])";
+  new MutationObserver(() => {
+    document.querySelectorAll(options).forEach((part) => part.setAttribute("role", "group"));
+  }).observe(document.documentElement, { childList: true, subtree: true });
+
   // Whoever asks why, or sets a stop, is not about to type: the focus stays where it is.
   document.addEventListener("mousedown", (event) => {
     if (!event.target.closest(".nc-inline, .cm-lineNumbers .cm-gutterElement")) return;

@@ -69,6 +69,14 @@ MEMBER_UNKNOWN = error(
     remedy_de="War {nearest} gemeint?",
     owner=_OWNER,
 )
+LIBRARY_MEMBER_UNKNOWN = error(
+    902945,
+    en="no {name} of the library {owner} is known here (C0004)",
+    de="{name} der Bibliothek {owner} ist hier nicht bekannt (C0004)",
+    remedy_en="Did you mean {nearest}? Else add the library's source or a stub to [plc] libraries.",
+    remedy_de="War {nearest} gemeint? Sonst Quelle oder Ersatz unter [plc] libraries ablegen.",
+    owner=("the library", "die Bibliothek"),
+)
 MEMBER_NOT_ACCESSIBLE = error(
     902197,
     en="{name} of {owner} is {access} and cannot be used here (C0576)",

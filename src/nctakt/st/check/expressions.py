@@ -25,6 +25,7 @@ from nctakt.messages.plcs.st_check import (
     INDEX_OF_NO_ARRAY,
     INDEX_OUTSIDE,
     INDICES_COUNT,
+    LIBRARY_MEMBER_UNKNOWN,
     LITERAL_WRONG,
     MEMBER_NOT_ACCESSIBLE,
     MEMBER_UNKNOWN,
@@ -473,15 +474,20 @@ class ExpressionChecker:
         node.base.target = qualifier
         if found is None:
             names = [one.name for one in known.values()] if isinstance(known, dict) else []
-            self._report_member(node, name, names)
+            is_library = isinstance(qualifier, Library)
+            self._report_member(
+                node, name, names, LIBRARY_MEMBER_UNKNOWN if is_library else MEMBER_UNKNOWN
+            )
             return None
         node.target = found
         return self._value_of(node, found)
 
-    def _report_member(self, node: Member, owner: str, names: list[str]) -> None:
+    def _report_member(
+        self, node: Member, owner: str, names: list[str], message: Message = MEMBER_UNKNOWN
+    ) -> None:
         nearest = KnownNames(names).nearest(node.name) or NOTHING
         self.reporter.report(
-            MEMBER_UNKNOWN,
+            message,
             node.end - len(node.name),
             node.end,
             name=node.name,

@@ -51,6 +51,7 @@ _VAR_KEYWORDS = frozenset(
     """VAR VAR_INPUT VAR_OUTPUT VAR_IN_OUT VAR_TEMP VAR_STAT VAR_INST VAR_GLOBAL VAR_EXTERNAL
     VAR_CONFIG VAR_ACCESS""".split()
 )
+_GENERIC = "VAR_GENERIC"
 _QUALIFIERS = frozenset(("CONSTANT", "RETAIN", "PERSISTENT", "NON_RETAIN"))
 _POU_KINDS = {kind.value: kind for kind in Kind}
 _ACCESS = {access.value: access for access in Access}
@@ -110,17 +111,11 @@ class DeclarationParser(StatementParser):
         pou = PouNode(start, start + 1, self.name(), attributes, access, kind=kind)
         pou.end = self.end
         pou.is_abstract, pou.is_final = "ABSTRACT" in words, "FINAL" in words
-        while True:
-            if self.accept_word("EXTENDS"):
-                pou.base = self._named_type()
-            elif self.accept_word("IMPLEMENTS"):
-                pou.interfaces = self._names()
-            elif self.accept(":"):
-                pou.result = self.type()
-            else:
-                break
-        self.accept(";")
+        self._relations(pou)
         pou.variables = self.blocks()
+        if pou.variables and _GENERIC in pou.variables[-1].qualifiers:
+            self._relations(pou)  # VAR_GENERIC comes before them
+            pou.variables += self.blocks()
         if has_body:
             self._members(pou)
             pou.body = self.statements()
@@ -166,6 +161,19 @@ class DeclarationParser(StatementParser):
         action.body = self.statements()
         self._end_object("END_ACTION", start)
         return action
+
+    def _relations(self, pou: PouNode) -> None:
+        """Read what a unit extends and implements, and the type of its result."""
+        while True:
+            if self.accept_word("EXTENDS"):
+                pou.base = self._named_type()
+            elif self.accept_word("IMPLEMENTS"):
+                pou.interfaces = self._names()
+            elif self.accept(":"):
+                pou.result = self.type()
+            else:
+                break
+        self.accept(";")
 
     def method(self, *, has_body: bool, is_abstract: bool = False) -> MethodNode:
         """Read the declaration of a method, in plain text with its body."""
@@ -330,16 +338,18 @@ class DeclarationParser(StatementParser):
     def blocks(self) -> list[VariableBlock]:
         """Read all VAR … END_VAR that follow each other."""
         found = []
-        while self.kinds[self.index] in _VAR_KEYWORDS or self.word() == "VAR_GENERIC":
-            if self.word() == "VAR_GENERIC":
-                self.report(GENERIC_REFUSED)
+        while self.kinds[self.index] in _VAR_KEYWORDS or self.word() == _GENERIC:
             found.append(self._block())
         return found
 
     def _block(self) -> VariableBlock:
         start, keyword = self.start, self.kinds[self.index]
-        self.index += 1
         qualifiers = set()
+        if self.word() == _GENERIC:
+            self.report(GENERIC_REFUSED)
+            keyword = "VAR"
+            qualifiers.add(_GENERIC)
+        self.index += 1
         while self.kinds[self.index] == NAME and self.word() in _QUALIFIERS:
             if self.kinds[self.index + 1] in (":", ","):
                 break

@@ -384,10 +384,13 @@ def test_a_link_does_not_lend_its_target_to_somebody_else(told: Told, cell: Path
 
 @pytest.mark.skipif(os.name != "posix", reason="no owners")
 @pytest.mark.parametrize("name", ["helper.py", "package/inner.py", "wave.py", "__pycache__"])
-def test_what_the_code_imports_counts_too(told: Told, cell: Path, name: str) -> None:
+def test_what_the_code_imports_counts_too(
+    told: Told, cell: Path, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Beside it, in a package, in place of a module of Python's own, as Python translated it."""
     imports = "import helper\nimport package.inner\ndef later():\n    import wave\n"
     write("cell.py", imports + PROOF_PLC)
+    monkeypatch.setattr(sys, "pycache_prefix", None)
     translated = cache_from_source("cell.py")
     for file in ("helper.py", "package/inner.py", "wave.py", "unused.py", translated):
         write(file, "")

@@ -34,7 +34,7 @@ BUILT = {
     "Kernel": {"plc"},
     "Index": {"count"},
     "NumberValue": {"number"},
-    "PlcContext": {"counts", "notes"},
+    "PlcContext": {"counts", "distances", "near_left", "near_right", "notes"},
     "Routine": {"shared", "size", "body"},
 }
 

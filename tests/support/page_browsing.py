@@ -27,6 +27,7 @@ class SocketBrowser:
     """A page that is looked at, at an address. ``state``: what its drawings were told last.
 
     ``notes``: what it was told in words. ``is_gone``: the page has closed its connection.
+    It says what it has drawn, as a page does that is looked at.
     """
 
     def __init__(self, address: str) -> None:
@@ -74,7 +75,10 @@ class SocketBrowser:
         elif name == "run_javascript":
             found = re.search(r'runMethod\(\d+, ?"take", ?(\[.*\])', words["code"], re.DOTALL)
             if found is not None:
-                self.state |= json.JSONDecoder().raw_decode(found[1])[0][0]
+                news = json.JSONDecoder().raw_decode(found[1])[0][0]
+                self.state |= news
+                if "number" in news:
+                    self.send("nctakt_taken", news["number"])
 
     # --- what it sends --------------------------------------------------------------------------
 

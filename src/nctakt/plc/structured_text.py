@@ -90,7 +90,7 @@ _AXIS_MOTION = "__axis_motion"
 #: The list of the system's variables.
 _SYSTEM = "TwinCAT_SystemInfoVarList"
 #: The list in which code puts what is to be reported, and how much of a tick it holds.
-_REPORTED, _MOST = "__Messages", 16
+_REPORTED, _MAX_MESSAGES = "__Messages", 16
 #: What a task counts in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
 #: Elementary instructions per µs of a task's cycle (ST-830).
@@ -405,10 +405,10 @@ class StructuredPlc(RealtimePlc):
         self.context.poke(at, bytes(4))
         texts = [
             (str(self.read(f"{row}.sText")), int(self.read(f"{row}.nSource")))
-            for row in (f"{_REPORTED}.aRows[{i}]" for i in range(1, min(count, _MOST) + 1))
+            for row in (f"{_REPORTED}.aRows[{i}]" for i in range(1, min(count, _MAX_MESSAGES) + 1))
         ]
-        if count > _MOST:
-            texts.append((f"{count - _MOST} more messages of this tick", 0))
+        if count > _MAX_MESSAGES:
+            texts.append((f"{count - _MAX_MESSAGES} more messages of this tick", 0))
         base = self.context.source_base
         for text, source in texts:
             number = machine.registry.add_text(text)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from nicegui import ui
 
@@ -44,11 +45,10 @@ class PlcEdit:
         self._texts = texts
         self._opened: _Opened | None = None
         self._drafts: dict[tuple[str, int], str] = {}
-        self._editor = ui.codemirror(
-            "", theme="basicLight", line_wrapping=True, on_change=lambda _: on_typed()
-        )
-        self._editor.classes("nc-plc-edit").props("data-testid=plc-edit")
-        self._editor.set_visibility(False)
+        self._on_typed = on_typed
+        self._is_dark = False
+        self._room = ui.element("div").classes("nc-plc-edit-room")
+        self._editor: Any = None  # there from the first text on: few change one
 
     @property
     def is_open(self) -> bool:
@@ -59,7 +59,11 @@ class PlcEdit:
     def is_changed(self) -> bool:
         """Whether the text is not the one of its file."""
         own = self._opened
-        return own is not None and (self._editor.value or "") != own.texts.texts[own.number]
+        return own is not None and self._typed != own.texts.texts[own.number]
+
+    @property
+    def _typed(self) -> str:
+        return "" if self._editor is None else self._editor.value or ""
 
     def open(self, file: str, shown: list[str], number: int) -> bool:
         """Let a text of a file be changed; ``shown``: its lines as the session runs them.
@@ -77,22 +81,39 @@ class PlcEdit:
         if not 0 <= number < len(texts.texts):
             return False
         self._opened = _Opened(file, content, texts, number)
+        if self._editor is None:
+            self._make_editor()
         self._editor.set_value(self._drafts.pop((file, number), texts.texts[number]))
         self._editor.set_visibility(True)
         name = json.dumps(self._texts["plc_edited"])
         self._editor.client.run_javascript(
-            f"const view = getElement({self._editor.id}).editor;"
-            f"view.contentDOM.setAttribute('aria-label', {name}); view.focus();"
+            "const typing = () => {"
+            f" const view = getElement({self._editor.id})?.editor;"
+            " if (!view) return setTimeout(typing, 20);"  # its library is still on the way
+            f" view.contentDOM.setAttribute('aria-label', {name}); view.focus();"
+            "}; typing();"
         )
         return True
+
+    def _make_editor(self) -> None:
+        with self._room:
+            self._editor = ui.codemirror(
+                "", theme=self._theme, line_wrapping=True, on_change=lambda _: self._on_typed()
+            )
+        self._editor.classes("nc-plc-edit").props("data-testid=plc-edit")
+
+    @property
+    def _theme(self) -> Any:
+        return "vscodeDark" if self._is_dark else "basicLight"
 
     def close(self) -> None:
         """Show no text; what is not saved is kept."""
         own = self._opened
         if own is not None and self.is_changed:
-            self._drafts[own.file, own.number] = self._editor.value or ""
+            self._drafts[own.file, own.number] = self._typed
         self._opened = None
-        self._editor.set_visibility(False)
+        if self._editor is not None:
+            self._editor.set_visibility(False)
 
     def write(self) -> None:
         """Write the text into its file; raises ``Failure`` if that has changed, or cannot be."""
@@ -102,7 +123,7 @@ class PlcEdit:
         path = Path(own.file)
         if FileAccess().read_bytes(path) != own.content:
             raise Failure(diagnostic(PROGRAM_CHANGED_ON_DISK, file=own.file))
-        content = own.texts.replaced(own.number, self._editor.value or "")
+        content = own.texts.replaced(own.number, self._typed)
         try:
             replace_file(path, content)
         except OSError as error:
@@ -112,4 +133,6 @@ class PlcEdit:
 
     def set_dark(self, is_dark: bool) -> None:
         """Use dark or light colours."""
-        self._editor.run_method("setTheme", "vscodeDark" if is_dark else "basicLight")
+        self._is_dark = is_dark
+        if self._editor is not None:
+            self._editor.run_method("setTheme", self._theme)

@@ -271,7 +271,7 @@ def test_the_path_to_come(browser: Any, tmp_path: Path) -> None:
         assert page.evaluate("nctaktRun.run.latest") == -1
         places = future["columns"][future["names"].index("X.ACS.ACT_POS")]
         assert (max(places), places[-1]) == (20, 0)
-        assert [line for *_, line in future["marks"]] == [2]
+        assert [line for *_, line, _ in future["marks"]] == [2]
         page.get_by_test_id("variable-V.E.VALUE").fill("1")
         page.get_by_test_id("variable-V.E.VALUE").press("Enter")
         page.wait_for_function("nctaktRun.run.future?.marks.length === 0")

@@ -412,8 +412,8 @@ class StructuredPlc(RealtimePlc):
         base = self.context.source_base
         for text, source in texts:
             number = machine.registry.add_text(text)
-            place = -(base + source) if source else 0
-            machine.record.event_between_ticks(rows.EVENT_MESSAGE, place, number, 0.0, 0.0, 0.0)
+            source_id = -(base + source) if source else 0
+            machine.record.event_between_ticks(rows.EVENT_MESSAGE, source_id, number, 0.0, 0.0, 0.0)
 
     def news(self) -> Sequence[Diagnostic]:
         """Return the fault that has stopped it, once; do what it commands that needs Python."""

@@ -474,20 +474,27 @@ class ExpressionChecker:
         node.base.target = qualifier
         if found is None:
             names = [one.name for one in known.values()] if isinstance(known, dict) else []
-            is_library = isinstance(qualifier, Library)
-            self._report_member(
-                node, name, names, LIBRARY_MEMBER_UNKNOWN if is_library else MEMBER_UNKNOWN
-            )
+            if isinstance(qualifier, Library):
+                nearest = KnownNames(names).nearest(node.name) or NOTHING
+                start = node.end - len(node.name)
+                self.reporter.report(
+                    LIBRARY_MEMBER_UNKNOWN,
+                    start,
+                    node.end,
+                    name=node.name,
+                    owner=name,
+                    nearest=nearest,
+                )
+            else:
+                self._report_member(node, name, names)
             return None
         node.target = found
         return self._value_of(node, found)
 
-    def _report_member(
-        self, node: Member, owner: str, names: list[str], message: Message = MEMBER_UNKNOWN
-    ) -> None:
+    def _report_member(self, node: Member, owner: str, names: list[str]) -> None:
         nearest = KnownNames(names).nearest(node.name) or NOTHING
         self.reporter.report(
-            message,
+            MEMBER_UNKNOWN,
             node.end - len(node.name),
             node.end,
             name=node.name,

@@ -107,7 +107,7 @@ def at_the_broker(
         programs = [] if plc is None else structured_programs(plc)
         host = await Host(session, load_machine(), ServerLog(lines.append), programs).open()
         endpoint = MqttEndpoint(host, read_broker(f"mqtt://127.0.0.1:{port}/cell"))
-        async with aiomqtt.Client("127.0.0.1", port) as client:
+        async with aiomqtt.Client("127.0.0.1", port, timeout=60) as client:
             await client.subscribe("cell/#", 1)
             await endpoint.prepare()
             await endpoint.open()
@@ -200,7 +200,7 @@ def test_a_retained_request_is_refused(port: int) -> None:
     aiomqtt = pytest.importorskip("aiomqtt", reason="the extra mqtt")
 
     async def leave(text: str) -> None:
-        async with aiomqtt.Client("127.0.0.1", port) as client:
+        async with aiomqtt.Client("127.0.0.1", port, timeout=60) as client:
             await client.publish("cell/press", text, 1, retain=True)
 
     async def act(host: Host, endpoint: MqttEndpoint, client: Client) -> None:

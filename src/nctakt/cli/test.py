@@ -175,7 +175,7 @@ def _check_trusted(words: list[str]) -> None:
 
 
 def _paths(words: list[str]) -> Iterator[str]:
-    """Return an iterator over the words in front of pytest's options."""
+    """Return an iterator over the words before pytest's options."""
     return takewhile(lambda one: not one.startswith("-"), words)
 
 

@@ -275,7 +275,7 @@ def _variable(found: Any, version: int) -> FmuVariable:
 
 
 def _limit(text: str | None, otherwise: float) -> float:
-    """Return a limit of a variable's value; what is no number limits nothing."""
+    """Return a limit of a value; an entry that is not a number sets no limit."""
     try:
         return otherwise if text is None else float(text)
     except ValueError:

@@ -67,7 +67,7 @@ def links_of(parts: _Parts) -> memoryview:
 
 
 def opened(node: Real) -> tuple[Real, _Parts]:
-    """Return what a node begins with, and the parts that follow; none if it is no operation."""
+    """Return the operand that a chain begins with and its links; no links without an operation."""
     if isinstance(node, RealChain):
         return node.start, node.parts
     if isinstance(node, RoundToSingle):

@@ -31,7 +31,7 @@ from nctakt.studies.runs.begun_run import BegunRun, FinishedRun
 from nctakt.studies.runs.study_runner import Row, StudyRunner, crashed_row
 from nctakt.studies.runs.trial import Trials
 
-#: An injection is tried off a run that waits less than so many ticks before it.
+#: An unchanged run waits fewer than this many ticks before an injection that starts from it.
 MAX_LEAD = 32
 
 #: From which length of the unchanged run on copying may be cheaper than running from the start.

@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 import nctakt
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, write_initialisers
 
 PACKAGE = Path(nctakt.__file__).parent
 
@@ -166,6 +166,19 @@ def test_methods_are_written_when_they_are_first_called() -> None:
     assert not is_written("__hash__") and not is_written("__eq__")
     assert one in {Fresh(1)}
     assert is_written("__hash__") and is_written("__eq__")
+
+
+def test_all_initialisers_are_written_at_once_where_that_is_wanted() -> None:
+    """What is copied often has them then, and no copy writes its own; all else stays as it is."""
+
+    @dataclass(slots=True)
+    class Fresh:
+        x: int
+
+    write_initialisers()
+    assert inspect.isfunction(Fresh.__dict__["__init__"])
+    assert not inspect.isfunction(Fresh.__dict__["__eq__"])
+    assert Fresh(1) == Fresh(1)
 
 
 @pytest.mark.slow

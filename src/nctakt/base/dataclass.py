@@ -16,7 +16,9 @@ from collections.abc import Callable
 from dataclasses import field
 from typing import TYPE_CHECKING, Any, NoReturn
 
-__all__ = ["dataclass", "field"]
+__all__ = ["dataclass", "field", "write_initialisers"]
+
+_initialised: list[type[Any]] = []
 
 if TYPE_CHECKING:
     from dataclasses import dataclass
@@ -33,6 +35,7 @@ else:
             cls = bare(written)
             methods = {}
             if init:
+                _initialised.append(cls)
                 methods["__init__"] = _Method(cls, "__init__", _frozen_init if frozen else _init)
             if repr:
                 methods["__repr__"] = _repr
@@ -53,6 +56,12 @@ else:
             return cls
 
         return decorate
+
+
+def write_initialisers() -> None:
+    """Write ``__init__`` of all classes so far that no one has called yet: some 30 ms."""
+    for cls in _initialised:
+        _ = cls.__init__
 
 
 _Class = type[Any]

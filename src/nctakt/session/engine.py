@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nctakt.base.dataclass import dataclass, field
+from nctakt.base.dataclass import dataclass, field, write_initialisers
 from nctakt.base.diagnostics import Diagnostic, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleBranch, CycleDefinition
@@ -285,6 +285,10 @@ class Engine:
                 continue
             if self._expected.popleft() != arrived:
                 self._differs = arrived.tick
+
+    def warm_up(self) -> None:
+        """Do now what each copy of this would otherwise do in its first ticks."""
+        write_initialisers()
 
     # --- going on -------------------------------------------------------------------------------
 

@@ -98,6 +98,7 @@ class Timeline:
         self._fault: Failure | None = None
         self._held: Failure | None = None
         self._confirmed = Confirmed()
+        self._is_warm = False
         self.progress: tuple[int, int] | None = None
         self.took_s = 0.0
         if self._can_copy:
@@ -376,6 +377,9 @@ class Timeline:
     def _woken(self, target: Branch, parked: Parked | None) -> RemoteEngine:
         """Return a copy of a parked controller with the inputs of a branch, else a new one."""
         engine = self._workshop.open(self._setup)[0] if parked is None else parked.engine.copy()
+        if parked is not None and parked.tick == 0 and not self._is_warm:
+            parked.engine.order("warm_up")  # while the first copy runs
+            self._is_warm = True
         engine.plan(self._planned(target, engine.tick))
         return engine
 

@@ -76,6 +76,8 @@ def test_tip_and_direction_are_the_engines(browser: Any, tmp_path: Path) -> None
         page.get_by_role("option", name="max").click()
         page.get_by_test_id("toggle").click()
         expect(page.get_by_test_id("state")).to_contain_text("ended")
+        # The curves come a moment after the state, and a click goes to a tick that they know.
+        page.wait_for_function("nctaktRun.run.ticks[0] < 10")
         walk = random.Random(35)
         leaning = 0
         for share in (0.01, *(walk.uniform(0.3, 0.9) for _ in range(5)), 0.5, 0.99):

@@ -215,8 +215,6 @@ def test_after_travel_lanes_reach_as_far_as_the_curves() -> None:
 
 
 def until(is_so: Callable[[], bool]) -> None:
-    """Wait until something is so."""
-    end_s = time.monotonic() + 60
+    """Wait until something is so; pytest's own limit ends a test where it never comes."""
     while not is_so():
-        assert time.monotonic() < end_s
         time.sleep(0.02)

@@ -152,6 +152,9 @@ def test_more_connections_than_there_may_be(monkeypatch: Any) -> None:
         while not await served.answers():
             await asyncio.sleep(0.05)
         assert served.refused["too many connections"] >= 1
+        # There is room once the first of them has gone, on a busy machine before the others have.
+        for reader in idle:
+            await until_closed(reader)
         assert served.refused["its request did not come to an end"] == len(idle)
 
     run(part)

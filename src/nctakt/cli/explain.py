@@ -112,7 +112,8 @@ def _explain(words: Sequence[str], machine: str | None, form: str, language: Lan
         if found:
             answers = [_Answer(" ".join(words), tuple(found[:_MAX_ANSWERS]))]
         else:
-            answers = [one for one in answers if one.word.casefold() not in SMALL_WORDS] or answers
+            asked = [one for one in answers if one.word.casefold() not in SMALL_WORDS]
+            answers = [one for one in asked if one.articles] or asked or answers
     unknown = [message for answer in answers for message in answer.unknown]
     if form == "json":
         _show([as_json(_document(answers, unknown, language)).rstrip()])

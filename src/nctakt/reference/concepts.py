@@ -62,10 +62,11 @@ def _of_time(words: TimeWord) -> _Concept:
 
 #: Words of a question that say nothing about its subject.
 SMALL_WORDS = frozenset(
-    "a an and are be by can do does for from how i in is it my no not of on one or that the there "
-    "to what when where which who why with "
-    "auf aus bei das dem den der des die ein eine einem einen einer es für geht hat ich ist kann "
-    "kein keine mein meine mit nach nicht sich sind und von wann warum was wie wird wo worauf zu "
+    "a an and are be by can come comes do does for from get how i if in is it mean means my no "
+    "not of on one or should that the there to until what when where which who why with am an auf "
+    "aus bedeutet bei bis das dem den der des die ein eine einem einen einer es für geht hat ich "
+    "im ist kann kein keine kommt man mein meine meinem meinen meiner mit muss nach nicht sich "
+    "sind soll um und von wann warum was welche welcher welches wenn wie wird wo womit worauf zu "
     "zum zur".split()
 )
 
@@ -98,8 +99,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "#RT CYCLE, $IF, ONCE, EDGE, M; nctakt why part.nc"),
     ),
     _concept(
-        "realtime cycle, realtime cycles, real-time cycle; Echtzeit-Zyklus, Echtzeit-Zyklen, "
-        "Echtzeitzyklus, Echtzeitzyklen",
+        "realtime cycle, realtime cycles, real-time cycle, cycles; Echtzeit-Zyklus, "
+        "Echtzeit-Zyklen, Echtzeitzyklus, Echtzeitzyklen, Zyklus, Zyklen",
         Text(
             "Conditions and actions that the controller runs through in each tick beside the "
             "path, without waiting for the PLC; SCOPE says how long they live",
@@ -150,8 +151,8 @@ _CONCEPTS = (
         fact(*_FURTHER, "HLI.OVERRIDE, V.RTG.OVERRIDE.VEL.CYCLE, hli_command.override, G166"),
     ),
     _concept(
-        "waiting, wait, waits, standstill, hang, hangs, stuck, stops; Warten, warten, wartet, "
-        "Wartezeit, Stillstand, hängt, stehen, steht, bleibt",
+        "waiting, wait, waits, standstill, hang, hangs, stuck, stops; Warten, warten, warte, "
+        "wartet, Wartezeit, Stillstand, hängt, stehen, steht, bleibt",
         Text(
             "A program that does not go on waits for the PLC's acknowledgement of a function, for "
             "an axis or a spindle, for START, for a signal of another channel, or for a time",
@@ -248,6 +249,7 @@ _CONCEPTS = (
             "Listen der Maschine, V.A und V.G die der Steuerung, V.RTA und V.RTG die Werte jedes "
             "Takts",
         ),
+        fact(*_EXAMPLES, "nctakt run part.nc --set V.E.COUNT=5 --at 200ms V.E.COUNT=7"),
         fact(*_FURTHER, "V.E, V.CH, V.P, V.L, P; nctakt explain variables"),
     ),
     _concept(
@@ -378,7 +380,7 @@ _CONCEPTS = (
         fact(*_FURTHER, "docs/machine-folders.md; nctakt explain parameters"),
     ),
     _concept(
-        "interface, PLC; Schnittstelle, SPS",
+        "interface, PLC, HMI, gpCh, gpAx; Schnittstelle, SPS",
         Text(
             "What CNC and PLC exchange in each tick: commands of the operator, states, functions "
             "with their acknowledgement, variables",
@@ -390,6 +392,16 @@ _CONCEPTS = (
             "nctakt run part.nc --set HLI.OVERRIDE=50\nnctakt explain 'gpCh[]^.bahn_state'",
         ),
         fact(*_FURTHER, "docs/hli.md, docs/plc.md; nctakt explain hli"),
+    ),
+    _concept(
+        "connection, connections, connect, ADS, OPC UA, OPC-UA, OPCUA, MTConnect, MQTT, TwinCAT; "
+        "Verbindung, Verbindungen, verbinden, verbinde, anbinden",
+        Text(
+            "A run that PLCs, HMIs and dashboards reach on the network as they reach a machine",
+            "Ein Lauf, den SPSen, HMIs und Dashboards im Netz erreichen wie eine Maschine",
+        ),
+        fact(*_EXAMPLES, "nctakt serve part.nc --ads --opcua"),
+        fact(*_FURTHER, "docs/serve.md, docs/ads.md, docs/opcua.md, docs/mqtt.md, interface"),
     ),
     *map(_of_time, TIME_WORDS),
 )

@@ -59,6 +59,44 @@ def test_words_that_cannot_be_used(
     assert shown.out == ""
 
 
+@pytest.mark.parametrize(
+    ("words", "option"),
+    [
+        ("run p.nc --trace a.csv --trace b.mf4", "--trace"),
+        ("run p.nc --ticks 5 --quiet --ticks=5", "--ticks"),
+        ("run p.nc --compiled --plain", "--compiled/--plain"),
+        ("run p.nc --root a --root b", "--root"),
+        ("compare log.csv p.nc --offset 1s --offset 2s", "--offset"),
+        ("serve p.nc --live --live 127.0.0.1:1", "--live"),
+        ("schedule show --format json a --format text", "--format"),
+        ("--lang en --lang de check p.nc", "--lang"),
+        ("run examples/crossing.nc --set V.E.COUNT=1 --set V.E.COUNT=2", "--set V.E.COUNT"),
+        ("compare log.csv p.nc --tolerance 1 --tolerance 2%", "--tolerance"),
+        ("compare log.csv p.nc --tolerance X=1 --tolerance X=2", "--tolerance X"),
+    ],
+)
+def test_no_word_replaces_another_one_in_silence(
+    words: str, option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """902953 for each option that says a single thing; exit code 2, before anything is done."""
+    assert main(words.split()) == 2
+    first = capsys.readouterr().err.splitlines()[0]
+    assert first.endswith(
+        f"902953: {option} is given more than once; only the last value would count"
+    )
+
+
+def test_words_that_may_come_again(capsys: pytest.CaptureFixture[str]) -> None:
+    """Switches say the same again, --lang of a group is that of its commands, help comes first."""
+    program = "examples/crossing.nc"
+    values = ["--set", "V.E.COUNT=1", "--at", "1ms", "V.E.COUNT=1", "--at", "1ms", "V.E.COUNT=2"]
+    assert (
+        main(["--lang", "de", "run", program, "--quiet", "--quiet", *values, "--lang", "en"]) == 0
+    )
+    assert main(["run", "--help", "--trace", "a", "--trace", "b"]) == 0
+    assert "902953" not in capsys.readouterr().err
+
+
 def test_without_words_the_help_is_shown(capsys: pytest.CaptureFixture[str]) -> None:
     """It is no mistake that has a remedy."""
     assert main([]) == 2

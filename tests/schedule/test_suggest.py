@@ -135,6 +135,15 @@ def test_slacks_that_are_none(folder: Path, capsys: Capture, slack: str) -> None
     assert "error 900648" in err and "MMI_DRIVER" in err
 
 
+@pytest.mark.parametrize(
+    ("slack", "name"), [("", "--slack"), ("MMI_DRIVER=", "--slack MMI_DRIVER")]
+)
+def test_two_slacks_of_one_thread(folder: Path, capsys: Capture, slack: str, name: str) -> None:
+    """902953: none replaces the other."""
+    assert run(folder, "--slack", f"{slack}20", "--slack", f"{slack}30") == 2
+    assert f"error 902953: {name} is given more than once" in capsys.readouterr().err
+
+
 def search(configuration: RtconfConfiguration, load: str, slacks: Slacks, cpus: int) -> Suggestions:
     """Suggestions for a configuration with a load."""
     times = read_load("load.toml", load, Collector())

@@ -313,6 +313,26 @@ def test_comments_that_are_not_understood_are_all_told(sessions: Sessions) -> No
 
 
 @pytest.mark.parametrize(
+    ("first", "second", "name"),
+    [
+        ("V.E.VALUE = 1", "V.E.VALUE = 2", "V.E.VALUE"),
+        ("until 1s", "until 2s", "until"),
+        ("ticks 500", "ticks 600", "ticks"),
+        ("skip 1", "skip 2", "skip"),
+        ("machine a", "machine b", "machine"),
+    ],
+)
+def test_an_input_that_counts_once_is_given_twice(first: str, second: str, name: str) -> None:
+    """902953 at the second one; values at times, PLCs and programs of channels may be several."""
+    with pytest.raises(Failure) as caught:
+        read_script(Path("p.nc"), f"; given: {first}\n; given: {second}\nM30\n")
+    found = caught.value.diagnostics[0]
+    assert (found.id, found.span.line, found.values["option"]) == (902953, 2, f"given: {name}")
+    several = "; given: V.E.VALUE = 1 at 1ms; given: V.E.VALUE = 2 at 1ms\n; given: plc a.py\n"
+    assert len(read_script(Path("p.nc"), several + "; given: plc b.py\nM30\n").plcs) == 2
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
         ("; given: plc none.py; expect: ended\n", "902940"),

@@ -8,8 +8,8 @@ says where they are; everything else raises ``Failure``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Text
@@ -17,7 +17,7 @@ from nctakt.base.failure import Failure
 from nctakt.lists.format import arguments
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.command_line import INVALID_SKIP_OPTION
+from nctakt.messages.commands.command_line import INVALID_SKIP_OPTION, OPTION_REPEATED
 from nctakt.nc.parse.block_head import SKIP_LEVELS
 from nctakt.run.access.stimuli import (
     Stimulus,
@@ -26,6 +26,8 @@ from nctakt.run.access.stimuli import (
     parse_stimulus,
     read_stimulus,
 )
+
+_Value = TypeVar("_Value")
 
 
 def _same(text: str) -> Text:
@@ -164,7 +166,7 @@ class Assignments(Kind):
             arguments.mapping(name, value)
 
     def from_words(self, words: Sequence[str]) -> dict[str, float | str]:
-        return dict(_each(words, parse_assignment))
+        return by_name("--set", _each(words, parse_assignment))
 
     def from_data(self, value: Any) -> Any:
         if not isinstance(value, dict):
@@ -322,6 +324,19 @@ def split_names(text: str) -> tuple[str, ...]:
         else:
             names[-1] += character
     return tuple(name.strip() for name in names if name.strip())
+
+
+def by_name(option: str, pairs: Iterable[tuple[str, _Value]]) -> dict[str, _Value]:
+    """Return what a repeated option says, by name; raises ``Failure`` for a second value (902953).
+
+    A name may be empty: then the option says it of all others.
+    """
+    values: dict[str, _Value] = {}
+    for name, value in pairs:
+        if name in values:
+            raise Failure(diagnostic(OPTION_REPEATED, option=f"{option} {name}".rstrip()))
+        values[name] = value
+    return values
 
 
 def _is_list_of(value: object, kind: type) -> bool:

@@ -43,6 +43,7 @@ from nctakt.base.text import split_lines
 from nctakt.lists.format import times
 from nctakt.lists.format.times import Time, read_time
 from nctakt.messages import diagnostic
+from nctakt.messages.commands.command_line import OPTION_REPEATED
 from nctakt.messages.commands.inputs import (
     INVALID_EXPECTATION,
     INVALID_GIVEN_INPUT,
@@ -54,7 +55,7 @@ from nctakt.nc.source import Source
 from nctakt.project.run_settings import Named
 from nctakt.run.access.stimuli import Stimulus, parse_assignment
 from nctakt.run.option_kinds import Flag, Whole
-from nctakt.run.options import DATA_NAMES, RunKeywords, accepted_by, merged
+from nctakt.run.options import BY_NAME, DATA_NAMES, RunKeywords, accepted_by, merged
 
 #: Tolerance of an expected value unless the expectation has one.
 TOLERANCE = 1e-6
@@ -369,14 +370,18 @@ def _give(script: Script, text: str, position: Place) -> None:
             script.plcs.append(path)
         else:
             named = "machine", path
+            _refuse_second(script.machine, "machine")
             script.machine = path
     elif match := _CHANNEL.fullmatch(text):
         path = match["path"].strip()
         named = "channel", path
         script.channels.setdefault(int(match["number"]), []).append(path)
     elif match := _UNTIL.fullmatch(text):
+        _refuse_second(script.until, "until")
         script.until = read_time(match["time"])
     elif "=" not in text and (given := _option(text)) is not None:
+        for name in given:
+            _refuse_second(script.options.get(name), BY_NAME[name].comment_name)
         script.options = merged(script.options, given)
     elif match := _GIVEN_AT.fullmatch(text):
         name, value = parse_assignment(match["assignment"])
@@ -385,11 +390,18 @@ def _give(script: Script, text: str, position: Place) -> None:
     elif "=" in text:
         name, value = parse_assignment(text)
         named = "value", name
+        _refuse_second(script.assignments.get(name), name)
         script.assignments[name] = value
     else:
         raise _NotUnderstoodError
     if named is not None:
         script.givens.append(Given(*named, position))
+
+
+def _refuse_second(first: object, name: str) -> None:
+    """Raise ``Failure`` if an input that counts once has been given before (902953)."""
+    if first is not None:
+        raise Failure(diagnostic(OPTION_REPEATED, option=f"given: {name}"))
 
 
 def _option(text: str) -> RunKeywords | None:

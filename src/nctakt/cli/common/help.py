@@ -129,6 +129,14 @@ class GroupedOption(click.Option):
         return _with_values(record[0], ctx), text
 
 
+class RepeatedOptionError(click.UsageError):
+    """An option is given again, and would replace what it said before; ``option``: its name."""
+
+    def __init__(self, option: str, context: click.Context) -> None:
+        super().__init__(option, context)
+        self.option = option
+
+
 class LanguageOption(GroupedOption):
     """``--lang``: without it that of the group, else that of the environment."""
 
@@ -145,6 +153,12 @@ def option(
     """Return the decorator of an option with its help in both languages."""
     cls = LanguageOption if "--lang" in names else GroupedOption
     return click.option(*names, cls=cls, texts=text, group=group, **attributes)
+
+
+def _is_said_once(option: click.Option) -> bool:
+    """Return whether an option says something else when it is given again."""
+    is_switch = option.is_flag and not option.secondary_opts
+    return not (option.multiple or option.count or is_switch)
 
 
 def _keep_language(
@@ -166,11 +180,25 @@ class _Shown(click.Command):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Let a mistake in the words know the command whose help explains them."""
+        words = list(args)
         try:
-            return super().parse_args(ctx, args)
+            left = super().parse_args(ctx, args)
+            self._refuse_repetitions(ctx, words)
+            return left
         except click.UsageError as error:
             error.ctx = error.ctx or ctx
             raise
+
+    def _refuse_repetitions(self, ctx: click.Context, words: list[str]) -> None:
+        """Raise ``RepeatedOptionError`` if a word would replace an earlier one of its option."""
+        if ctx.resilient_parsing:
+            return
+        given = self.make_parser(ctx).parse_args(words)[2]
+        for one in self.get_params(ctx):
+            if isinstance(one, click.Option) and _is_said_once(one) and given.count(one) > 1:
+                spellings = (one.opts, one.secondary_opts)
+                option = "/".join(max(names, key=len) for names in spellings if names)
+                raise RepeatedOptionError(option, ctx)
 
     def get_help_option(self, ctx: click.Context) -> click.Option | None:
         found = super().get_help_option(ctx)

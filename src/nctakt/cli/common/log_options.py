@@ -16,6 +16,7 @@ from nctakt.cli.common.help import option
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import TOLERANCE_UNREADABLE, TWO_PLACES
+from nctakt.run.option_kinds import by_name
 
 if TYPE_CHECKING:
     from nctakt.comparison.aligning_event import EventInLog
@@ -81,7 +82,7 @@ class LogWords:
 
     def read_limits(self) -> dict[str, Tolerance]:
         """Return the tolerances by signals, "" for all others; raises ``Failure`` (902529)."""
-        return dict(_tolerance(text) for text in self.tolerances)
+        return by_name("--tolerance", map(_tolerance, self.tolerances))
 
 
 @dataclass(frozen=True, slots=True)

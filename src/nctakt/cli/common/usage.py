@@ -13,13 +13,14 @@ import click
 
 from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
 from nctakt.base.misspelling import nearest
-from nctakt.cli.common.help import LANGUAGE_VARIABLE, help_language
+from nctakt.cli.common.help import LANGUAGE_VARIABLE, RepeatedOptionError, help_language
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import (
     ARGUMENT_MISSING,
     INVALID_COMMAND_LINE,
     INVALID_OPTION_VALUE,
+    OPTION_REPEATED,
     OPTION_VALUE_MISSING,
     UNKNOWN_OPTION,
     UNKNOWN_SUBCOMMAND,
@@ -55,6 +56,8 @@ def _diagnostic(error: click.ClickException) -> Diagnostic:
             )
         case click.BadOptionUsage() if error.option_name:
             return diagnostic(OPTION_VALUE_MISSING, option=error.option_name, help=help_of)
+        case RepeatedOptionError():
+            return diagnostic(OPTION_REPEATED, option=error.option)
         case click.UsageError():
             return _of_command(error, context, help_of)
     return diagnostic(INVALID_COMMAND_LINE, reason=error.format_message(), help=help_of)

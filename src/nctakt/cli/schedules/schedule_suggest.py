@@ -29,6 +29,7 @@ from nctakt.cli.schedules.schedule_options import (
 )
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.scheduling.suggest import INVALID_SLACK, NOTHING_SUGGESTED
+from nctakt.run.option_kinds import by_name
 
 if TYPE_CHECKING:
     from nctakt.cli.schedules.schedule_options import ListRead
@@ -133,11 +134,11 @@ def _suggest(words: dict[str, Any]) -> int:
 
 
 def _slacks(texts: tuple[str, ...], model: Model) -> Slacks:
-    """Return the slacks of ``--slack``; raises ``Failure`` (900648)."""
+    """Return the slacks of ``--slack``; raises ``Failure`` (900648, 902953)."""
     from nctakt.schedule.analysis.suggest import Slacks  # noqa: PLC0415
 
     names = [task.name for task in model.tasks]
-    everybody, threads = 10.0, {}
+    shares: list[tuple[str, float]] = []
     for text in texts:
         name, equals, number = text.rpartition("=")
         try:
@@ -146,11 +147,9 @@ def _slacks(texts: tuple[str, ...], model: Model) -> Slacks:
             share = -1.0
         if not 0 <= share < 100 or (equals and name not in names):
             raise Failure(diagnostic(INVALID_SLACK, text=text, names=", ".join(names)))
-        if equals:
-            threads[name] = share
-        else:
-            everybody = share
-    return Slacks(everybody, threads)
+        shares.append((name, share))
+    threads = by_name("--slack", shares)
+    return Slacks(threads.pop("", 10.0), threads)
 
 
 def _write(file: OutputFile, read: ListRead, suggestions: Suggestions) -> None:

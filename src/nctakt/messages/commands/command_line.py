@@ -114,6 +114,13 @@ OPTION_VALUE_MISSING = error(
     remedy_en="Add the value after the option. More: {help}",
     remedy_de="Den Wert nach der Option angeben. Mehr: {help}",
 )
+OPTION_REPEATED = error(
+    902953,
+    en="{option} is given more than once; only the last value would count",
+    de="{option} ist mehrmals angegeben; nur der letzte Wert würde gelten",
+    remedy_en="Leave only the one that should count.",
+    remedy_de="Nur den Wert angeben, der gelten soll.",
+)
 UNKNOWN_SUBCOMMAND = error(
     900912,
     en="unknown command {word}",

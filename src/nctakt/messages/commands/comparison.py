@@ -112,8 +112,8 @@ MAPPING_UNREADABLE = error(
     902521,
     en="{file} is not a mapping file: {reason}",
     de="{file} ist keine Zuordnungsdatei: {reason}",
-    remedy_en="Correct it; docs/compare.md explains its entries.",
-    remedy_de="Sie berichtigen; docs/compare.md erklärt ihre Einträge.",
+    remedy_en="Correct it; docs/logs.md explains its entries.",
+    remedy_de="Sie berichtigen; docs/logs.md erklärt ihre Einträge.",
     reason=("what is wrong", "was falsch ist"),
 )
 NO_OVERLAP = error(

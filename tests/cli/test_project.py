@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import struct
+import subprocess
 import sys
 from collections.abc import Callable
 from importlib.util import cache_from_source
@@ -468,6 +469,20 @@ def test_tests_that_others_may_have_written(told: Told, cell: Path, name: str, w
     code, out, err = told("test", word)
     assert (code, out, "902971" in err, str(Path(name).absolute()) in err) == (2, "", True, True)
     assert not Path(name).with_name("ran").exists()
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(os.name != "posix", reason="no owners")
+def test_tests_in_parallel_trust_as_the_command_does(told: Told, cell: Path) -> None:
+    """A worker of pytest-xdist is a process of its own: there --trust counts as well."""
+    write("programs/a.nc", PROGRAM + "; expect: ended\n")
+    others_may_write(Path("cell.py"))
+    words = ["test", "programs", "--trust", "--", "-n", "1"]
+    tested = subprocess.run(
+        [sys.executable, "-m", "nctakt", *words], capture_output=True, text=True, check=False
+    )
+    assert (tested.returncode, "1 passed" in tested.stdout) == (0, True), tested.stdout
+    assert cell.exists()
 
 
 def test_what_only_reads_runs_no_code_of_a_project(told: Told, cell: Path) -> None:

@@ -47,6 +47,11 @@ def trusting() -> Iterator[None]:
         _is_all_trusted = before
 
 
+def trusts_all() -> bool:
+    """Return whether all projects are trusted at the moment."""
+    return _is_all_trusted
+
+
 def list_of_trusted() -> Path:
     """Return the file that names the trusted folders, one a line; it need not be there."""
     settings = os.environ.get(_SETTINGS_VARIABLE, "")

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Generator, Iterator
+from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 #: Files that may hold suites in Structured Text.
 _SUITE_SUFFIXES = (".plcproj", ".st", ".iecst", ".exp")
+
+#: What a worker of pytest-xdist is told by this name: whether all projects are trusted.
+_TRUST = "nctakt_trusts_all"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -54,12 +58,28 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Start gathering coverage if it is requested, in each worker on its own."""
+    """Start gathering coverage if it is requested, in each worker on its own.
+
+    A worker trusts the same projects as the command that started it.
+    """
+    if getattr(config, "workerinput", {}).get(_TRUST):
+        from nctakt.project.trust import trusting  # noqa: PLC0415 - see above
+
+        trust = ExitStack()
+        trust.enter_context(trusting())
+        config.add_cleanup(trust.close)
     files = config.getoption("nctakt_coverage_file")
     if files or config.getoption("nctakt_coverage"):
         from nctakt.testing.coverage import SessionCoverage  # noqa: PLC0415 - see above
 
         config.pluginmanager.register(SessionCoverage(config, files), "nctakt-coverage")
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_configure_node(node: Any) -> None:
+    """Tell a worker of pytest-xdist whether ``nctakt test`` trusts all projects."""
+    trust = sys.modules.get("nctakt.project.trust")
+    node.workerinput[_TRUST] = trust is not None and trust.trusts_all()
 
 
 def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Collector | None:

@@ -114,6 +114,61 @@ def test_nothing_is_near_without_numbers(tmp_path: Path) -> None:
     assert nearest_in(tmp_path, "F_Next(n) > 100") is None
 
 
+def labels_in(folder: Path, case: str) -> tuple[Coverage, dict[str, NearestMiss | None]]:
+    """How near a selector came to labels in cycles with n from 1 to 5."""
+    path = folder / "labels.st"
+    path.write_text(
+        "TYPE E_Gate : (Shut, Open := 5, Gone := 6); END_TYPE\n"
+        "PROGRAM MAIN VAR n, k : INT; s : USINT; u : ULINT; e : E_Gate; END_VAR\nn := n + 1;\n"
+        f"{case}\nEND_CASE\nEND_PROGRAM\n",
+        "utf-8",
+    )
+    plc = load_structured(path)
+    coverage = Controller().run(NcText("part.nc", CYCLE), plc=plc, ticks=45, why=True).coverage
+    (unit,) = [one for one in coverage.cycles if one.name == "MAIN"]
+    return Coverage((unit,), 1), {one.text: one.condition.nearest for one in unit.branches}
+
+
+def test_how_near_selectors_came_to_labels(tmp_path: Path) -> None:
+    """ST-511: the next value of a label that never fitted, of ELSE the next without a label."""
+    case = "CASE n OF\n3: k := 1;\n8, 20..30: k := 2;\n-7..-4: k := 3;"
+    coverage, nearest = labels_in(tmp_path, case)
+    assert nearest == {
+        "3: k := 1;": None,
+        "8, 20..30: k := 2;": NearestMiss(5, 8, 3),
+        "-7..-4: k := 3;": NearestMiss(1, -4, 5),
+    }
+    assert "never reached, nearest 5 = 8, 3 away" in CoverageText(coverage, "en").table()
+    assert from_json("x", as_json(coverage)) == coverage
+    twice = coverage.plus(coverage).cycles[0].branches[1]
+    assert (twice.bodies, twice.condition.nearest) == (0, NearestMiss(5, 8, 3))
+
+
+def test_how_near_selectors_came_to_else(tmp_path: Path) -> None:
+    """Values without a label lie between those with one, and within the type."""
+    _, nearest = labels_in(tmp_path, "CASE n OF\n0..7, 9..30000: k := 1;\nELSE\nk := 2;")
+    assert nearest["ELSE"] == NearestMiss(1, -1, 2)
+    _, nearest = labels_in(tmp_path, "CASE s OF\n0..200, 202..255: k := 1;\nELSE\nk := 2;")
+    assert nearest["ELSE"] == NearestMiss(0, 201, 201)
+    _, nearest = labels_in(tmp_path, "CASE s OF\n0..255: k := 1;\nELSE\nk := 2;")
+    assert nearest["ELSE"] is None
+    _, nearest = labels_in(tmp_path, "e := 5; CASE e OF\nE_Gate.Gone: k := 1;")
+    assert nearest["E_Gate.Gone: k := 1;"] == NearestMiss(5, 6, 1)
+
+
+def test_labels_beyond_signed_numbers(tmp_path: Path) -> None:
+    """ST-303, ST-511: labels of ULINT from 2⁶³ on, and a range across it."""
+    case = (
+        "u := ULINT#16#8000000000000000 + INT_TO_ULINT(n);\nCASE u OF\n"
+        "16#FFFFFFFFFFFFFFFF: k := 1;\n10..16#8000000000000002: k := 2;\n"
+        "16#8000000000000003: k := 3;\nELSE\nk := 4;"
+    )
+    coverage, nearest = labels_in(tmp_path, case)
+    assert [one.bodies for one in coverage.cycles[0].branches] == [0, 2, 1, 2]
+    miss = nearest["16#FFFFFFFFFFFFFFFF: k := 1;"]
+    assert miss is not None and miss.right == float((1 << 64) - 1)
+
+
 def test_branches_of_the_plc_are_counted(tmp_path: Path) -> None:
     """n is 1 … 5: 3 takes the IF, 4 the ELSIF, the others ELSE, whose FOR passes twice each."""
     units = {cycle.name: cycle for cycle in covered(tmp_path).cycles}

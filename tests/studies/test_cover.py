@@ -94,6 +94,20 @@ def test_branches_of_several_plcs_are_reached(tmp_path: Path) -> None:
     assert reached.coverage.branches == 4
 
 
+def test_labels_of_case_are_reached(tmp_path: Path) -> None:
+    """The distance to labels leads to them, and to the only value without one (ST-511)."""
+    plc = tmp_path / "labels.st"
+    plc.write_text(
+        "PROGRAM MAIN\nVAR nPart, nGate : DINT; n : INT; END_VAR\nCASE nPart OF\n"
+        "77777: n := 1;\n4000..4010: CASE nGate OF 4711: n := 2; END_CASE\nEND_CASE\n"
+        "CASE nGate OF\n-2147483648..31415, 31417..2147483647: n := 3;\nELSE n := 4;\nEND_CASE\n"
+        "END_PROGRAM\n"
+    )
+    study = study_of(program(""), "MAIN.nPart", "MAIN.nGate", plc=[str(plc)])
+    reached = study.cover(150)
+    assert (reached.is_whole, reached.coverage.branches) == (True, 5)
+
+
 def test_a_pulse_is_moved_to_where_the_axis_is() -> None:
     """A value of one tick, while X is between 15 and 15.2: the time of one beside the other."""
     cycle = on("V.E.TRIGGER == 1 && V.RTA.ACS.ACT_POS.X > 15 && V.RTA.ACS.ACT_POS.X < 15.2")

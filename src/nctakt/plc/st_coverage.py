@@ -75,7 +75,8 @@ def _branch(sources: Sources, branch: NumberedBranch, counts: Counts) -> BranchC
     text = "ELSE" if branch.kind == "ELSE" else sources.line(file, line).strip()
     if branch.condition is None:
         evaluated = bodies = counts.of[branch.number]
-        condition = ConditionCounts(text, "", bodies, 0)
+        operator = "=" if branch.is_label else ""
+        condition = ConditionCounts(text, operator, bodies, 0, counts.miss(branch.number))
     else:
         condition = _condition(sources, branch.condition, branch.number, counts)
         evaluated = condition.true + condition.false

@@ -149,7 +149,8 @@ class CoverageText:
         if state == "never false":
             nearest = self._nearest(condition, condition.nearest_to_false)
         else:
-            nearest = self._nearest(condition, condition.nearest) if state == "never true" else ""
+            is_known = state in ("never true", "not reached")
+            nearest = self._nearest(condition, condition.nearest) if is_known else ""
         return f"{text}, {nearest}" if nearest else text
 
     def _part(self, part: ConditionCounts) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel.st import branching, kinds
 from nctakt.kernel.st.calls import Call as CallNode
-from nctakt.kernel.st.observing.counting import CountedStep
+from nctakt.kernel.st.observing.counting import CountedStep, SeenSelector
 from nctakt.kernel.st.observing.noted import NotedLoop, NotedPass, NotedResult, NotedScope
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.steps import (
@@ -33,6 +33,8 @@ from nctakt.kernel.st.wholes import (
 )
 from nctakt.st import tree
 from nctakt.st.types import (
+    Elementary,
+    EnumType,
     Expression,
     InterfaceType,
     PointerType,
@@ -42,10 +44,11 @@ from nctakt.st.types import (
     StringType,
     Variable,
 )
-from nctakt.translation.body import CannotRunError, is_standard
+from nctakt.translation.body import CannotRunError, is_standard, value_type
 from nctakt.translation.calls import Calls
 from nctakt.translation.checks import written_pointer
-from nctakt.translation.layout import is_real, kind_of
+from nctakt.translation.labels import as_signed, labels_of, seen_labels
+from nctakt.translation.layout import is_real, is_unsigned, kind_of
 from nctakt.translation.locations import Location
 from nctakt.translation.observing.noting import leaves_early
 
@@ -242,12 +245,21 @@ class Statements(Calls):
     def _case(self, written: tree.Case) -> Step:
         selector, cost = self.whole(written.selector), self.take_cost()
         self.frame.release()
-        ranges: list[tuple[int, int, Step]] = []
-        for branch in written.branches:
-            body = self.statements(branch.body)
-            ranges += [(one.first, one.last, body) for one in branch.labels]
+        ranges = labels_of(written)
+        kind = value_type(written.selector)
+        if isinstance(kind, Elementary | EnumType):
+            seen = seen_labels(written, ranges, kind, self.project.counted)
+            if seen:
+                selector = SeenSelector(selector, is_unsigned(kind), seen)
+        bodies = [self.statements(branch.body) for branch in written.branches]
         otherwise = self.statements(written.otherwise)
-        labels = branching.choices(_apart(ranges))
+        labels = branching.choices(
+            [
+                (first, last, bodies[number])
+                for one in ranges
+                for first, last, number in as_signed(one)
+            ]
+        )
         return branching.Case(selector, labels, otherwise, written.start, cost)
 
     def _for(self, written: tree.For) -> Step:
@@ -282,23 +294,3 @@ def is_same_variable(one: Expression, other: Expression) -> bool:
                 return False
             return all(map(is_same_variable, one.indices, other.indices))
     return False
-
-
-def _apart(ranges: list[tuple[int, int, Step]]) -> list[tuple[int, int, Step]]:
-    """Return ranges of labels without those that an earlier one covers (ST-511)."""
-    kept: list[tuple[int, int, Step]] = []
-    for low, high, body in ranges:
-        pieces = [(low, high)]
-        for first, last, _ in kept:
-            rest: list[tuple[int, int]] = []
-            for begin, end in pieces:
-                if end < first or begin > last:
-                    rest.append((begin, end))
-                    continue
-                if begin < first:
-                    rest.append((begin, first - 1))
-                if end > last:
-                    rest.append((last + 1, end))
-            pieces = rest
-        kept += [(begin, end, body) for begin, end in pieces]
-    return kept

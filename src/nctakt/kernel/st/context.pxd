@@ -54,8 +54,9 @@ cdef class PlcContext:
     cdef void wrote_target(self, long long at, int kind, long long source) noexcept nogil
     cdef void wrote_bytes(self, long long at, long long size, long long source) noexcept nogil
     cdef void count(self, long long number) noexcept nogil
-    @cython.locals(missed=cython.longlong, distance=cython.double, known=cython.double)
     cdef void approach(self, long long number, long long truth) noexcept nogil
+    @cython.locals(distance=cython.double, known=cython.double)
+    cdef void note_near(self, long long missed, double left, double right) noexcept nogil
     cpdef void begin(self, long long now) noexcept nogil
     cdef void fail(self, int message, long long a, long long b) noexcept nogil
     cdef int stop_at(self, long long source) noexcept nogil

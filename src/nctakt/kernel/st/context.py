@@ -130,16 +130,22 @@ class PlcContext:
 
         ``number``: that of its being true.
         """
-        missed = number + 1 if truth else number
-        if number + 1 >= self.count_end or self.counts[missed] != 0:
+        self.note_near(number + 1 if truth else number, self.seen_left, self.seen_right)
+
+    def note_near(self, missed: int, left: float, right: float) -> None:
+        """Note how far two values are apart, if that is nearer than before.
+
+        ``missed``: the number of what has been counted while they are the same, if it was at all.
+        """
+        if missed >= self.count_end or self.counts[missed] != 0:
             return
-        distance = self.seen_left - self.seen_right
+        distance = left - right
         if distance < 0.0:
             distance = -distance
         known = self.distances[missed]
         if distance >= 0.0 and (known < 0.0 or distance < known):
-            self.near_left[missed] = self.seen_left
-            self.near_right[missed] = self.seen_right
+            self.near_left[missed] = left
+            self.near_right[missed] = right
             self.distances[missed] = distance
 
     def begin(self, now: int) -> None:

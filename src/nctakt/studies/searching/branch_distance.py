@@ -79,7 +79,7 @@ def _distance(cycle: CycleCounts, index: int) -> BranchDistance:
 def _rest(levels: int, cycle: CycleCounts, index: int) -> BranchDistance:
     """Return the distance of a branch by its condition, or by those before it in its ``$IF``."""
     branch = cycle.branches[index]
-    if branch.condition.false:
+    if branch.condition.false or _has_label(branch):
         misses = [_miss(branch, to=True)]
     else:
         earlier = _earlier(cycle.branches, index)
@@ -88,6 +88,11 @@ def _rest(levels: int, cycle: CycleCounts, index: int) -> BranchDistance:
     rest = sum(rest for rest, _ in misses) or _UNKNOWN
     difference = next((difference for _, difference in misses if difference is not None), None)
     return BranchDistance(levels, rest, difference)
+
+
+def _has_label(branch: BranchCounts) -> bool:
+    """Return whether values are known that lead to a branch without a condition, as in CASE."""
+    return branch.word in WITHOUT_CONDITION and branch.condition.nearest is not None
 
 
 def _earlier(branches: tuple[BranchCounts, ...], index: int) -> list[BranchCounts]:

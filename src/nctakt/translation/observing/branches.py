@@ -26,7 +26,8 @@ class NumberedBranch:
     """A branch; ``number`` is that of its condition, of a branch without one that of its body.
 
     ``outer``: the index of the branch around it; ``starts``: where the statements directly in its
-    body begin; ``parts``: the operands of AND and OR with their numbers.
+    body begin; ``parts``: the operands of AND and OR with their numbers; ``is_label``: the value of
+    a CASE leads to it.
     """
 
     kind: BranchKind
@@ -36,6 +37,7 @@ class NumberedBranch:
     condition: Expression | None
     starts: list[int]
     parts: list[tuple[Expression, int]] = field(default_factory=list)
+    is_label: bool = False
 
 
 @dataclass(slots=True, eq=False)
@@ -83,8 +85,8 @@ class BranchNumbers:
                     self._plain("ELSE", one.otherwise, outer, unit)
                 case tree.Case():
                     for label in one.branches:
-                        self._plain("CASE", label.body, outer, unit, label)
-                    self._plain("ELSE", one.otherwise, outer, unit)
+                        self._plain("CASE", label.body, outer, unit, label, is_label=True)
+                    self._plain("ELSE", one.otherwise, outer, unit, is_label=True)
                 case tree.For():
                     self._plain("FOR", one.body, outer, unit, one)
                 case tree.While():
@@ -116,12 +118,15 @@ class BranchNumbers:
         outer: int | None,
         unit: NumberedUnit,
         node: Node | None = None,
+        *,
+        is_label: bool = False,
     ) -> None:
         if not body:
             return
         start = body[0].start if node is None else node.start
         number = self._take(body, 1)
-        self._add(NumberedBranch(kind, start, outer, number, None, _starts(body)), body, unit)
+        branch = NumberedBranch(kind, start, outer, number, None, _starts(body), is_label=is_label)
+        self._add(branch, body, unit)
 
     def _add(self, branch: NumberedBranch, body: list[Statement], unit: NumberedUnit) -> None:
         unit.branches.append(branch)

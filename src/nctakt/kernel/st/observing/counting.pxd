@@ -30,6 +30,16 @@ cdef class ComparedTruth(CountedTruth):
     @cython.locals(value=cython.longlong)
     cdef long long value(self, PlcContext context) noexcept nogil
 
+cdef class SeenSelector(Whole):
+    cdef Whole operand
+    cdef bint is_unsigned
+    cdef long long count
+    cdef double[::1] lowest
+    cdef double[::1] highest
+    cdef long long[::1] numbers
+    @cython.locals(value=cython.longlong, seen=cython.double, i=cython.longlong)
+    cdef long long value(self, PlcContext context) noexcept nogil
+
 cdef class CountedStep(Step):
     cdef Step body
     cdef long long number

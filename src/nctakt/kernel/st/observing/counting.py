@@ -77,6 +77,42 @@ class ComparedTruth(CountedTruth):
         return value
 
 
+class SeenSelector(Whole):
+    """The selector of ``CASE``: how near it came to the labels of bodies that never ran.
+
+    ``labels``: lowest and highest label of a range and the number of its body, one after another.
+    """
+
+    def __init__(
+        self, operand: Whole, is_unsigned: bool, labels: list[tuple[float, float, int]]
+    ) -> None:
+        self.operand = operand
+        self.is_unsigned = is_unsigned
+        self.count = len(labels)
+        self.lowest = memoryview(bytearray(8 * self.count + 8)).cast("d")
+        self.highest = memoryview(bytearray(8 * self.count + 8)).cast("d")
+        self.numbers = memoryview(bytearray(8 * self.count + 8)).cast("q")
+        for index, (lowest, highest, number) in enumerate(labels):
+            check_range(number, 0, kinds.MAX_COUNTS - 1, "number")
+            self.lowest[index] = lowest
+            self.highest[index] = highest
+            self.numbers[index] = number
+
+    def value(self, context: PlcContext) -> int:
+        value = self.operand.value(context)
+        if context.fault:
+            return value
+        seen = value + 0.0
+        if self.is_unsigned and value < 0:
+            seen = words.real_of_unsigned(value)
+        for i in range(self.count):
+            if seen < self.lowest[i]:
+                context.note_near(self.numbers[i], seen, self.lowest[i])
+            elif seen > self.highest[i]:
+                context.note_near(self.numbers[i], seen, self.highest[i])
+        return value
+
+
 class CountedStep(Step):
     """A body: counts ``number`` each time when it begins."""
 

@@ -186,6 +186,34 @@ def test_a_text_is_changed_and_saved_by_keys(browser: Any, part: Path) -> None:
         page.close()
 
 
+def test_findings_while_a_text_is_typed(browser: Any, part: Path) -> None:
+    """Underlined, told at the pointer, listed with the line of the file, which a click shows."""
+    with served(str(part), "--plc", str(part.parent / "Cell.plcproj")) as address:
+        page = opened(browser, address)
+        edit, found = page.get_by_test_id("plc-edit"), page.get_by_test_id("findings")
+        page.keyboard.press("i")
+        expect(page.locator(".nc-plc-line.nc-block")).to_be_visible()
+        page.keyboard.press("F2")
+        expect(edit.locator(".cm-content")).to_be_focused()
+        page.keyboard.press("Control+Home")
+        page.keyboard.type("m := 1;\n")
+        mark = edit.locator(".nc-error")
+        expect(mark).to_have_text("m")
+        expect(found.locator(".nc-finding")).to_have_count(1)
+        expect(found).to_contain_text("MAIN.TcPOU:")
+        mark.hover()
+        expect(page.locator(".nc-told-finding")).to_contain_text("m")
+        found.locator(".nc-finding").click()
+        expect(edit.locator(".cm-activeLine")).to_have_text("m := 1;")
+        page.keyboard.press("Control+Home")
+        page.keyboard.press("Delete")
+        page.keyboard.type("n")
+        expect(mark).to_have_count(0)
+        expect(found.locator(".nc-finding.error")).to_have_count(0)
+        page.keyboard.press("F2")
+        page.close()
+
+
 def test_events_and_answers_lead_to_lines_of_the_plc(browser: Any) -> None:
     """M7 is acknowledged by a statement; why tells what that has written, and names others."""
     folder = Path(__file__).parents[2] / "examples" / "coolant"

@@ -38,6 +38,27 @@ def test_names_are_explained_by_declaration_value_and_comment(tmp_path: Path) ->
     assert "parts at most" in german
 
 
+def test_findings_of_a_text_that_is_typed(tmp_path: Path) -> None:
+    """Of all files that the session runs, with their names there; what runs stays as it is."""
+    called = "FUNCTION F_Next : INT\nVAR_INPUT\n    n : INT;\nEND_VAR\nF_Next := n + 1;\n"
+    texts = {}
+    for name, text in {
+        "main.st": "PROGRAM MAIN\nVAR n : INT; END_VAR\nn := F_Next(n := n);\nEND_PROGRAM\n",
+        "next.st": f"{called}END_FUNCTION\n",
+        "other.st": "PROGRAM P_Other\nVAR n : INT; END_VAR\nn := F_Next(k := n);\nEND_PROGRAM\n",
+    }.items():
+        (tmp_path / name).write_text(text, "utf-8")
+        if name != "other.st":
+            texts[str(tmp_path / name)] = text.split("\n")
+    words = PlcWords(texts)
+    main, changed = texts
+    assert words.found(main, texts[main]) == []
+    found = words.found(changed, [line.replace("n", "k") for line in texts[changed]])
+    places = {(one.span.file, one.span.line) for one in found if one.span is not None}
+    assert places >= {(main, 3)}
+    assert words.found(main, texts[main]) == []
+
+
 def test_nothing_is_known_of_other_places(tmp_path: Path) -> None:
     """No word, no name, no words at all."""
     words = PlcWords({str(tmp_path / "cell.st"): TEXT.split("\n")})

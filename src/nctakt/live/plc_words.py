@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the page explains of a PLC's files: the answers of the language server.
+"""What the page explains and finds in a PLC's files: the answers of the language server.
 
-In: the texts that the session runs, places in them. Out: HTML. Nothing is executed.
+In: the texts that the session runs, places in them, texts that are typed. Out: HTML, findings.
+Nothing is executed.
 The functions are those of ``nctakt lsp``; of its libraries only lsprotocol is needed.
 """
 
@@ -9,10 +10,11 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import Diagnostic, Language, Severity
 from nctakt.live.plc_view import WordPlace
 from nctakt.live.words import as_html
 
@@ -25,8 +27,10 @@ class PlcWords:
 
     def __init__(self, texts: Mapping[str, Sequence[str]]) -> None:
         self._lines = {_located(file): list(lines) for file, lines in texts.items()}
+        self._names = {_located(file).as_posix(): file for file in texts}
         self._documents: dict[str, Any] = {}
         self._answers: Any = None
+        self._projects: Any = None
         self._lock = threading.Lock()
 
     def explained(self, file: str, words: Sequence[WordPlace], language: Language) -> str | None:
@@ -38,6 +42,17 @@ class PlcWords:
                 if text:
                     found[text] = None
         return as_html("\n\n---\n\n".join(found))[0] if found else None
+
+    def found(self, file: str, lines: Sequence[str]) -> list[Diagnostic]:
+        """Return what the check finds in the session's files if one had other lines, but notes."""
+        with self._lock:
+            document = self._document(file)
+            found = self._projects.of(document).tried(document.name, lines)
+        return [
+            replace(one, span=replace(one.span, file=self._names[one.span.file]))
+            for one in found
+            if one.severity > Severity.NOTE and one.span.file in self._names
+        ]
 
     def _explained(self, file: str, word: WordPlace, language: Language) -> str:
         from lsprotocol.types import MarkupContent, Position  # noqa: PLC0415 - when asked for
@@ -65,8 +80,8 @@ class PlcWords:
         )
 
         if self._answers is None:
-            projects = PlcProjects(self._documents, self._lines.get)
-            self._answers = StructuredAnswers(projects)
+            self._projects = PlcProjects(self._documents, self._lines.get)
+            self._answers = StructuredAnswers(self._projects)
         path = _located(file)
         uri = uri_of(path)
         if uri not in self._documents:

@@ -138,12 +138,15 @@ class Lists:
             self._branches.show()
 
     def show_findings(self, program: ProgramCard) -> None:
-        """Show findings of the text, and while it is the one that runs, those of the run."""
-        known = set(map(str, program.findings))
-        of_run = [one for one in self._shared.diagnostics if str(one) not in known]
-        found = program.findings if program.is_edited else [*program.findings, *of_run]
-        plc = self._shared.session.description.plc_texts
-        rows = view.finding_rows(found, program.document.file, self._texts.language, plc)
+        """Show findings of the texts, and those of the run, but not in a text that is changed."""
+        plc, edit = self._shared.session.description.plc_texts, program.plc.edit
+        found = {str(one): one for one in (*program.findings, *edit.findings)}
+        for one in () if program.is_edited else self._shared.diagnostics:
+            if not (edit.is_changed and one.span is not None and one.span.file in plc):
+                found.setdefault(str(one), one)
+        rows = view.finding_rows(
+            list(found.values()), program.document.file, self._texts.language, plc
+        )
         self._show_rows("findings", rows)
 
     def _show_rows(self, name: str, rows: Sequence[LogRow]) -> None:

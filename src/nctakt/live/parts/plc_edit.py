@@ -1,28 +1,39 @@
 # SPDX-License-Identifier: MIT
 """A text of the PLC that a person changes on the page: a declaration, an implementation, a file.
 
-In: a file of the PLC, the row of the cursor. Out: an editor in the place of the lines; the file
-with that text, once it is saved. A file that has changed on disk meanwhile is never written over.
+In: a file of the PLC, the row of the cursor. Out: an editor in the place of the lines, with the
+findings of its text; the file with that text, once it is saved. A file that has changed on disk
+meanwhile is never written over.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nicegui import ui
+from nicegui import run, ui
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
+from nctakt.base.text import decode_text, split_lines
 from nctakt.files.access import FileAccess
+from nctakt.live import view
 from nctakt.live.document import replace_file
+from nctakt.live.parts.commander import Newest
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.live import PROGRAM_CHANGED_ON_DISK
 from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.st.files.editable import EditableTexts
+
+#: How long the page waits for more typing, in seconds.
+_TYPING_S = 0.35
+
+_MARKS = (Path(__file__).parent / "plc_marks.js").read_text("utf-8")
 
 
 @dataclass(slots=True)
@@ -34,15 +45,58 @@ class _Opened:
     texts: EditableTexts
     number: int
 
+    def lines_with(self, text: str) -> list[str]:
+        """Return the lines of the file with another text."""
+        return split_lines(decode_text(self.texts.replaced(self.number, text)).text)
+
+    def placed(self, found: Sequence[Diagnostic], lines: Sequence[str]) -> list[Diagnostic]:
+        """Return the findings in the text's lines, by their places there.
+
+        Where the file writes a line in another way, as entities, all of the line counts.
+        """
+        first, column = self.texts.place_of(self.number)
+        whole = self.lines_with("\n".join(lines))
+        placed = []
+        for one in found:
+            span = one.span
+            if span is None or span.file != self.file or not 0 <= span.line - first < len(lines):
+                continue
+            line = lines[span.line - first]
+            shift = column - 1 if span.line == first else 0
+            is_plain = whole[span.line - 1][shift:].startswith(line)
+            begin, end = (span.column, span.end_column) if is_plain else (1, len(line) + 1)
+            shift = shift if is_plain else 0
+            moved = replace(
+                span, line=span.line - first + 1, column=begin - shift, end_column=end - shift
+            )
+            placed.append(replace(one, span=moved))
+        return placed
+
+
+#: Returns what the check finds in the session's files if one had other lines.
+Find = Callable[[str, Sequence[str]], list[Diagnostic]]
+
 
 class PlcEdit:
     """The editor of one browser; ``on_typed`` is called with each change.
 
-    What was typed and not saved comes back when the same text is opened again.
+    What was typed and not saved comes back when the same text is opened again. ``findings``: those
+    of the text as it was checked last, by the places in their files.
     """
 
-    def __init__(self, texts: Texts, on_typed: Callable[[], None]) -> None:
+    def __init__(
+        self,
+        texts: Texts,
+        on_typed: Callable[[], None],
+        find: Find,
+        on_findings: Callable[[], None],
+    ) -> None:
         self._texts = texts
+        self._find = find
+        self._on_findings = on_findings
+        self._checks = Newest(self._check)
+        self._changes = 0
+        self.findings: list[Diagnostic] = []
         self._opened: _Opened | None = None
         self._drafts: dict[tuple[str, int], str] = {}
         self._on_typed = on_typed
@@ -85,6 +139,7 @@ class PlcEdit:
             self._make_editor()
         self._editor.set_value(self._drafts.pop((file, number), texts.texts[number]))
         self._editor.set_visibility(True)
+        self._check_later()
         name = json.dumps(self._texts["plc_edited"])
         self._editor.client.run_javascript(
             "const typing = () => {"
@@ -98,9 +153,52 @@ class PlcEdit:
     def _make_editor(self) -> None:
         with self._room:
             self._editor = ui.codemirror(
-                "", theme=self._theme, line_wrapping=True, on_change=lambda _: self._on_typed()
+                "", theme=self._theme, line_wrapping=True, on_change=self._changed
             )
         self._editor.classes("nc-plc-edit").props("data-testid=plc-edit")
+        script = _MARKS.replace("EDITOR", str(self._editor.id))
+        self._editor.client.run_javascript(script)
+
+    def _changed(self, _: Any) -> None:
+        self._on_typed()
+        self._check_later()
+
+    # --- findings -------------------------------------------------------------------------------
+
+    def _check_later(self) -> None:
+        """Check the text once no one has typed for a moment."""
+        self._changes += 1
+        ui.timer(_TYPING_S, lambda change=self._changes: self._checks.wish(change), once=True)
+
+    async def _check(self, change: int) -> None:
+        own, typed = self._opened, self._typed
+        if own is None or change != self._changes:
+            return
+        found = await run.io_bound(self._find, own.file, own.lines_with(typed))
+        if own is self._opened and change == self._changes and found is not None:
+            self.findings = found
+            lines = typed.split("\n")
+            placed = own.placed(found, lines)
+            self._show_marks(view.finding_marks(lines, own.file, placed, self._texts.language))
+            self._on_findings()
+
+    def _show_marks(self, marks: list[dict[str, Any]]) -> None:
+        self._run(f"globalThis.nctaktPlcMarks = {json.dumps(marks)};")
+        self._run("globalThis.nctaktPlcText?.show(globalThis.nctaktPlcMarks);")
+
+    def _run(self, code: str) -> None:
+        self._editor.client.run_javascript(code)
+
+    def reveal(self, file: str, line: int) -> bool:
+        """Go to a line of a file; return whether it lies in the text that is open."""
+        own = self._opened
+        if own is None or own.file != file:
+            return False
+        index = line - own.texts.place_of(own.number)[0]
+        if not 0 <= index <= self._typed.count("\n"):
+            return False
+        self._run(f"globalThis.nctaktPlcText?.go({index + 1});")
+        return True
 
     @property
     def _theme(self) -> Any:
@@ -111,8 +209,9 @@ class PlcEdit:
         own = self._opened
         if own is not None and self.is_changed:
             self._drafts[own.file, own.number] = self._typed
-        self._opened = None
+        self._opened, self.findings = None, []
         if self._editor is not None:
+            self._show_marks([])
             self._editor.set_visibility(False)
 
     def write(self) -> None:

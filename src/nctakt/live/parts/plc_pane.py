@@ -14,6 +14,7 @@ from nicegui import run, ui
 from nicegui.element import Element
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.live.parts.commander import Commander, Newest
 from nctakt.live.parts.keys import label_of
@@ -59,7 +60,8 @@ class _Wish:
 class PlcPane:
     """The files of the PLC for one browser; ``is_shown``: one of them is.
 
-    ``on_files`` is called when there are others than before, ``on_typed`` when one is changed.
+    ``on_files`` is called when there are others than before, ``on_typed`` when one is changed,
+    ``on_findings`` when that has been checked.
     """
 
     def __init__(
@@ -67,12 +69,14 @@ class PlcPane:
         commander: Commander,
         on_files: Callable[[], None],
         on_typed: Callable[[], None],
+        on_findings: Callable[[], None],
     ) -> None:
         self._commander = commander
         self._shared = commander.shared
         self._texts = commander.texts
         self._on_files = on_files
         self._on_typed = on_typed
+        self._on_findings = on_findings
         self._serial = -1
         self._names: dict[str, str] = {}
         self._text: PlcText | None = None
@@ -129,7 +133,7 @@ class PlcPane:
             self._lines.on("explain", self._ask)
             self._lines.on("enter", lambda _: self._tree.focus())
             self._tree = PlcTree(self._shared, texts)
-            self.edit = PlcEdit(texts, self._on_typed)
+            self.edit = PlcEdit(texts, self._on_typed, self._find, self._on_findings)
         self._pane.set_visibility(False)
 
     def _select(self, name: str, choose: Callable[[Any], object]) -> Any:
@@ -196,9 +200,15 @@ class PlcPane:
         self._on_typed()
 
     def _close_edit(self) -> None:
+        was_open = self.edit.is_open
         self.edit.close()
         self._lines.set_visibility(True)
         self._on_typed()
+        if was_open:
+            self._on_findings()
+
+    def _find(self, file: str, lines: Sequence[str]) -> list[Diagnostic]:
+        return self._shared.plc_words.found(file, lines)
 
     async def save(self, run_it: Callable[[], None]) -> bool:
         """Save the text that is changed and run again; return whether both are done."""
@@ -227,6 +237,8 @@ class PlcPane:
 
     def reveal(self, line: int) -> None:
         """Show a line of the file."""
+        if self.edit.reveal(self.file, line):
+            return
         index = -1 if self._text is None else self._text.index_of(line)
         if index >= 0:
             self._cursor = index

@@ -131,7 +131,9 @@ class ProgramCard:
                 line_wrapping=True,
                 on_change=self._changed,
             ).props("data-testid=editor")
-            self.plc = PlcPane(self._commander, self._show_choices, self._show_edited)
+            self.plc = PlcPane(
+                self._commander, self._show_choices, self._show_edited, self._on_findings
+            )
             self._show_length()
             ui.on("nctakt_line", self._click)
             ui.on("nctakt_lines", self._wish_lines)

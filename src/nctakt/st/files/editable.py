@@ -66,6 +66,11 @@ class EditableTexts:
     def _is_xml(self, one: _Stretch) -> bool:
         return (one.begin, one.end) != (0, len(self._whole))
 
+    def place_of(self, number: int) -> tuple[int, int]:
+        """Return line and column of the file, from 1, where a text begins."""
+        before = self._whole[: self._stretches[number].begin]
+        return before.count("\n") + 1, len(before) - before.rfind("\n")
+
     def replaced(self, number: int, text: str) -> bytes:
         """Return the content of the file with another text; the ends of lines stay as they are."""
         one = self._stretches[number]

@@ -97,13 +97,29 @@ def test_our_own_trace_is_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     words = ["compare", "t.csv", "part.nc", "--offset", "0s", "--tolerance", "0", "--lang", "de"]
     assert main(words) == 0
     text = capsys.readouterr().out
-    assert "wie angegeben" in text
+    assert "0.000000 s nach dem Nullpunkt des Logs, wie angegeben; Drift 0.00 ppm\n" in text
     assert "innerhalb der Toleranzen" in text
+
+
+def test_a_given_drift(capsys: pytest.CaptureFixture[str]) -> None:
+    """500 ppm beside each way to say where the run begins; a log of 4 s has none by itself."""
+    for words, told in (
+        (["--offset", "1.2345s"], "1.234500 s after the log's zero, as given; drift"),
+        (["--align", "X.ACS.ACT_POS > 10"], "ms); drift"),
+        ([], "s after the log's zero, drift"),
+    ):
+        command = ["compare", "scope.csv", "part.nc", *words]
+        assert main(command) == main([*command, "--drift", "-500"]) == 0
+        without, given = capsys.readouterr().out.split("part.nc and scope.csv")[1:]
+        assert f"{told} 0.00 ppm" in without
+        assert f"{told} -500.00 ppm as given" in given
 
 
 @pytest.mark.parametrize(
     ("words", "number"),
     [
+        (["--drift", "1001"], 900908),
+        (["--drift", "nan"], 900908),
         (["--tolerance", "wide"], 902529),
         (["--tolerance", "X.ACS.ACT_PO=1"], 900545),
         (["--map", "unit.toml"], 902518),

@@ -10,7 +10,7 @@ import pytest
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.unit_factors import factor_between
-from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.alignment import Alignment, Curve, align, placed
 from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.deviations import deviation_of
 from nctakt.comparison.log import LogColumn, Samples
@@ -110,6 +110,42 @@ def test_a_step_in_time_is_no_slope(
     assert found.drift * 1e6 == pytest.approx(drift * 1e6, abs=0.3)
     assert (found.drift == 0.0) == (drift == 0.0)
     assert found.offset_us == pytest.approx(3e6, abs=10.0)
+
+
+@pytest.mark.parametrize("wrong_us", [0.0, 300.0, -20_000.0])
+@pytest.mark.parametrize("late", [[], [(60e6, 30_000.0)]])
+@pytest.mark.parametrize(("drift", "noise"), [(40e-6, 0.01), (-15e-6, 0.0), (0.0, 0.01)])
+def test_a_drift_is_found_beside_a_given_place(
+    drift: float, noise: float, late: Sequence[tuple[float, float]], wrong_us: float
+) -> None:
+    """LG-701: the stamp of 50 s of the run, 3 s + 50 s · (1 + drift), is given, exact or not.
+
+    The drift does not depend on how exact it is, and the log lies where it is said to lie.
+    """
+    curve = wandering(120.0, 1)
+    stamp_us = 3e6 + 50e6 * (1.0 + drift) + wrong_us
+    found = placed([(stepped(curve, drift, noise, late), curve)], stamp_us, 50e6, None)
+    assert found.drift * 1e6 == pytest.approx(drift * 1e6, abs=0.3)
+    assert (found.drift == 0.0) == (drift == 0.0)
+    assert float(found.run_times(numpy.array([stamp_us]))[0]) == pytest.approx(50e6, abs=1e-3)
+
+
+def test_a_given_drift_is_not_searched() -> None:
+    """With 40 ppm said, the begin is that of 40 ppm; with 0 said, that of the best fit without."""
+    curve = wandering(120.0, 1)
+    pairs = [(stepped(curve, 40e-6, 0.0, []), curve)]
+    told, none = align(pairs, 40e-6), align(pairs, 0.0)
+    assert (told.drift, none.drift) == (40e-6, 0.0)
+    assert told.offset_us == pytest.approx(3e6, abs=1.0)
+    assert 3e6 + 1000.0 < none.offset_us < 3e6 + 4000.0  # 40 ppm of 120 s are 4.8 ms at its end
+    assert placed(pairs, 3e6, 0.0, 1e-5) == Alignment(3e6, 1e-5)
+
+
+def test_nothing_that_moves_has_a_drift() -> None:
+    """LG-704: the log lies where it is given to, at the same speed."""
+    still = Samples(numpy.arange(5.0) * 1000.0, numpy.zeros(5))
+    assert placed([(still, Curve(1000.0, numpy.zeros(5)))], 7.0, 2.0, None) == Alignment(5.0)
+    assert placed([], 7.0, 2.0, None) == Alignment(5.0)
 
 
 def test_another_speed_is_no_drift() -> None:

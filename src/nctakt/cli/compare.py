@@ -76,7 +76,7 @@ _CODES = (
     examples=(
         "nctakt compare scope.csv part.nc --machine mill",
         "nctakt compare scope.csv part.nc --tolerance 0.05 --tolerance S.SPEED=20",
-        "nctakt compare scope.csv part.nc --map scope.toml --offset 1.25s",
+        "nctakt compare scope.csv part.nc --map scope.toml --offset 1.25s --drift 40",
         'nctakt compare scope.csv part.nc --align "V.E.GATE rises"',
         "nctakt compare scope.csv part.nc --propose",
         "nctakt compare scope.csv part.nc --share for_nctakt",
@@ -123,7 +123,9 @@ _CODES = (
 )
 def command(log: str, picture: str | None, **words: Any) -> int:
     """Compare."""
-    own = LogWords(log, *(words.pop(name) for name in ("mapping", "tolerances", "offset", "align")))
+    own = LogWords(
+        log, *(words.pop(name) for name in ("mapping", "tolerances", "offset", "align", "drift"))
+    )
     said = {name: words.pop(name) for name in ("proposes", "share", "yes")}
     return carry_out(words, lambda options, access: _compare(options, access, own, picture, **said))
 
@@ -166,7 +168,7 @@ def _compare(
             columns,
             log.pairs,
             log.limits,
-            log.begin,
+            log.given,
             kept=SHARED if share is not None else DRAWN if file is not None else 0,
         )
         if file is not None:
@@ -177,7 +179,7 @@ def _compare(
     if proposes:
         again = partial(_run_again, options, access, controller.machine, log.signals)
         override = float((request.options["set"] or {}).get(OVERRIDE, 100.0))
-        search = Search(comparison, log.pairs, again, log.begin)
+        search = Search(comparison, log.pairs, again, log.given)
         proposals = search.proposals(controller.machine, override)
     _show(options, comparison, proposals)
     if share is not None:

@@ -10,7 +10,6 @@ ran than ``--fail-under`` demands.
 from __future__ import annotations
 
 import contextlib
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +18,7 @@ import click
 from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.common.help import described, option
+from nctakt.cli.common.help import NumberRange, described, option
 from nctakt.cli.common.request import Options, read_request
 from nctakt.cli.common.running import (
     RUN_CODES,
@@ -46,15 +45,6 @@ from nctakt.messages.commands.coverage import (
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage
-
-
-def _percent(
-    _context: click.Context, _option: click.Parameter, value: float | None
-) -> float | None:
-    """Return a percentage; raises for NaN, which click's range admits."""
-    if value is not None and math.isnan(value):
-        raise click.BadParameter(f"{value} is not in the range 0<=x<=100.")
-    return value
 
 
 @described(
@@ -113,8 +103,7 @@ def _percent(
 @option(
     "--fail-under",
     "minimum",
-    type=click.FloatRange(0, 100),
-    callback=_percent,
+    type=NumberRange(0, 100),
     metavar="PERCENT",
     text=Text(
         "Exit code 1 if a smaller share of the branches ran.",

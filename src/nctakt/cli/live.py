@@ -157,11 +157,12 @@ def command(
     tolerances: tuple[str, ...],
     offset: str | None,
     align: str | None,
+    drift: float | None,
     **words: Any,
 ) -> int:
     """Show a run on a page."""
     shown = is_embedded, opens_browser
-    read = None if log is None else LogWords(log, mapping, tolerances, offset, align)
+    read = None if log is None else LogWords(log, mapping, tolerances, offset, align, drift)
     own = Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
     return carry_out(
         words,
@@ -304,7 +305,7 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
         columns,
         opened.pairs,
         opened.limits,
-        opened.begin,
+        opened.given,
         kept=SHOWN,
     )
     diagnostics = [*found.diagnostics, *left_out(found)]

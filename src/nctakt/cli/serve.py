@@ -22,7 +22,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
-from nctakt.cli.common.help import described, option
+from nctakt.cli.common.help import NumberRange, described, option
 from nctakt.cli.common.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
 from nctakt.cli.common.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.common.running import choose_mode
@@ -188,7 +188,7 @@ if TYPE_CHECKING:
 )
 @option(
     "--speed",
-    type=click.FloatRange(0.01, 1000.0),
+    type=NumberRange(0.01, 1000.0),
     default=1.0,
     metavar="F",
     text=Text(

@@ -15,7 +15,7 @@ import numpy
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
-from nctakt.comparison.alignment import Alignment
+from nctakt.comparison.alignment import Alignment, Curve, align, placed
 from nctakt.comparison.columns import Numbers
 from nctakt.comparison.log import Log, Samples
 from nctakt.comparison.mapping import Pair
@@ -136,9 +136,30 @@ class EventInLog:
     apart_us: float
     signals: Mapping[str, Signal]
 
-    def alignment(self, recorded: Recorded) -> Alignment:
+
+@dataclass(frozen=True, slots=True)
+class GivenTime:
+    """What is given of a log's time: where the run begins, in µs or by an event, and the drift.
+
+    What is ``None`` is to be found.
+    """
+
+    begin: float | EventInLog | None = None
+    drift: float | None = None
+
+    @property
+    def event(self) -> EventInLog | None:
+        """The event that the log is laid by."""
+        return self.begin if isinstance(self.begin, EventInLog) else None
+
+    def alignment(self, pairs: Sequence[tuple[Samples, Curve]], recorded: Recorded) -> Alignment:
         """Return where the log lies beside a run; raises ``Failure`` (902846)."""
-        return Alignment(self.time_us - self.event.run_us(recorded, self.signals))
+        if self.begin is None:
+            return align(pairs, self.drift)
+        if isinstance(self.begin, EventInLog):
+            run_us = self.begin.event.run_us(recorded, self.begin.signals)
+            return placed(pairs, self.begin.time_us, run_us, self.drift)
+        return placed(pairs, self.begin, 0.0, self.drift)
 
 
 class _Ticks:

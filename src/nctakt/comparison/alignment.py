@@ -168,15 +168,47 @@ class Alignment:
         return samples.part(first, last)
 
 
-def align(pairs: Sequence[tuple[Samples, Curve]]) -> Alignment:
-    """Return where a log lies on the time of a run."""
+def align(pairs: Sequence[tuple[Samples, Curve]], drift: float | None = None) -> Alignment:
+    """Return where a log lies on the time of a run; ``drift``: that of the log if it is given."""
+    if drift is None:
+        return _aligned(pairs, _MAX_DRIFT)
+    slowed = [
+        (samples, replace(curve, period_us=(1.0 + drift) * curve.period_us))
+        for samples, curve in pairs
+    ]
+    return replace(_aligned(slowed, 0.0), drift=drift)
+
+
+def placed(
+    pairs: Sequence[tuple[Samples, Curve]], stamp_us: float, run_us: float, drift: float | None
+) -> Alignment:
+    """Return where a log lies whose stamp is given as a time of the run.
+
+    ``drift``: that of the log, ``None`` to find it.
+    """
+    if drift is None:
+        drift = _drift(pairs, stamp_us - run_us)
+    return Alignment(stamp_us - (1.0 + drift) * run_us, drift)
+
+
+def _drift(pairs: Sequence[tuple[Samples, Curve]], offset_us: float) -> float:
+    """Return the drift of a log near an offset, by the pair that moves farthest."""
+    farthest = max(pairs, key=_energy, default=None)
+    if farthest is None or _energy(farthest) <= 0.0:
+        return 0.0
+    followed = _Followed.along(farthest, offset_us, _MAX_DRIFT)
+    return _fine(farthest, followed, 0.0).drift if followed.drift else 0.0
+
+
+def _aligned(pairs: Sequence[tuple[Samples, Curve]], max_drift: float) -> Alignment:
+    """Return where a log lies, with a drift up to a limit."""
     energies = [_energy(pair) for pair in pairs]
     moving = [pair for pair, energy in zip(pairs, energies, strict=True) if energy > 0.0]
     if not moving:
         return Alignment(0.0, reason=Text("nothing moves in both", "nichts bewegt sich in beiden"))
     offset, quality, second = _coarse(moving)
     farthest = pairs[energies.index(max(energies))]
-    followed = _Followed.along(farthest, offset)
+    followed = _Followed.along(farthest, offset, max_drift)
     if followed.steps and _is_first(moving, followed) and _begins_with(farthest, followed):
         return _fine(farthest, followed, followed.quality(farthest))
     if quality < _MIN_QUALITY:
@@ -301,7 +333,7 @@ class _Followed:
     drift: float = 0.0
 
     @classmethod
-    def along(cls, pair: tuple[Samples, Curve], coarse_us: float) -> _Followed:
+    def along(cls, pair: tuple[Samples, Curve], coarse_us: float, max_drift: float) -> _Followed:
         """Return how a log lies, from where its coarse offset is true on."""
         windows = [one for one in _windows(pair, coarse_us) if one.is_known]
         if len(windows) < _MIN_FOLLOWED:
@@ -313,7 +345,7 @@ class _Followed:
         )
         if not parts:
             return cls()
-        drift = drift if _STEP_ERRORS * error < abs(drift) <= _MAX_DRIFT else 0.0
+        drift = drift if _STEP_ERRORS * error < abs(drift) <= max_drift else 0.0
         shifts -= drift * (middles - shifts)
         return cls(
             [float(numpy.median(shifts[one])) for one in parts],

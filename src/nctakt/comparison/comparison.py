@@ -10,8 +10,8 @@ from functools import partial
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.base.failure import Failure
-from nctakt.comparison.aligning_event import EventInLog
-from nctakt.comparison.alignment import Alignment, Curve, align
+from nctakt.comparison.aligning_event import GivenTime
+from nctakt.comparison.alignment import Alignment, Curve
 from nctakt.comparison.delay_search import Delays, DelaySearch
 from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
@@ -25,6 +25,8 @@ from nctakt.trace.events import Event
 
 #: A reaction within this time before a place is named with it, in µs.
 _REACTION_US = 100_000
+#: Begin and drift are to be found.
+NOTHING_GIVEN = GivenTime()
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +47,7 @@ class Comparison:
     recorded: Recorded
     alignment: Alignment
     aligned_by: str
-    event: EventInLog | None
+    given: GivenTime
     deviations: Sequence[Deviation]
     delays: Delays
     diagnostics: Sequence[Diagnostic]
@@ -74,15 +76,15 @@ def compare(
     recorded: Recorded,
     pairs: Sequence[Pair],
     tolerances: Mapping[str, Tolerance],
-    begin: float | EventInLog | None = None,
+    given: GivenTime = NOTHING_GIVEN,
     *,
     kept: int = 0,
 ) -> Comparison:
     """Return a log beside a run, of which ``recorded`` has the signals of the pairs.
 
-    ``tolerances``: by the names of signals, "" for all others; ``begin``: where the run begins in
-    the log, in µs or by an event, ``None`` to find it; ``kept``: how many samples of each pair are
-    kept, as ``deviation_of`` does. Raises ``Failure`` if they have no time in common (902522).
+    ``tolerances``: by the names of signals, "" for all others; ``given``: what is known of
+    the log's time; ``kept``: how many samples of each pair are kept, as ``deviation_of`` does.
+    Raises ``Failure`` if they have no time in common (902522).
     """
     raw = log.read([pair.column for pair in pairs])
     samples = [one.scaled(pair.factor, pair.offset) for pair, one in zip(pairs, raw, strict=True)]
@@ -93,7 +95,7 @@ def compare(
         for pair, one, curve in zip(pairs, samples, curves, strict=True)
         if not pair.signal.integral
     ]
-    alignment = begun(begin, smooth, recorded)
+    alignment = given.alignment(smooth, recorded)
     beside = partial(
         _beside,
         list(zip(pairs, samples, curves, strict=True)),
@@ -106,7 +108,7 @@ def compare(
     delays = Delays()
     search = DelaySearch(smooth, recorded.blocks, recorded.cycle_time_us)
     if alignment.reason is None and (late or search.is_apart(alignment)):
-        if begin is None:
+        if given.begin is None:
             nearer = search.begun(alignment)
             if nearer is not alignment:
                 alignment = nearer
@@ -114,17 +116,17 @@ def compare(
         delays = search.delays(alignment)
     if not deviations:
         raise Failure(diagnostic(NO_OVERLAP, offset=f"{alignment.offset_us / 1e6:.6f}"))
-    names = [pair.signal.name for pair in pairs if not pair.signal.integral and begin is None]
+    names = [pair.signal.name for pair in pairs if not pair.signal.integral and given.begin is None]
     return Comparison(
         log,
         run,
         recorded,
         alignment,
         ", ".join(names[:3]),
-        begin if isinstance(begin, EventInLog) else None,
+        given,
         deviations,
         delays,
-        _findings(log, alignment, is_searched=begin is None),
+        _findings(log, alignment, is_searched=given.begin is None),
         recorded.blocks,
         recorded.reactions,
     )
@@ -140,15 +142,6 @@ def _findings(log: Log, alignment: Alignment, *, is_searched: bool) -> list[Diag
         quality, gain = f"{alignment.quality:.2f}", f"{alignment.gain:.2f}"
         found.append(diagnostic(BEGIN_UNCERTAIN, quality=quality, gain=gain))
     return found
-
-
-def begun(
-    begin: float | EventInLog | None, pairs: Sequence[tuple[Samples, Curve]], recorded: Recorded
-) -> Alignment:
-    """Return where a log lies: as said, by an event, or as the curves of pairs fit best."""
-    if isinstance(begin, EventInLog):
-        return begin.alignment(recorded)
-    return align(pairs) if begin is None else Alignment(begin)
 
 
 def _beside(

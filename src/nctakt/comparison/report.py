@@ -25,21 +25,22 @@ _HEADS = (
 )
 _TITLE = Text("{program} and {log}: log minus run", "{program} und {log}: Log minus Lauf")
 _FOUND = Text(
-    "the run begins {offset} s after the log's zero, drift {drift} ppm "
-    "(by {names}, correlation {quality})",
-    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs, Drift {drift} ppm (über "
-    "{names}, Korrelation {quality})",
+    "the run begins {offset} s after the log's zero, {drift} (by {names}, correlation {quality})",
+    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs, {drift} (über {names}, Korrelation "
+    "{quality})",
 )
 _GIVEN = Text(
-    "the run begins {offset} s after the log's zero, as given",
-    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs, wie angegeben",
+    "the run begins {offset} s after the log's zero, as given; {drift}",
+    "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs, wie angegeben; {drift}",
 )
 _BY_EVENT = Text(
     "the run begins {offset} s after the log's zero "
-    "(by {event}: {time} s in the log, ± {apart} ms)",
+    "(by {event}: {time} s in the log, ± {apart} ms); {drift}",
     "der Lauf beginnt {offset} s nach dem Nullpunkt des Logs (über {event}: {time} s im "
-    "Log, ± {apart} ms)",
+    "Log, ± {apart} ms); {drift}",
 )
+_DRIFT = Text("drift {drift} ppm", "Drift {drift} ppm")
+_DRIFT_GIVEN = Text("drift {drift} ppm as given", "Drift {drift} ppm wie angegeben")
 _GAIN = Text(
     "the log is {gain} times the run, {bias} beside it",
     "das Log ist {gain}-mal der Lauf, um {bias} versetzt",
@@ -97,20 +98,23 @@ def comparison_text(comparison: Comparison, program: str, language: Language) ->
 def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
     found = comparison.alignment
     offset = f"{found.offset_us / 1e6:.6f}"
-    if comparison.event is not None:
-        event = comparison.event
+    words = _DRIFT if comparison.given.drift is None else _DRIFT_GIVEN
+    drift = words.get(language).format(drift=f"{found.drift * 1e6:.2f}")
+    event = comparison.given.event
+    if event is not None:
         yield _BY_EVENT.get(language).format(
             offset=offset,
             event=event.event.text,
             time=f"{event.time_us / 1e6:.6f}",
             apart=f"{event.apart_us / 1e3:g}",
+            drift=drift,
         )
     elif not comparison.aligned_by:
-        yield _GIVEN.get(language).format(offset=offset)
+        yield _GIVEN.get(language).format(offset=offset, drift=drift)
     elif found.reason is None:
         yield _FOUND.get(language).format(
             offset=offset,
-            drift=f"{found.drift * 1e6:.2f}",
+            drift=drift,
             names=comparison.aligned_by,
             quality=f"{found.quality:.3f}",
         )
@@ -181,7 +185,7 @@ def comparison_document(comparison: Comparison) -> dict[str, Any]:
         "log": comparison.log.file,
         "within": comparison.is_within,
         "alignment": _alignment_document(comparison.alignment),
-        "event": _event_document(comparison.event),
+        "event": _event_document(comparison.given.event),
         "signals": [_document(comparison, one) for one in comparison.deviations],
         "delays": [
             {

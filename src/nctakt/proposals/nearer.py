@@ -16,9 +16,9 @@ import numpy
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
-from nctakt.comparison.aligning_event import EventInLog
+from nctakt.comparison.aligning_event import GivenTime
 from nctakt.comparison.alignment import Curve
-from nctakt.comparison.comparison import Comparison, begun
+from nctakt.comparison.comparison import NOTHING_GIVEN, Comparison
 from nctakt.comparison.mapping import Pair
 from nctakt.comparison.recorded import Recorded, RecordedTrace
 from nctakt.lists.machine.machine import Machine
@@ -45,8 +45,6 @@ _GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
 #: Runs the program with a change and its value; ``None`` if that is not possible.
 Again = Callable[[Change, float], Run | None]
-#: Where a run begins in a log: in µs, by an event, or ``None`` to find it.
-Begin = float | EventInLog | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,12 +74,16 @@ class Proposals:
 
 
 class Search:
-    """The search for one log; ``begin``: where the run begins in it, ``None`` to find it."""
+    """The search for one log; ``given``: what is known of its time."""
 
     def __init__(
-        self, comparison: Comparison, pairs: Sequence[Pair], again: Again, begin: Begin = None
+        self,
+        comparison: Comparison,
+        pairs: Sequence[Pair],
+        again: Again,
+        given: GivenTime = NOTHING_GIVEN,
     ) -> None:
-        self._begin, self._again = begin, again
+        self._given, self._again = given, again
         jumps = [one.jump_us for one in comparison.delays.found]
         self._is_late = any(one is None or one > 0.0 for one in jumps)
         self._jumps = [one for one in jumps if one is not None and one > 0.0]
@@ -202,7 +204,7 @@ class Search:
         curves = [Curve(period_us, recorded[one.signal.name]) for one in self._pairs]
         pairs = list(zip(self._samples, curves, strict=True))
         try:
-            alignment = begun(self._begin, pairs, recorded)
+            alignment = self._given.alignment(pairs, recorded)
         except Failure:  # a change may keep the event from happening
             return math.inf
         shares = []

@@ -7,6 +7,7 @@ language of ``--lang``, of ``NCTAKT_LANGUAGE`` or of the locale.
 
 from __future__ import annotations
 
+import math
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -145,6 +146,17 @@ class LanguageOption(GroupedOption):
 
     def resolve_envvar_value(self, ctx: click.Context) -> str | None:
         return ctx.meta.get(_GIVEN_LANGUAGE) or super().resolve_envvar_value(ctx)
+
+
+class NumberRange(click.FloatRange):
+    """A range of numbers without NaN, which click admits to each."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the number; raises click's error."""
+        number = super().convert(value, param, ctx)
+        if math.isnan(number):
+            self.fail(f"{value} is not in the range {self._describe_range()}.", param, ctx)
+        return number
 
 
 def option(

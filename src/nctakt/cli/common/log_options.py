@@ -12,19 +12,22 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
-from nctakt.cli.common.help import option
+from nctakt.cli.common.help import NumberRange, option
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import TOLERANCE_UNREADABLE, TWO_PLACES
 from nctakt.run.option_kinds import by_name
 
 if TYPE_CHECKING:
-    from nctakt.comparison.aligning_event import EventInLog
+    from nctakt.comparison.aligning_event import GivenTime
     from nctakt.comparison.log import Log
     from nctakt.comparison.mapping import Pair, Tolerance
     from nctakt.run.controller import Controller
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
+
+#: More is another speed, and no drift of a clock.
+_MAX_DRIFT_PPM = 1000.0
 
 _MAP = option(
     "--map",
@@ -63,11 +66,21 @@ _ALIGN = option(
         "'M10 @ SPALTE rises', 'part.nc:4 @ SPALTE > 1'.",
     ),
 )
+_DRIFT = option(
+    "--drift",
+    metavar="PPM",
+    type=NumberRange(-_MAX_DRIFT_PPM, _MAX_DRIFT_PPM),
+    text=Text(
+        "By how many ppm the log's clock is faster than the run's [default: found in the curves].",
+        "Um wie viele ppm die Uhr des Logs gegen die des Laufs vorgeht [Vorgabe: in den Kurven "
+        "gesucht].",
+    ),
+)
 
 
 def log_options(function: _Command) -> _Command:
     """Add the options that say how a log is read."""
-    return _MAP(_TOLERANCE(_OFFSET(_ALIGN(function))))
+    return _MAP(_TOLERANCE(_OFFSET(_ALIGN(_DRIFT(function)))))
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +92,7 @@ class LogWords:
     tolerances: tuple[str, ...]
     offset: str | None
     align: str | None = None
+    drift: float | None = None
 
     def read_limits(self) -> dict[str, Tolerance]:
         """Return the tolerances by signals, "" for all others; raises ``Failure`` (902529)."""
@@ -92,22 +106,25 @@ class OpenedLog:
     log: Log
     pairs: Sequence[Pair]
     limits: Mapping[str, Tolerance]
-    begin: float | EventInLog | None
+    given: GivenTime
 
     @property
     def signals(self) -> tuple[str, ...]:
         """The names of the signals that the run must record."""
-        from nctakt.comparison.aligning_event import EventInLog  # noqa: PLC0415 - as below
-
         names = [pair.signal.name for pair in self.pairs]
-        if isinstance(self.begin, EventInLog) and self.begin.event.signal:
-            names.append(self.begin.event.signal)
+        event = self.given.event
+        if event is not None and event.event.signal:
+            names.append(event.event.signal)
         return tuple(dict.fromkeys(names))
 
 
 def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> OpenedLog:
     """Return the log and its signals; raises ``Failure`` for what cannot be used."""
-    from nctakt.comparison.aligning_event import AligningEvent, EventInLog  # noqa: PLC0415
+    from nctakt.comparison.aligning_event import (  # noqa: PLC0415 - the mode is chosen before
+        AligningEvent,
+        EventInLog,
+        GivenTime,
+    )
     from nctakt.comparison.log_file import open_log  # noqa: PLC0415 - the mode is chosen before
     from nctakt.comparison.mapping import MappingFile, pairs_of, read_mapping  # noqa: PLC0415
     from nctakt.lists.format.times import read_time  # noqa: PLC0415
@@ -130,7 +147,8 @@ def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> O
     begin: float | EventInLog | None = offset_us
     if event is not None:
         begin = EventInLog(event, *event.log_us(log, pairs, signals), signals)
-    return OpenedLog(log, pairs, limits, begin)
+    drift = None if words.drift is None else words.drift * 1e-6
+    return OpenedLog(log, pairs, limits, GivenTime(begin, drift))
 
 
 def _tolerance(text: str) -> tuple[str, Tolerance]:

@@ -11,24 +11,13 @@ from pathlib import Path
 
 import click
 import pytest
-from support.command_table import commands
+from support.command_table import command_of, commands
 
 from nctakt.cli import group, main
 
 pytestmark = pytest.mark.slow
 
 Captured = pytest.CaptureFixture[str]
-
-
-def command_of(words: list[str]) -> click.Command:
-    """The command of the words of a command line."""
-    command: click.Command = group
-    for word in words:
-        assert isinstance(command, click.Group)
-        found = command.get_command(click.Context(command), word)
-        assert found is not None
-        command = found
-    return command
 
 
 PART = """\

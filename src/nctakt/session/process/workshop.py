@@ -33,6 +33,9 @@ from nctakt.session.stops import StopAt
 #: How long a new process may take to report, in seconds.
 START_S = 60.0
 
+#: How long it may take to end, in seconds, once its connection is closed.
+END_S = 5.0
+
 #: How often a process that has not reported yet is looked at, in seconds.
 _LOOK_S = 0.1
 
@@ -253,10 +256,16 @@ class ProcessPool:
                 os.kill(asked.process, getattr(signal, "SIGKILL", signal.SIGTERM))
 
     def close(self) -> None:
-        """Let no more processes in, and wait for the first ones; the others end by themselves."""
+        """Let no more processes in, and wait for the first ones; the others end by themselves.
+
+        One of the first that does not end is killed.
+        """
         self._listener.close()
         for connection in self._waiting.values():
             connection.close()
         for process in self._processes:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                process.wait(timeout=5.0)
+            try:
+                process.wait(timeout=END_S)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()

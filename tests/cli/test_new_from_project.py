@@ -13,7 +13,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.machines.commented import DEMO
 
 
-def project() -> str:
+def project(cycle_time: str = "2000") -> str:
     """The demo machine as a project has it: two lists share a name, one has an umlaut."""
     startup = (Path(DEMO) / "hochlauf.lis").read_text("utf-8")
     data: list[str] = []
@@ -27,7 +27,7 @@ def project() -> str:
     startup = re.sub(r"\./(\w+\.lis)", virtual, startup)
     body = "".join(f"<Axis>{one}</Axis>" for one in data)
     first = f'<Data Name="Startup"><![CDATA[{startup}]]></Data>'
-    cnc = f"<CNC><GeoTask CycleTime='2000'/>{first}{body}</CNC>"
+    cnc = f"<CNC><GeoTask CycleTime='{cycle_time}'/>{first}{body}</CNC>"
     return f"<TcSmProject><Project><Motion>{cnc}</Motion></Project></TcSmProject>"
 
 
@@ -43,6 +43,33 @@ def test_lists_of_a_project(source: str, tmp_path: Path, monkeypatch: pytest.Mon
     assert [axis.dynamics for axis in machine.axes] == [axis.dynamics for axis in demo.axes]
     assert machine.channels[0].tools == demo.channels[0].tools
     assert not [one for one in machine.diagnostics if one.severity.name == "ERROR"]
+
+
+@pytest.mark.parametrize(
+    ("cycle_time", "told"),
+    [
+        ("2000", "Task des Projekts läuft alle 200 µs; hier beträgt der NC-Takt 1000 µs"),
+        ("1250", "alle 125 µs"),
+        ("10000", ""),
+        ("0", ""),
+        ("fast", ""),
+        ("9" * 5000, ""),
+    ],
+)
+def test_the_tick_of_a_project(
+    cycle_time: str,
+    told: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """LG-401: CycleTime of the GEO task is in 100 ns; 902954 where runs take another tick."""
+    monkeypatch.chdir(tmp_path)
+    Path("Cell.tsproj").write_text(project(cycle_time), "utf-8")
+    assert main(["new", "mill", "--from", "Cell.tsproj", "--lang", "de"]) == 0
+    found = capsys.readouterr().err
+    assert ("902954" in found) == bool(told)
+    assert told in found
 
 
 @pytest.mark.parametrize(

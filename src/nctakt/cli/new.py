@@ -21,7 +21,7 @@ from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.files.access import FileAccess
 from nctakt.files.new_folder import write_new_folder
 from nctakt.lists.machine.files import ListSearch
-from nctakt.lists.machine.machine import load_machine
+from nctakt.lists.machine.machine import DEFAULT_CYCLE_TIME_US, load_machine
 from nctakt.machines.commented import commented_lists
 from nctakt.machines.conversion import Conversion, convert_lists
 from nctakt.machines.list_writer import ListFormat
@@ -32,6 +32,7 @@ from nctakt.messages.machines.folders import (
     LISTS_KEPT_IN_ASCII,
     LISTS_WRITTEN,
     PROJECT_LISTS_AS_THEY_ARE,
+    PROJECT_TICK,
 )
 from nctakt.run.options import BY_NAME
 
@@ -87,6 +88,7 @@ def command(
     quiet: bool,
 ) -> int:
     """Write lists."""
+    cycle_us: float | None = None
     try:
         if source is None:
             lists = commented_lists(language, list_format)
@@ -94,7 +96,8 @@ def command(
             for said, is_given in (("--root", root), ("--format xml", list_format == "xml")):
                 if is_given:
                     raise Failure(diagnostic(PROJECT_LISTS_AS_THEY_ARE, option=said))
-            lists = lists_of_project(project, FileAccess())
+            taken = lists_of_project(project, FileAccess())
+            lists, cycle_us = taken.files, taken.cycle_us
         else:
             lists = _converted(source, root, Conversion(list_format, language))
         write_new_folder(Path(folder), lists)
@@ -106,6 +109,9 @@ def command(
     written = diagnostic(LISTS_WRITTEN, folder=folder, count=len(lists))
     click.echo(written.text(language))
     click.echo(f"  {written.remedy(language)}")
+    if cycle_us is not None and cycle_us != DEFAULT_CYCLE_TIME_US:
+        tick = diagnostic(PROJECT_TICK, cycle=f"{cycle_us:g}", default=DEFAULT_CYCLE_TIME_US)
+        print_diagnostics([tick], language)
     return EXIT_RAN
 
 

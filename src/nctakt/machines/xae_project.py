@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import NoReturn
 from xml.parsers import expat
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
@@ -24,6 +25,9 @@ from nctakt.messages.machines.folders import PROJECT_WITHOUT_LISTS
 STARTUP = "hochlauf.lis"
 
 _SUFFIX = ".tsproj"
+#: Cycle times of tasks are in 100 ns (LG-401).
+_PER_US = 10
+_WHOLE = re.compile(r"[1-9][0-9]{0,8}")
 _VIRTUAL = re.compile(r"(?:\.?[\\/])?tc_virtual_(\d+)[\\/]+([^\s\\/(]+)", re.IGNORECASE)
 _STARTUP_DATA = "startup"
 _IN_FILES = frozenset(("CNC", "Axis", "Channel"))
@@ -39,8 +43,16 @@ def project_in(source: Path) -> Path | None:
     return found[0] if len(found) == 1 else None
 
 
-def lists_of_project(file: Path, access: FileAccess) -> dict[str, bytes]:
-    """Return the lists of a project's CNC by name; raises ``Failure`` (902680)."""
+@dataclass(frozen=True, slots=True)
+class ProjectLists:
+    """The lists of a project's CNC by name; ``cycle_us``: how often its GEO task runs, if known."""
+
+    files: dict[str, bytes]
+    cycle_us: float | None
+
+
+def lists_of_project(file: Path, access: FileAccess) -> ProjectLists:
+    """Return the lists of a project's CNC; raises ``Failure`` (902680)."""
     reader = _Reader(file)
     reader.read(access.read_bytes(file))
     startup = reader.startup
@@ -55,7 +67,8 @@ def lists_of_project(file: Path, access: FileAccess) -> dict[str, bytes]:
     }
     text = _VIRTUAL.sub(lambda found: f"./{names.get(found[1], found[2])}", startup)
     lists = {STARTUP: text.encode("utf-8")}
-    return lists | {name: reader.data[offset].encode("utf-8") for offset, name in names.items()}
+    lists |= {name: reader.data[offset].encode("utf-8") for offset, name in names.items()}
+    return ProjectLists(lists, reader.cycle_us)
 
 
 class _Reader:
@@ -68,6 +81,7 @@ class _Reader:
         self._is_startup = False
         self._text: list[str] = []
         self.startup: str | None = None
+        self.cycle_us: float | None = None
         self.data: dict[str, str] = {}
 
     def read(self, content: bytes) -> None:
@@ -98,6 +112,8 @@ class _Reader:
                 f"{name} liegt in einer eigenen Datei, {own}: im Projekt selbst speichern",
             )
             _refuse(self._file, reason)
+        if is_inside and name == "GeoTask" and _WHOLE.fullmatch(values.get("CycleTime", "")):
+            self.cycle_us = int(values["CycleTime"]) / _PER_US
         if is_inside and name == "Data":
             self._offset = values.get("Offset")
             self._is_startup = values.get("Name", "").casefold() == _STARTUP_DATA

@@ -147,6 +147,17 @@ PROJECT_WITHOUT_LISTS = error(
     remedy_de="Die Listen seiner CNC in einen Ordner exportieren: docs/machine-folders.md.",
     reason=("what is wrong", "was falsch ist"),
 )
+PROJECT_TICK = note(
+    902954,
+    en="the GEO task of the project runs every {cycle} µs; here the NC cycle is {default} µs",
+    de="die GEO-Task des Projekts läuft alle {cycle} µs; hier beträgt der NC-Takt {default} µs",
+    remedy_en="Write rtconf.lis with cycle_time {cycle}, and rtconf_lis ./rtconf.lis into "
+    "hochlauf.lis.",
+    remedy_de="Eine rtconf.lis mit cycle_time {cycle} schreiben und in hochlauf.lis rtconf_lis "
+    "./rtconf.lis.",
+    cycle=("the cycle of the task in µs", "der Takt der Task in µs"),
+    default=("the NC cycle without rtconf.lis, in µs", "der NC-Takt ohne rtconf.lis, in µs"),
+)
 PROJECT_LISTS_AS_THEY_ARE = error(
     902735,
     en="{option}: the lists of a TwinCAT project are written as they are",

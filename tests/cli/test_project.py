@@ -128,6 +128,58 @@ def test_a_start_up_list_of_another_name_beside_a_program_is_named(told: Told) -
     assert "902944" not in told("run", "other/b.nc")[2]
 
 
+def test_a_machine_near_a_program_is_named(told: Told) -> None:
+    """902967 names lists in a folder below or beside that of the program, which runs on demo."""
+    assert told("new", "lists", "--from", "demo5")[0] == 0
+    write("b.nc", "N10 G01 X1 F1000\nM30\n")
+    write("nc/c.nc", "N10 G01 X1 F1000\nM30\n")
+    for program in ("b.nc", "nc/c.nc"):
+        code, _, err = told("run", program)
+        assert code == 0
+        assert (
+            "note 902967: the program runs on the demo machine, not on that of lists/hochlauf.lis"
+            in err
+        )
+        assert "--machine lists takes that one" in err
+        for words in (("--machine", "lists"), ("--machine", "demo"), ("--quiet",)):
+            assert "902967" not in told("run", program, *words)[2]
+    assert "nctakt run b.nc --machine lists" in "".join(map(str, told()[1:]))
+    write("nctakt.toml", 'machine = "lists"\n')
+    assert "902967" not in told("run", "b.nc")[2]
+    assert "--machine" not in "".join(map(str, told()[1:]))
+
+
+@pytest.mark.parametrize("words", ["run partt.nc", "why partt.nc", "check partt.nc"])
+def test_a_misspelt_program_names_the_one_that_is_meant(words: str, told: Told) -> None:
+    """902941 with the name beside it; 900500 where none is near."""
+    write("part.nc", "N10 G01 X1 F1000\nM30\n")
+    code, out, err = told(*words.split())
+    assert code == 2
+    assert "error 902941: partt.nc does not exist\n  remedy: Did you mean part.nc?" in out + err
+    code, out, err = told(*words.replace("partt", "gate").split())
+    assert code == 2
+    assert "error 900500: gate.nc does not exist" in out + err
+
+
+def test_a_misspelt_machine_names_the_one_that_is_meant(told: Told) -> None:
+    """The same for --machine."""
+    assert told("new", "lists")[0] == 0
+    write("part.nc", "N10 G01 X1 F1000\nM30\n")
+    assert "Did you mean lists?" in told("run", "part.nc", "--machine", "list")[2]
+
+
+def test_tests_tell_in_the_language_of_the_command(told: Told) -> None:
+    """``nctakt test --lang de``: errors of a program and the note of its machine are German."""
+    write("nctakt.toml", 'machine = "demo"\n')
+    write("part.nc", "N10 G01 Q1 F1000 ; expect: ended\nM30\n")
+    code, out, _ = told("test", "part.nc", "--lang", "de")
+    assert code == 1
+    assert "Fehler 20797: unbekanntes Wort Q1" in out
+    assert "unerwarteter Fehler" in out
+    assert "nctakt: die Maschine ist demo, wie nctakt.toml es angibt" in out
+    assert "error 20797: unknown word Q1" in told("test", "part.nc", "--lang", "en")[1]
+
+
 def test_a_check_of_folders_takes_each_project(told: Told) -> None:
     """Programs in one folder, checked for the machines of their own projects."""
     write("one/nctakt.toml", 'machine = "demo"\n')

@@ -113,8 +113,10 @@ def test_without_a_subcommand_the_path_names_the_files_of_the_folder(
     monkeypatch.chdir(tmp_path)
     assert main([]) == 2
     shown = capsys.readouterr().err
-    for command in ("check lists", "run saw.nc", "live saw.nc --open", "why saw.nc", "init --ci"):
+    machine = "saw.nc --machine lists"
+    for command in ("check lists", f"run {machine}", f"live {machine} --open", "init --ci"):
         assert f"  nctakt {command}" in shown
+    assert f"  nctakt why {machine}" in shown
 
 
 def test_help_is_in_german(

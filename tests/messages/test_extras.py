@@ -17,11 +17,18 @@ PROJECT = Path(__file__).parents[2] / "pyproject.toml"
 EXTRAS = tomllib.loads(PROJECT.read_text("utf-8"))["project"]["optional-dependencies"]
 
 
-@pytest.mark.parametrize("extra", sorted(EXTRAS.keys() - {"docs"}))
+@pytest.mark.parametrize("extra", sorted(EXTRAS.keys() - {"all", "docs", "test"}))
 def test_the_command_names_the_libraries_of_the_extra(extra: str) -> None:
-    """It names those of pyproject.toml; of the tests' extra only what runs tests."""
-    expected = [one for one in EXTRAS[extra] if extra != "test" or one.startswith("pytest>=")]
-    assert shlex.split(install_command(extra)) == ["pip", "install", *expected]
+    """It names those of pyproject.toml."""
+    assert shlex.split(install_command(extra)) == ["pip", "install", *EXTRAS[extra]]
+
+
+def test_all_has_each_extra_of_users() -> None:
+    """``all`` leads to all that remedies name; ``test`` needs nothing of users twice."""
+    (all_,) = EXTRAS["all"]
+    users = sorted(EXTRAS.keys() - {"all", "docs", "test"})
+    assert all_ == f"nctakt[{','.join(users)}]"
+    assert "nctakt[all,docs]" in EXTRAS["test"]
 
 
 def test_no_remedy_needs_a_checkout() -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Functions that acknowledged themselves before the PLC announced itself are told (ST-763).
+"""What happened before the PLC announced itself is told: functions, jobs, motions (ST-763).
 
 T = 1 ms. The PLC opens the interface in cycles 0 and 1 and announces itself in cycle 2, that after
 tick 2 (ST-801); from tick 3 on functions wait for it (RC-002).
@@ -67,11 +67,73 @@ def test_a_line_is_told_once_and_each_line_of_its_own(tmp_path: Path) -> None:
     assert told == [2, 4]
 
 
-def test_functions_that_do_not_wait_and_plcs_that_stay_away_are_not_told(tmp_path: Path) -> None:
-    """M100 is MOS, so nobody waits; a PLC that never announces itself leaves functions alone."""
+def test_functions_that_do_not_wait_are_not_told(tmp_path: Path) -> None:
+    """M100 is MOS: nobody waits for it."""
     assert notes(perform(tmp_path, "M100\nG04 0.02\nM30")) == []
+
+
+def test_a_plc_that_stays_away_is_told_once_at_the_end(tmp_path: Path) -> None:
+    """The first function names the element; M100 (MOS) alone, or a PLC without interface, none."""
     away = GATE.replace("plc_present_w := TRUE", "plc_present_w := FALSE")
-    assert notes(perform(tmp_path, "M7\nG04 0.02\nM30", away)) == []
+    run = perform(tmp_path, "M100\nM7\nG04 0.02\nM7\nM30", away)
+    assert notes(run) == []
+    (note,) = [one for one in run.diagnostics if one.id == 902966]
+    assert note.text() == (
+        "M7 acknowledged itself: until the run's end the PLC did not announce itself "
+        "(gpCh[0]^.head.plc_present_w)"
+    )
+    assert note.span is not None and note.span.line == 2
+    assert note.remedy().startswith("Let the PLC set gpCh[0]^.head.plc_present_w to TRUE")
+    assert perform(tmp_path, "M100\nG04 0.02\nM30", away).diagnostics == ()
+    alone = "PROGRAM MAIN\nVAR n : UDINT; END_VAR\nn := n + 1;\nEND_PROGRAM\n"
+    assert perform(tmp_path, "M7\nG04 0.02\nM30", alone).diagnostics == ()
+
+
+def test_a_motion_of_a_cycle_before_the_plc_is_told(tmp_path: Path) -> None:
+    """ST-764: from tick 3 on X needs the releases that the PLC gives; in tick 0 it needs none."""
+    text = GATE.replace(
+        "gpCh[0]^.head.plc_present_w := TRUE;",
+        "gpAx[0]^.head.plc_present_w := TRUE;\n"
+        + "".join(
+            f"gpAx[0]^.lr_mc_control.{one}.{member} := TRUE;\n"
+            for one in ("drive_on", "torque_permission", "release_feedhold")
+            for member in ("enable_w", "command_w")
+        ),
+    )
+    cycle = "#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE 1\nX[INDP G90 POS=50 FEED=500]\n$ENDIF\n"
+    cycle += "#RT CYCLE END\n"
+    told = perform(tmp_path, f"{cycle}G04 0.02\nM30", text).diagnostics
+    (note,) = [one for one in told if one.id == 902965]
+    assert note.text() == (
+        "X moved without releases: the PLC announced itself (gpAx[0]^.head.plc_present_w) "
+        "only in tick 2"
+    )
+    assert note.span is not None and note.span.line == 3
+    late = perform(tmp_path, f"G04 0.01\n{cycle}G04 0.02\nM30", text).diagnostics
+    assert [one for one in late if one.id == 902965] == []
+
+
+def test_a_job_of_a_cycle_before_the_plc_that_turns_the_spindle_is_told(tmp_path: Path) -> None:
+    """RC-404, P-CHAN-00069: the job of tick 0 acknowledges itself, that of tick 10 waits."""
+    folder = machine_with(tmp_path / "machine")
+    lists = folder / "sda_mds1.lis"
+    line = "spindel[0].plc_control                  "
+    lists.write_text(lists.read_text("utf-8").replace(f"{line}0", f"{line}1"), "utf-8")
+    text = GATE.replace(
+        "gpCh[0]^.head.plc_present_w := TRUE;",
+        "FOR n := 0 TO 5 DO gpAx[n]^.head.plc_present_w := TRUE; END_FOR",
+    ).replace("VAR fbHli", "VAR n : DINT; fbHli")
+    cycle = "#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE 1\nS[M3 REV1000]\n$ENDIF\n#RT CYCLE END\n"
+    run = Controller(folder).run(
+        NcText("part.nc", f"{cycle}G04 0.02\nM30"), plc=loaded(tmp_path, text)
+    )
+    (note,) = [one for one in run.diagnostics if one.id == 902931]
+    assert note.text().startswith("S M3 acknowledged itself: the PLC announced itself (gpAx[")
+    assert note.span is not None and note.span.line == 3
+    run = Controller(folder).run(
+        NcText("part.nc", f"G04 0.01\n{cycle}G04 0.02\nM30"), plc=loaded(tmp_path, text)
+    )
+    assert notes(run) == []
 
 
 @pytest.mark.parametrize(("ticks", "seen", "told"), [(0, 0, 1), (2, 0, 1), (3, 7, 0)])

@@ -17,6 +17,8 @@ from typing import Literal
 from nctakt.base.dataclass import dataclass
 
 Language = Literal["en", "de"]
+#: The environment variable for the language of texts and messages.
+LANGUAGE_VARIABLE = "NCTAKT_LANGUAGE"
 
 #: The value of a parameter without a value: no name is similar, a list is empty.
 NOTHING = "–"

@@ -17,7 +17,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.files.access import FileAccess
+from nctakt.files.access import FileAccess, missing_file
 from nctakt.lists.format.xml_reader import is_xml
 from nctakt.lists.machine.files import LIST_SUFFIX, is_startup_name
 from nctakt.lists.machine.list_kinds import kind_of
@@ -84,7 +84,7 @@ def gather(paths: Sequence[Path], access: FileAccess, diagnostics: list[Finding]
     plc: list[Path] = []
     for path in paths:
         if not path.exists():
-            diagnostics.append(Finding(path.as_posix(), diagnostic(FILE_MISSING, file=str(path))))
+            diagnostics.append(Finding(path.as_posix(), missing_file(path)))
         elif path.is_file() and is_startup_name(path.name):
             machines.setdefault(path.resolve(), (path, None))
         elif path.is_file() and path.suffix.casefold() in PLC_SUFFIXES:

@@ -68,6 +68,10 @@ _MACHINE = Text(
 _PLC = Text("the PLC of the runs", "die SPS der Läufe")
 _UNTIL = Text("the limit of the runs", "die Grenze der Läufe")
 _VALUES = Text("values before the first tick", "Werte vor dem ersten Takt")
+_TESTS = Text(
+    "The programs of this folder: nctakt runs them, pytest checks what comes of them.",
+    "Die Programme dieses Ordners: nctakt führt sie aus, pytest prüft, was dabei herauskommt.",
+)
 _LANGUAGE = Text("language of messages", "Sprache der Meldungen")
 _PATHS = Text("what nctakt check checks", "was nctakt check prüft")
 
@@ -134,7 +138,7 @@ def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
         yield f"{label.get(language)}: {_shown(getattr(content, name), language)}"
     files = {OWN_NAME: _project_text(content, language)}
     if content.main_program:
-        files["test_programs.py"] = _test_text(content)
+        files["test_programs.py"] = _test_text(content, language)
     if ci is not None:
         name, text = CI_FILES[ci]
         files[name] = text
@@ -247,10 +251,10 @@ def _row(key: str, names: Sequence[str], example: str, comment: str) -> tuple[st
     return f'# {key} = "{names[0] if names else example}"', comment + others
 
 
-def _test_text(content: _Content) -> str:
+def _test_text(content: _Content, language: Language) -> str:
     """Return the first test: the program comes to its end without errors."""
     return (
-        f'"""The programs of this folder: nctakt runs them, pytest checks what comes of them."""\n'
+        f'"""{_TESTS.get(language)}"""\n'
         f"\n\n"
         f"def test_the_program_ends(run_nc):\n"
         f'    run = run_nc("{content.main_program}")\n'
@@ -282,7 +286,7 @@ def _next_commands(folder: Path, content: _Content) -> Iterator[str]:
     yield f"nctakt run {program}"
     for line, extra, library in (
         (f"nctakt live {program} --open", "live", "nicegui"),
-        (f"nctakt test {folder.as_posix()}", "test", "pytest"),
+        (f"nctakt test {folder.as_posix()}", "pytest", "pytest"),
     ):
         if find_spec(library) is None:
             yield install_command(extra)

@@ -7,6 +7,8 @@ JUnit file if asked for, and the exit code as that of ``nctakt check``.
 
 from __future__ import annotations
 
+import contextlib
+import os
 from collections.abc import Iterator
 from importlib.metadata import entry_points
 from itertools import takewhile
@@ -14,20 +16,19 @@ from pathlib import Path
 
 import click
 
-from nctakt.base.diagnostics import Language, Text
+from nctakt.base.diagnostics import LANGUAGE_VARIABLE, Language, Text
 from nctakt.base.failure import Failure
-from nctakt.base.misspelling import nearest
 from nctakt.cli import EXIT_INTERNAL, EXIT_NC_ERROR, EXIT_RAN, EXIT_USAGE
 from nctakt.cli.common.help import described, option
 from nctakt.cli.common.options import TRUST_OPTION, language_option
 from nctakt.cli.common.terminal import print_diagnostics
-from nctakt.files.access import FileAccess
+from nctakt.files.access import FileAccess, missing_file
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.project import TESTS_NOT_TRUSTED
-from nctakt.messages.files import FILE_MISSING, MISSPELT_FILE
 from nctakt.messages.plcs.unit_tests import NOTHING_TESTED, PYTEST_MISSING
 from nctakt.project.trust import list_of_trusted, why_distrusted
+from nctakt.testing.language import language_of_tests
 
 #: The plugins of nctakt, where the installation does not announce them.
 _PLUGINS = ("nctakt.testing.plugin", "nctakt.studies.fixture")
@@ -110,10 +111,27 @@ def command(
     """Run tests."""
     words = [*(["-k", expression] if expression else ()), *(["-x"] if at_first else ())]
     try:
-        return _tested([*paths], words, junit, language)
+        with _telling_in(language):
+            return _tested([*paths], words, junit, language)
     except Failure as failure:
         print_diagnostics(failure.diagnostics, language)
         return EXIT_USAGE
+
+
+@contextlib.contextmanager
+def _telling_in(language: Language) -> Iterator[None]:
+    """Let tests tell what is wrong in a language, also in the processes that they start."""
+    before = os.environ.get(LANGUAGE_VARIABLE)
+    if language == language_of_tests():
+        yield
+        return
+    os.environ[LANGUAGE_VARIABLE] = language
+    try:
+        yield
+    finally:
+        del os.environ[LANGUAGE_VARIABLE]
+        if before is not None:
+            os.environ[LANGUAGE_VARIABLE] = before
 
 
 def _tested(paths: list[str], words: list[str], junit: str | None, language: Language) -> int:
@@ -188,9 +206,4 @@ def _check_there(words: list[str]) -> None:
         path = Path(word.partition("::")[0])
         if path.exists():
             continue
-        names = [one.name for one in path.parent.iterdir()] if path.parent.is_dir() else []
-        near = nearest(path.name, sorted(names))
-        if near:
-            shown = (path.parent / near).as_posix()
-            raise Failure(diagnostic(MISSPELT_FILE, file=path.as_posix(), nearest=shown))
-        raise Failure(diagnostic(FILE_MISSING, file=path.as_posix()))
+        raise Failure(missing_file(path))

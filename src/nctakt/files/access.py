@@ -16,8 +16,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import BinaryIO, TextIO
 
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.long_text import LinesTooLong, LongText, is_long
+from nctakt.base.misspelling import nearest
 from nctakt.base.text import decode_text, split_lines
 from nctakt.messages import diagnostic
 from nctakt.messages.files import (
@@ -26,6 +28,7 @@ from nctakt.messages.files import (
     FILE_OUTSIDE,
     FILE_TOO_LONG,
     FOLDER_INSTEAD_OF_FILE,
+    MISSPELT_FILE,
     NOT_A_REGULAR_FILE,
     OUTPUT_IS_READ,
     OUTPUTS_ARE_ONE_FILE,
@@ -273,6 +276,22 @@ def _can_be_lost(state: os.stat_result) -> bool:
 
 def _too_long(name: str | Path) -> Failure:
     return Failure(diagnostic(FILE_TOO_LONG, file=str(name), limit=MAX_BYTES))
+
+
+def missing_file(path: Path) -> Diagnostic:
+    """Return what is wrong with a path that leads nowhere: with the name beside it that is meant.
+
+    Only a path that the user has written belongs here.
+    """
+    try:
+        names = sorted(one.name for one in path.parent.iterdir())
+    except OSError:
+        names = []
+    near = nearest(path.name, names)
+    if near:
+        shown = (path.parent / near).as_posix()
+        return diagnostic(MISSPELT_FILE, file=path.as_posix(), nearest=shown)
+    return diagnostic(FILE_MISSING, file=str(path))
 
 
 def _unreadable(path: Path, error: OSError) -> Failure:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-#: What runs tests: an extra of its own would bring what only tests of nctakt itself need.
+#: What runs the tests of a project.
 PYTEST = "pytest>=9"
 
 #: The requirements of each extra that a message may ask for, as in pyproject.toml.
@@ -22,8 +22,8 @@ _REQUIREMENTS: Mapping[str, Sequence[str]] = {
     "mqtt": ("aiomqtt>=2,<3",),
     "opcua": ("asyncua>=2.1,<2.2", "cryptography>=42"),
     "plot": ("matplotlib>=3.8", "pyvcd>=0.4"),
+    "pytest": (PYTEST,),
     "studies": ("optuna>=5", "SALib>=1.5", "scipy>=1.13"),
-    "test": (PYTEST,),
     "watch": ("watchfiles>=0.21",),
 }
 

@@ -19,9 +19,11 @@ from nctakt.lists.machine.files import (
     LIST_SUFFIX,
     machine_folder,
     startup_list_around,
+    startup_lists,
 )
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.project import (
+    MACHINE_BESIDE_PROGRAM,
     MACHINE_OF_SETTING,
     RUN_ON_DEMO_MACHINE,
     RUN_ON_MACHINE_OF_FILE,
@@ -33,6 +35,8 @@ MACHINE_VARIABLE = "NCTAKT_MACHINE"
 
 #: Lists beside a program that are read to find a start-up list of an unusual name, at most.
 _MAX_LISTS = 50
+#: Folders that are searched for a machine near a program, at most.
+_MAX_FOLDERS = 50
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,12 +45,14 @@ class MachineChoice:
 
     ``setting``: the environment variable or the project file; empty for the machine around the
     program and for the built-in one. ``overlooked``: a list beside a program on the built-in
-    machine that has the entries of a start-up list, but no usual name.
+    machine that has the entries of a start-up list, but no usual name; ``nearby``: a start-up list
+    in a folder beside such a program.
     """
 
     path: Path
     setting: str = ""
     overlooked: Path | None = None
+    nearby: Path | None = None
 
     @property
     def is_demo(self) -> bool:
@@ -62,12 +68,16 @@ class MachineChoice:
     def note(self) -> Diagnostic | None:
         """Return the note that names the machine (901064, 900816).
 
-        That of the demo machine names the overlooked list (902944); ``None`` if there is none.
+        That of the demo machine names the list that it may be about (902944, 902967); ``None`` if
+        there is none.
         """
         if self.setting:
             return diagnostic(MACHINE_OF_SETTING, machine=self.shown, source=self.setting)
         if self.overlooked is not None:
             return diagnostic(RUN_ON_DEMO_MACHINE, file=self.overlooked.as_posix())
+        if self.nearby is not None:
+            folder = self.nearby.parent.as_posix()
+            return diagnostic(MACHINE_BESIDE_PROGRAM, file=self.nearby.as_posix(), folder=folder)
         return None if self.is_demo else diagnostic(RUN_ON_MACHINE_OF_FILE, file=self.shown)
 
 
@@ -93,7 +103,9 @@ def choose_machine(
         return MachineChoice(DEMO_FOLDER)
     startup = startup_list_around(program)
     if startup is None or not access.admits(startup):
-        return MachineChoice(DEMO_FOLDER, overlooked=_overlooked_list(program.parent, access))
+        overlooked = _overlooked_list(program.parent, access)
+        nearby = None if overlooked is not None else _list_nearby(program.parent, access)
+        return MachineChoice(DEMO_FOLDER, overlooked=overlooked, nearby=nearby)
     return MachineChoice(startup)
 
 
@@ -109,6 +121,26 @@ def _overlooked_list(folder: Path, access: FileAccess) -> Path | None:
 
     found = (path for path in paths[:_MAX_LISTS] if is_startup_list(path, access))
     return next(found, None)
+
+
+def _list_nearby(folder: Path, access: FileAccess) -> Path | None:
+    """Return the first start-up list in the folders of a folder, or in those beside it.
+
+    The latter count within the working directory: ``nc/part.nc`` beside ``lists/hochlauf.lis``.
+    """
+    above = folder.resolve().parent
+    is_within = above.is_relative_to(Path.cwd())
+    for searched in (folder, *((folder.parent,) if is_within else ())):
+        try:
+            inner = sorted(one for one in searched.iterdir() if not one.name.startswith("."))
+            folders = [one for one in inner if one.is_dir() and not one.is_symlink()]
+        except OSError:
+            continue
+        for one in folders[:_MAX_FOLDERS]:
+            found = next((path for path in startup_lists(one) if access.admits(path)), None)
+            if found is not None:
+                return found
+    return None
 
 
 def machine_of(program: Path, access: FileAccess) -> MachineChoice:

@@ -79,7 +79,11 @@ _CONCEPTS = (
             "Ein Buchstabe mit einem Wert bewegt eine Achse des Kanals: mit G90 ihr Endpunkt, mit "
             "G91 ihr Weg; die Buchstaben sind die Namen der Achsen in der Kanalliste",
         ),
-        fact(*_EXAMPLES, "G01 X100 Y-5.5 F6000\nG91 Z=V.E.DEPTH\nZ[INDP POS=50 FEED=500]"),
+        fact(
+            *_EXAMPLES,
+            "G01 X100 Y-5.5 F6000\nG91 Z=V.E.DEPTH\n"
+            "#RT CYCLE [ID=1 SCOPE=PROG]\n  Z[INDP G90 POS=50 FEED=500]\n#RT CYCLE END",
+        ),
         fact(*_FURTHER, "G90, G91, INDP, V.RTA.ACS.ACT_POS.X, Z.ACS.ACT_POS (--signals)"),
     ),
     _concept(

@@ -138,6 +138,8 @@ class Recording:
 
     def close(self) -> None:
         """End the recording of a run."""
+        for note in self._functions.last_notes():
+            self._report(note)
         for sink in self._sinks:
             sink.close()
         self._listen(())

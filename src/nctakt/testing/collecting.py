@@ -21,6 +21,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import RunKeywords
 from nctakt.testing.coverage import note_coverage, session_coverage
 from nctakt.testing.expectations import Script, read_script
+from nctakt.testing.language import rendered
 from nctakt.testing.named_files import missing_files
 from nctakt.testing.queries import NcRun
 from nctakt.testing.settings_under_test import settings_of_test
@@ -69,9 +70,7 @@ class NcItem(pytest.Item):
                 )
             )
         except Failure as failure:
-            raise UnmetError(
-                "\n".join(diagnostic.render() for diagnostic in failure.diagnostics)
-            ) from failure
+            raise UnmetError(rendered(failure.diagnostics)) from failure
         if wrong:
             raise UnmetError("\n\n".join(wrong))
 

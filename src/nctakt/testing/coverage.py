@@ -22,6 +22,7 @@ from nctakt.results.coverage import Coverage
 from nctakt.results.coverage_files import as_json, as_lcov, from_json
 from nctakt.results.coverage_text import CoverageText
 from nctakt.results.run import Run
+from nctakt.testing.language import language_of_tests, rendered
 from nctakt.testing.queries import TEXT_NAME
 
 _NAME = "nctakt-coverage"
@@ -59,7 +60,7 @@ class SessionCoverage:
                 message = diagnostic(
                     UNKNOWN_COVERAGE_FORMAT, file=file, suffixes=", ".join(_WRITERS)
                 )
-                raise pytest.UsageError(message.render())
+                raise pytest.UsageError(message.render(language_of_tests()))
 
     def add(self, coverage: Coverage) -> None:
         """Add the coverage of a run."""
@@ -90,7 +91,7 @@ class SessionCoverage:
             try:
                 write_file(file, _WRITERS[file.suffix](self.coverage))
             except Failure as failure:
-                self._unwritten += [diagnostic.render() for diagnostic in failure.diagnostics]
+                self._unwritten.append(rendered(failure.diagnostics))
                 session.exitstatus = pytest.ExitCode.USAGE_ERROR
 
     def pytest_terminal_summary(self, terminalreporter: pytest.TerminalReporter) -> None:

@@ -30,6 +30,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import ProgramOptions, check_keywords, merged
 from nctakt.run.plcs.plc_view import AnyPlc, GivenPlc
 from nctakt.run.plcs.realtime_plc import plc_object
+from nctakt.testing.language import rendered
 from nctakt.trace.events import Event
 
 #: The name of a program that a test has as text.
@@ -86,7 +87,7 @@ class Runner:
         done = run_program(self._controller, program, self._folder, **options)
         self._note(done.run)
         if done.errors:
-            self.errors.append("\n".join(one.render() for one in done.run.errors))
+            self.errors.append(rendered(done.run.errors))
         return done
 
     def __repr__(self) -> str:

@@ -12,6 +12,7 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import machine_folder
 from nctakt.project.machine_choice import machine_of_environment
 from nctakt.project.run_settings import Named, RunSettings, run_settings
+from nctakt.testing.language import language_of_tests
 
 #: Under it a process of pytest keeps the notes on the machines of its tests.
 REPORTED_MACHINES = pytest.StashKey[dict[str, None]]()
@@ -38,5 +39,5 @@ def settings_of_test(config: pytest.Config, test: Path, named: Named | None = No
     settings = run_settings([test], FileAccess(), named)
     note = settings.machine_note
     if note is not None:
-        config.stash.setdefault(REPORTED_MACHINES, {})[note.text()] = None
+        config.stash.setdefault(REPORTED_MACHINES, {})[note.text(language_of_tests())] = None
     return settings

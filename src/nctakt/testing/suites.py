@@ -29,6 +29,7 @@ from nctakt.plc.unit_tests import (
 from nctakt.project.run_settings import Named, RunSettings
 from nctakt.testing.collecting import UnmetError
 from nctakt.testing.coverage import session_coverage
+from nctakt.testing.language import rendered
 from nctakt.testing.settings_under_test import settings_of_test
 
 
@@ -136,4 +137,4 @@ class SuiteItem(pytest.Item):
 
 
 def _text(failure: Failure) -> str:
-    return "\n".join(found.render() for found in failure.diagnostics)
+    return rendered(failure.diagnostics)

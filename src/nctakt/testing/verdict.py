@@ -9,15 +9,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity
+from nctakt.base.diagnostics import NOTHING, Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import RUN_NOT_ENDED
 from nctakt.messages.commands.inputs import UNKNOWN_ITEM
 from nctakt.testing.expectations import Expectation
+from nctakt.testing.language import language_of_tests, rendered
 from nctakt.testing.queries import NcRun, Occurrences
 from nctakt.trace.events import number_text
+
+_UNEXPECTED = Text("unexpected error", "unerwarteter Fehler")
 
 
 def differences(
@@ -38,7 +41,7 @@ def differences(
         try:
             wrong = _wrong(run, expectation, folder)
         except Failure as failure:
-            yield "\n".join(found.render() for found in expectation.placed(failure))
+            yield rendered(expectation.placed(failure))
             continue
         if wrong:
             expected = f"- {_in_words_of_events(run, expectation)}"
@@ -47,12 +50,13 @@ def differences(
     numbers = [(error.number, error.about) for error in expectations if error.kind == "error"]
     if run.run.state == "limit" and not is_limited:
         message = diagnostic(RUN_NOT_ENDED, time=str(Time(run.run.virtual_time_us)))
-        yield f"{file}: {message.render()}"
+        yield f"{file}: {message.render(language_of_tests())}"
     for error in run.run.errors:
         line = None if error.span is None else error.span.line
         named = {(number, at) for number in (error.id, *error.also) for at in (line, None)}
         if named.isdisjoint(numbers):
-            yield f"{error.render()}\n    unexpected error"
+            language = language_of_tests()
+            yield f"{error.render(language)}\n    {_UNEXPECTED.get(language)}"
 
 
 def _wrong(run: NcRun, expectation: Expectation, folder: Path) -> list[str]:
@@ -126,9 +130,8 @@ def _wrong_error(diagnostics: Sequence[Diagnostic], expectation: Expectation) ->
     if matching and expectation.count in (None, len(matching)):
         return []
     lines = [(diagnostic.span.line if diagnostic.span else "-", diagnostic) for diagnostic in alike]
-    return [f"line {line}: {diagnostic.id} {diagnostic.text()}" for line, diagnostic in lines] or [
-        "none"
-    ]
+    language = language_of_tests()
+    return [f"line {line}: {found.id} {found.text(language)}" for line, found in lines] or ["none"]
 
 
 def _wrong_times(run: NcRun, expectation: Expectation) -> list[str]:

@@ -15,10 +15,9 @@ from typing import Any, TypeVar, cast
 
 import click
 
-from nctakt.base.diagnostics import Language, Text
+from nctakt.base.diagnostics import LANGUAGE_VARIABLE, Language, Text
 
 #: The environment variable for the language.
-LANGUAGE_VARIABLE = "NCTAKT_LANGUAGE"
 
 #: The groups of options, in the order of the help.
 GROUPS: Mapping[str, Text] = {
@@ -50,6 +49,7 @@ _LANGUAGE = Text(
 #: German names of the values in usage lines and options.
 _GERMAN_VALUES: Mapping[str, str] = {
     "ADDRESS": "ADRESSE",
+    "ARGS": "ARGUMENTE",
     "COMMAND": "BEFEHL",
     "FILE": "DATEI",
     "FOLDER": "ORDNER",

@@ -20,13 +20,14 @@ from nctakt.base.mode import is_compiled
 from nctakt.base.version import __version__
 from nctakt.checking.inputs import PROGRAM_SUFFIXES
 from nctakt.lists.machine.files import startup_lists
+from nctakt.project.project_file import OWN_NAME
 
 _PATH = Text("The path from your folder to an answer", "Der Weg vom eigenen Ordner zur Antwort")
 _STEPS = (
     ("nctakt check {folder}", Text("find mistakes", "Fehler finden")),
-    ("nctakt run {program}", Text("run it", "ausführen")),
-    ("nctakt live {program} --open", Text("see it in the browser", "im Browser ansehen")),
-    ("nctakt why {program}", Text("why reactions came", "warum Reaktionen kamen")),
+    ("nctakt run {program}{machine}", Text("run it", "ausführen")),
+    ("nctakt live {program}{machine} --open", Text("see it in the browser", "im Browser ansehen")),
+    ("nctakt why {program}{machine}", Text("why reactions came", "warum Reaktionen kamen")),
     (
         "nctakt init --ci github",
         Text("project, first test, CI", "Projekt, erster Test, CI"),
@@ -35,8 +36,8 @@ _STEPS = (
 
 #: A requirement of an extra, as the metadata of the package has it.
 _REQUIREMENT = re.compile(r"([\w.-]+)[^;]*(?:;.*extra == ['\"](\w+)['\"])?")
-#: Extras for those who work on nctakt itself.
-_INTERNAL = ("docs", "test")
+#: Extras of extras, and for those who work on nctakt itself.
+_INTERNAL = ("all", "docs", "test")
 
 
 def path_lines(language: Language, folder: Path) -> Iterator[str]:
@@ -44,8 +45,10 @@ def path_lines(language: Language, folder: Path) -> Iterator[str]:
     program = next(_programs(folder), "part.nc")
     machine = next((path.parent for path in _startup_lists(folder)), folder)
     shown = machine.relative_to(folder).as_posix()
+    is_chosen = (folder / OWN_NAME).exists() or (folder / program).is_relative_to(machine)
+    option = "" if is_chosen else f" --machine {shown}"
     steps = [
-        (command.format(folder=shown, program=program), text.get(language))
+        (command.format(folder=shown, program=program, machine=option), text.get(language))
         for command, text in _STEPS
     ]
     width = max(len(command) for command, _ in steps)

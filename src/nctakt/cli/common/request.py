@@ -16,12 +16,11 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language
 from nctakt.base.failure import Failure
 from nctakt.cli.common.file_options import read_standard_input
-from nctakt.files.access import FileAccess
+from nctakt.files.access import FileAccess, missing_file
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import RECORDING_WITHOUT_TRACE
 from nctakt.messages.files import (
-    FILE_MISSING,
     FILE_NOT_READABLE,
     FOLDER_INSTEAD_OF_PROGRAM,
     NEITHER_FOLDER_NOR_LIST,
@@ -204,7 +203,7 @@ def _check_program(program: str, access: FileAccess) -> None:
         return
     access.note(program)
     if not Path(program).exists():
-        raise Failure(diagnostic(FILE_MISSING, file=program))
+        raise Failure(missing_file(Path(program)))
     if Path(program).is_dir():
         raise Failure(diagnostic(FOLDER_INSTEAD_OF_PROGRAM, folder=program))
     if not os.access(program, os.R_OK):
@@ -215,7 +214,7 @@ def _check_program(program: str, access: FileAccess) -> None:
 def _check_machine(path: Path) -> None:
     """Raise ``Failure`` unless there is a folder or start-up list of this name."""
     if not path.exists():
-        raise Failure(diagnostic(FILE_MISSING, file=str(path)))
+        raise Failure(missing_file(path))
     if not path.is_dir() and path.suffix.casefold() not in {".lis", ".xml"}:
         raise Failure(diagnostic(NEITHER_FOLDER_NOR_LIST, folder=str(path)))
 

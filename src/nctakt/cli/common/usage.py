@@ -11,9 +11,9 @@ from collections.abc import Sequence
 
 import click
 
-from nctakt.base.diagnostics import NOTHING, Diagnostic, Text
+from nctakt.base.diagnostics import LANGUAGE_VARIABLE, NOTHING, Diagnostic, Text
 from nctakt.base.misspelling import nearest
-from nctakt.cli.common.help import LANGUAGE_VARIABLE, RepeatedOptionError, help_language
+from nctakt.cli.common.help import RepeatedOptionError, help_language
 from nctakt.cli.common.terminal import print_diagnostics
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import (

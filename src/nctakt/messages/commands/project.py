@@ -143,6 +143,15 @@ RUN_ON_DEMO_MACHINE = note(
     remedy_de="Nach ihren Einträgen ist sie eine: --machine {file}, oder so in nctakt.toml nennen.",
     file=("the list beside the program", "die Liste neben dem Programm"),
 )
+MACHINE_BESIDE_PROGRAM = note(
+    902967,
+    en="the program runs on the demo machine, not on that of {file}",
+    de="das Programm läuft auf der Demo-Maschine, nicht auf der von {file}",
+    remedy_en="--machine {folder} takes that one; nctakt init makes it the machine of the project.",
+    remedy_de="--machine {folder} nimmt diese; nctakt init macht sie zur Maschine des Projekts.",
+    file=("the start-up list near the program", "die Hochlaufliste in der Nähe des Programms"),
+    folder=("its folder", "ihr Ordner"),
+)
 PROGRAMS_OF_DIFFERENT_MACHINES = error(
     901065,
     en="the programs belong to different machines: {first} runs on {machine}, {second} on {other}",

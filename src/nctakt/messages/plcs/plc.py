@@ -279,3 +279,30 @@ FUNCTION_BEFORE_PLC = note(
     path=("the element that announces it", "das Element, das sie anmeldet"),
     dwell=("the time to wait, in seconds", "die Wartezeit in Sekunden"),
 )
+MOTION_BEFORE_PLC = note(
+    902965,
+    en="{axis} moved without releases: the PLC announced itself ({path}) only in tick {tick}",
+    de="{axis} bewegte sich ohne Freigaben: die SPS meldete sich ({path}) erst in Takt {tick} an",
+    remedy_en="Let the program wait at its beginning: G04 {dwell}. On the machine the PLC has "
+    "long been running.",
+    remedy_de="Das Programm am Anfang warten lassen: G04 {dwell}. An der Maschine läuft die SPS "
+    "längst.",
+    cause_en="An axis needs the releases of a PLC that has announced itself for it, and none "
+    "before that.",
+    cause_de="Eine Achse braucht die Freigaben einer SPS, die sich für sie angemeldet hat, und "
+    "vorher keine.",
+    path=("the element that announces it", "das Element, das sie anmeldet"),
+    dwell=("the time to wait, in seconds", "die Wartezeit in Sekunden"),
+)
+FUNCTION_WITHOUT_PLC = note(
+    902966,
+    en="{function} acknowledged itself: until the run's end the PLC did not announce itself "
+    "({path})",
+    de="{function} hat sich selbst quittiert: bis zum Ende des Laufs hat sich die SPS nicht "
+    "angemeldet ({path})",
+    remedy_en="Let the PLC set {path} to TRUE if it is to acknowledge functions.",
+    remedy_de="Die SPS {path} auf TRUE setzen lassen, wenn sie Funktionen quittieren soll.",
+    cause_en="Functions wait only for a PLC that has announced itself.",
+    cause_de="Funktionen warten nur auf eine SPS, die sich angemeldet hat.",
+    path=("the element that announces it", "das Element, das sie anmeldet"),
+)

@@ -24,8 +24,10 @@ NOTHING_TESTED = error(
     902541,
     en="no tests in {paths}",
     de="keine Tests in {paths}",
-    remedy_en="Name files or folders with expectations, suites or Python tests.",
-    remedy_de="Dateien oder Ordner mit Erwartungen, Suiten oder Python-Tests nennen.",
+    remedy_en="Name files or folders with expectations, suites or Python tests; nctakt init writes "
+    "a first one.",
+    remedy_de="Dateien oder Ordner mit Erwartungen, Suiten oder Python-Tests nennen; nctakt init "
+    "schreibt einen ersten.",
     paths=("the files and folders", "die Dateien und Ordner"),
 )
 OUTSIDE_OF_TESTS = error(
@@ -71,8 +73,8 @@ PYTEST_MISSING = error(
     902547,
     en="pytest, which runs the tests, is not installed",
     de="pytest, das die Tests ausführt, ist nicht installiert",
-    remedy_en=f"Install it: {install_command('test')}",
-    remedy_de=f"Installieren: {install_command('test')}",
+    remedy_en=f"Install it: {install_command('pytest')}",
+    remedy_de=f"Installieren: {install_command('pytest')}",
 )
 OTHER_TEST_LIBRARY = error(
     902911,

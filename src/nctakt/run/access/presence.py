@@ -32,9 +32,15 @@ class Presence:
 
         ``None``: it has not yet. Without an area of the axis they are in that of the channel.
         """
-        pointer = ("gpAx", axis) if ("gpAx", axis) in self.areas else ("gpCh", channel)
-        area = self.areas.get(pointer)
+        area = self.areas.get(self._pointer(channel, axis))
         if area is None or self.banks.since[area] < -1:
             return None
-        root, index = pointer
-        return Announced(self.banks.since[area], f"{root}[{index}]^.head.plc_present_w")
+        return Announced(self.banks.since[area], self.path(channel, axis))
+
+    def path(self, channel: int, axis: int) -> str:
+        """Return the element by which it announces itself for these functions, empty: none."""
+        root, index = self._pointer(channel, axis)
+        return f"{root}[{index}]^.head.plc_present_w" if (root, index) in self.areas else ""
+
+    def _pointer(self, channel: int, axis: int) -> tuple[str, int]:
+        return ("gpAx", axis) if ("gpAx", axis) in self.areas else ("gpCh", channel)

@@ -101,6 +101,21 @@ def test_our_own_trace_is_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert "innerhalb der Toleranzen" in text
 
 
+def test_columns_without_a_signal_are_named(capsys: pytest.CaptureFixture[str]) -> None:
+    """Whoever does not see a curve in the answer reads why; the first ten of many."""
+    table = [f"p{at};{at}" for at in range(12)]
+    names, values = (";".join(one.split(";")[part] for one in table) for part in (0, 1))
+    Path("wide.csv").write_text(f"t;X.ACS.ACT_POS;{names}\n0;0;{values}\n1;1;{values}\n", "utf-8")
+    assert main(["compare", "wide.csv", "part.nc", "--offset", "0s"]) == 0
+    text = capsys.readouterr().out
+    assert (
+        "columns of the log without a signal: p0, p1, p2, p3, p4, p5, p6, p7, p8, p9 … (12)\n"
+        in text
+    )
+    assert main(["compare", "scope.csv", "part.nc"]) == 0
+    assert "without a signal" not in capsys.readouterr().out
+
+
 def test_a_given_drift(capsys: pytest.CaptureFixture[str]) -> None:
     """500 ppm beside each way to say where the run begins; a log of 4 s has none by itself."""
     for words, told in (

@@ -101,6 +101,40 @@ def test_a_table_with_names_and_times(tmp_path: Path) -> None:
     assert samples(log) == {"x": [(0.005, 1.0), (0.007, 2.0)]}
 
 
+@pytest.mark.parametrize(
+    ("name", "said", "factor"),
+    [
+        ("zeit_s", {}, 1e3),
+        ("TIME_MS", {}, 1.0),
+        ("t_min", {}, 6e4),
+        ("Zeit [H]", {}, 3.6e6),
+        ("t [\u03bcs]", {}, 1e-3),
+        ("time", {}, 1e3),
+        ("t [days]", {"time_unit": "ms"}, 1.0),
+        ("clock_ms", {"time": "Clock_ms"}, 1e3),
+    ],
+)
+def test_units_of_stamps(tmp_path: Path, name: str, said: dict[str, str], factor: float) -> None:
+    """LG-304: what the mapping says, the brackets, the end of a known name, else seconds."""
+    log = opened(tmp_path, f"x;{name}\n5;0\n7;2\n", **said)
+    assert samples(log) == {"x": [(0.0, 5.0), (2.0 * factor, 7.0)]}
+
+
+@pytest.mark.parametrize("kind", ["datetime64[ns]", "datetime64[ms]", "timedelta64[us]"])
+def test_stamps_of_a_clock_in_parquet(tmp_path: Path, kind: str) -> None:
+    """They have a unit of their own; a missing one is no sample."""
+    arrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
+    stamps = numpy.array([1_700_000_000_000, 1_700_000_000_002, 0], dtype="datetime64[ms]")
+    if kind.startswith("timedelta"):
+        stamps = stamps - stamps[0]
+    stamps = stamps.astype(kind)
+    stamps[2] = "NaT"
+    table = arrow.table({"time": stamps, "x": [5.0, 7.0, 9.0]})
+    parquet.write_table(table, tmp_path / "log.parquet")
+    log = open_log(tmp_path / "log.parquet", FileAccess())
+    assert samples(log) == {"x": [(0.0, 5.0), (2.0, 7.0)]}
+
+
 def test_a_trace_of_our_own(tmp_path: Path) -> None:
     """``tick,time_us,…,events``: signals only."""
     log = opened(
@@ -157,6 +191,7 @@ def test_encodings(tmp_path: Path) -> None:
         ("t,x\n0,1\n2,1\n1,1\n", 902517),
         ("t,x\n0,\n", 902516),
         ("t,x\n0,nan\n1,inf\n", 902516),
+        ("t [days],x\n0,1\n", 902955),
         ("t,x\n" + "1" * (1 << 20) + ",1\n", 902523),
     ],
 )

@@ -15,7 +15,7 @@ from nctakt.comparison.alignment import Alignment, Curve
 from nctakt.comparison.delay_search import Delays, DelaySearch
 from nctakt.comparison.delays import BlockDelays, Delay
 from nctakt.comparison.deviations import Deviation, deviation_of
-from nctakt.comparison.log import Log, Samples
+from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.comparison.mapping import Pair, Tolerance
 from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
@@ -48,6 +48,7 @@ class Comparison:
     alignment: Alignment
     aligned_by: str
     given: GivenTime
+    compared: Sequence[LogColumn]
     deviations: Sequence[Deviation]
     delays: Delays
     diagnostics: Sequence[Diagnostic]
@@ -124,6 +125,7 @@ def compare(
         alignment,
         ", ".join(names[:3]),
         given,
+        [pair.column for pair in pairs],
         deviations,
         delays,
         _findings(log, alignment, is_searched=given.begin is None),

@@ -21,9 +21,15 @@ import numpy
 from nctakt.base.failure import Failure
 from nctakt.comparison.columns import STRETCH, Numbers, NumberTable, stretches
 from nctakt.comparison.log import Log, LogColumn, Samples
-from nctakt.comparison.plain_table import NOT_SIGNALS, TIME_UNITS, TIMES, split_unit
+from nctakt.comparison.plain_table import (
+    NOT_SIGNALS,
+    TIME_UNITS,
+    find_time,
+    split_unit,
+    time_column,
+)
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
+from nctakt.messages.commands.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG
 from nctakt.trace.arrow import load_pyarrow
 from nctakt.trace.measurement import load_asammdf
 
@@ -100,21 +106,12 @@ class ParquetLog(Log):
         except (OSError, arrow.ArrowException) as error:
             raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file)) from error
         schema = self._file.schema_arrow
-        named = said.get("time", "").lower()
         cells = [_name_and_unit(one) for one in schema]
-        time = next(
-            (
-                at
-                for at, (name, _) in enumerate(cells)
-                if (name.lower() == named if named else name.lower() in TIMES)
-            ),
-            -1,
-        )
-        if time < 0:
-            raise Failure(diagnostic(NO_TIME_IN_LOG, file=self.file))
-        name, unit = cells[time]
-        word = said.get("time_unit") or unit or name.lower().rpartition("_")[2]
-        self._time_us = TIME_UNITS.get(word, TIME_UNITS["s"])
+        time = find_time(cells, said)
+        if time >= 0 and _is_clock(arrow, schema.field(time).type):
+            self._time_us = TIME_UNITS[schema.field(time).type.unit]
+        else:
+            time, self._time_us = time_column(self.file, cells, said)
         self.columns = [
             LogColumn(name, unit, at, time)
             for at, (name, unit) in enumerate(cells)
@@ -134,14 +131,16 @@ class ParquetLog(Log):
         time = names[columns[0].time_column]
         asked = [time, *(names[one.column] for one in columns)]
         table = NumberTable(len(asked))
-        first: float | None = None
+        first: Any = None
         for batch in self._batches(list(set(asked))):
-            numbers = {name: _numbers(batch.column(name)) for name in set(asked)}
-            stamps = numbers[time]
-            known = stamps[numpy.isfinite(stamps)]
-            if first is None and len(known):
-                first = float(known[0])
-            numbers[time] = (stamps - (first or 0.0)) * self._time_us
+            cells = {name: batch.column(name).to_numpy(zero_copy_only=False) for name in asked}
+            if first is None:
+                known = cells[time][~_are_missing(cells[time])]
+                first = known[0] if len(known) else None
+            if first is not None:
+                cells[time] = cells[time] - first  # before it is rounded to a float
+            numbers = {name: _numbers(column) for name, column in cells.items()}
+            numbers[time] *= self._time_us
             table.add(numpy.stack([numbers[name] for name in asked]).T)
         return [
             self.settled(one.name, table.column(0), table.column(at))
@@ -149,9 +148,15 @@ class ParquetLog(Log):
         ]
 
 
-def _numbers(column: Any) -> Numbers:
-    """Return a column as floating-point numbers; empty cells are no numbers."""
-    numbers: Numbers = column.to_numpy(zero_copy_only=False).astype(float)
+def _are_missing(cells: Any) -> Any:
+    return numpy.isnat(cells) if cells.dtype.kind in "mM" else ~numpy.isfinite(cells)
+
+
+def _numbers(cells: Any) -> Numbers:
+    """Return cells as floating-point numbers; empty ones are no numbers."""
+    numbers: Numbers = cells.astype(float)
+    if cells.dtype.kind in "mM":  # dates and spans
+        numbers[numpy.isnat(cells)] = numpy.nan
     return numbers
 
 
@@ -159,6 +164,10 @@ def _name_and_unit(one: Any) -> tuple[str, str]:
     """Return the name of a field without its unit, and the unit."""
     unit = (one.metadata or {}).get(b"unit", b"").decode("utf-8", errors="replace")
     return (one.name, unit) if unit else split_unit(one.name)
+
+
+def _is_clock(arrow: Any, kind: Any) -> bool:
+    return bool(arrow.types.is_timestamp(kind) or arrow.types.is_duration(kind))
 
 
 def _is_number(arrow: Any, kind: Any) -> bool:

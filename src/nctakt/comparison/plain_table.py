@@ -16,12 +16,22 @@ from nctakt.comparison.delimited import Table
 from nctakt.comparison.log import LogColumn
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.comparison import NO_NAMES_IN_LOG, NO_SIGNAL_IN_LOG, NO_TIME_IN_LOG
+from nctakt.messages.commands.comparison import (
+    NO_NAMES_IN_LOG,
+    NO_SIGNAL_IN_LOG,
+    NO_TIME_IN_LOG,
+    TIME_UNIT_UNKNOWN,
+)
 
-#: Names of time columns, in lower case and without their unit.
-TIMES = frozenset(("t", "time", "zeit", "timestamp", "time_us", "time_ms", "time_s", "zeitstempel"))
-#: Microseconds of the units of stamps.
-TIME_UNITS = {"us": 1.0, "µs": 1.0, "ms": 1e3, "s": 1e6, "sec": 1e6, "min": 6e7, "ns": 1e-3}
+#: Names of time columns; a unit may follow: ``time_ms``.
+_TIME = re.compile(
+    r"(?:t|time|zeit|timestamp|zeitstempel)(?:_(?P<unit>[num\u00b5\u03bc]?s|min))?", re.I
+)
+#: Microseconds of the units of stamps; the second µ is the Greek letter.
+TIME_UNITS = {
+    "ns": 1e-3, "us": 1.0, "µs": 1.0, "\u03bcs": 1.0, "ms": 1e3, "s": 1e6, "sec": 1e6, "min": 6e7,
+    "h": 3.6e9,
+}  # fmt: skip
 #: Columns of our own traces that are no signals.
 NOT_SIGNALS = ("tick", "events")
 _UNIT = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
@@ -75,16 +85,38 @@ class PlainTable(Table):
 
     def _time_column(self, cells: Sequence[tuple[str, str]]) -> int:
         """Return the column of the stamps, -1 for a table with a period."""
-        named = self._said.get("time", "").lower()
-        for at, (name, unit) in enumerate(cells):
-            is_time = name.lower() == named if named else name.lower() in TIMES
-            if is_time:
-                word = self._said.get("time_unit") or unit or name.lower().rpartition("_")[2]
-                self.time_us = TIME_UNITS.get(word, TIME_UNITS["s"])
-                return at
-        if named or not self.period_us:
-            raise Failure(diagnostic(NO_TIME_IN_LOG, file=self.file))
-        return -1
+        if self.period_us and "time" not in self._said and find_time(cells, self._said) < 0:
+            return -1
+        at, self.time_us = time_column(self.file, cells, self._said)
+        return at
+
+
+def find_time(cells: Sequence[tuple[str, str]], said: Mapping[str, str]) -> int:
+    """Return which of the columns, names with units, has the stamps; -1 for none."""
+    named = said.get("time", "").lower()
+    for at, (name, _) in enumerate(cells):
+        if name.lower() == named if named else _TIME.fullmatch(name):
+            return at
+    return -1
+
+
+def time_column(
+    file: str, cells: Sequence[tuple[str, str]], said: Mapping[str, str]
+) -> tuple[int, float]:
+    """Return the column of the stamps and their unit in µs; raises ``Failure`` (902511, 902955).
+
+    ``said``: the ``[log]`` of a mapping file, which counts before what the name says.
+    """
+    at = find_time(cells, said)
+    if at < 0:
+        raise Failure(diagnostic(NO_TIME_IN_LOG, file=file))
+    name, unit = cells[at]
+    match = _TIME.fullmatch(name)
+    word = said.get("time_unit") or unit or (match and match["unit"]) or "s"
+    if word.lower() not in TIME_UNITS:
+        units = ", ".join(one for one in TIME_UNITS if one.isascii())
+        raise Failure(diagnostic(TIME_UNIT_UNKNOWN, file=file, unit=word, units=units))
+    return at, TIME_UNITS[word.lower()]
 
 
 def split_unit(name: str) -> tuple[str, str]:

@@ -76,6 +76,12 @@ _MORE = Text(
     "spätere Verzögerungen sind nicht aufgeführt",
 )
 _SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
+_NOT_COMPARED = Text(
+    "columns of the log without a signal: {columns}",
+    "Spalten des Logs ohne Signal: {columns}",
+)
+#: Columns without a signal that are named.
+_NAMED = 10
 _WITHIN = Text("within the tolerances", "innerhalb der Toleranzen")
 _BEYOND = Text("beyond the tolerances", "außerhalb der Toleranzen")
 
@@ -91,6 +97,11 @@ def comparison_text(comparison: Comparison, program: str, language: Language) ->
     lines += _delays(comparison, language)
     if any(one.pair.is_suggested for one in comparison.deviations):
         lines.append(f"* {_SUGGESTED.get(language)}")
+    columns = not_compared(comparison)
+    if columns:
+        more = f" … ({len(columns)})" if len(columns) > _NAMED else ""
+        named = ", ".join(columns[:_NAMED]) + more
+        lines.append(_NOT_COMPARED.get(language).format(columns=named))
     lines.append((_WITHIN if comparison.is_within else _BEYOND).get(language))
     return "\n".join(lines) + "\n"
 
@@ -179,6 +190,14 @@ def _where(running: Running, language: Language) -> Iterator[str]:
         yield "  " + _REACTION.get(language).format(event=running.reaction, since=f"{since:g}")
 
 
+def not_compared(comparison: Comparison) -> list[str]:
+    """Return the names of the columns of the log that belong to no signal, each once."""
+    compared = {one.name for one in comparison.compared}
+    return list(
+        dict.fromkeys(one.name for one in comparison.log.columns if one.name not in compared)
+    )
+
+
 def comparison_document(comparison: Comparison) -> dict[str, Any]:
     """Return the comparison as data."""
     return {
@@ -196,6 +215,7 @@ def comparison_document(comparison: Comparison) -> dict[str, Any]:
             for one in comparison.delays.found
         ],
         "delays_cut": comparison.delays.is_cut,
+        "not_compared": not_compared(comparison),
     }
 
 

@@ -19,6 +19,15 @@ NO_TIME_IN_LOG = error(
     remedy_en='Name it in a mapping file: [log] time = "t", time_unit = "ms".',
     remedy_de='Sie in einer Zuordnungsdatei angeben: [log] time = "t", time_unit = "ms".',
 )
+TIME_UNIT_UNKNOWN = error(
+    902955,
+    en="the time of {file} is in '{unit}', which is not a unit of time here",
+    de="die Zeit von {file} ist in '{unit}' angegeben; das ist hier keine Zeiteinheit",
+    remedy_en='Give it in a mapping file: [log] time_unit = "ms". Units: {units}.',
+    remedy_de='Sie in einer Zuordnungsdatei angeben: [log] time_unit = "ms". Einheiten: {units}.',
+    unit=("the unit", "die Einheit"),
+    units=("the units that are known", "die bekannten Einheiten"),
+)
 NO_NAMES_IN_LOG = error(
     902512,
     en="{file}, line {line}: the row of names before the numbers is missing",

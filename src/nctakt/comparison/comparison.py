@@ -91,15 +91,12 @@ def compare(
     samples = [one.scaled(pair.factor, pair.offset) for pair, one in zip(pairs, raw, strict=True)]
     period_us = float(recorded.cycle_time_us)
     curves = [Curve(period_us, recorded[pair.signal.name]) for pair in pairs]
-    smooth = [
-        (one, curve)
-        for pair, one, curve in zip(pairs, samples, curves, strict=True)
-        if not pair.signal.integral
-    ]
+    triples = list(zip(pairs, samples, curves, strict=True))
+    smooth = [(one, curve) for pair, one, curve in triples if not pair.signal.integral]
     alignment = given.alignment(smooth, recorded)
     beside = partial(
         _beside,
-        list(zip(pairs, samples, curves, strict=True)),
+        triples,
         recorded.blocks,
         recorded.cycle_time_us,
         tolerances=tolerances,

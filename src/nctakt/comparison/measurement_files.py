@@ -72,7 +72,7 @@ class Mf4Log(Log):
                     record_offset=part.start,
                     record_count=part.stop - part.start,
                 )
-                stamps = signal.timestamps.astype(float) * 1e6
+                stamps = numpy.round(signal.timestamps.astype(float) * 1e9) / 1e3  # whole ns
                 table.add(numpy.stack([stamps, signal.samples.astype(float)]).T)
             found.append(self.settled(one.name, table.column(0), table.column(1)))
         return found

@@ -108,7 +108,7 @@ def comparison_text(comparison: Comparison, program: str, language: Language) ->
 
 def _alignment(comparison: Comparison, language: Language) -> Iterator[str]:
     found = comparison.alignment
-    offset = f"{found.offset_us / 1e6:.6f}"
+    offset = f"{found.offset_us / 1e6:z.6f}"
     words = _DRIFT if comparison.given.drift is None else _DRIFT_GIVEN
     drift = words.get(language).format(drift=f"{found.drift * 1e6:.2f}")
     event = comparison.given.event

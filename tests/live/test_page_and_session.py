@@ -19,6 +19,7 @@ from nctakt import Session
 from nctakt.live import view
 from nctakt.live.parts.explaining import bars_of
 from nctakt.live.texts import Texts
+from nctakt.live.track import marks_of
 
 if find_spec("nicegui") is None:  # its import takes long, and only the page's process needs it
     pytest.skip("the live page needs NiceGUI", allow_module_level=True)
@@ -136,7 +137,7 @@ def test_a_walk(walk: tuple[Any, Session, str], seed: int) -> None:
 def act_beside(page: Any, session: Session, choice: random.Random) -> None:
     """Do the same on the page and, as far as it makes another past, in the session."""
     others = [branch for branch in session.branches if branch != session.branch]
-    match choice.randrange(6):
+    match choice.randrange(7):
         case 0:
             value = f"{choice.random():.3f}"  # the page sends no value that is there already
             page.get_by_test_id("variable-V.E.VALUE").fill(value)
@@ -151,12 +152,18 @@ def act_beside(page: Any, session: Session, choice: random.Random) -> None:
             scope = page.get_by_test_id("scope").bounding_box()
             x = scope["x"] + 60 + choice.random() * (scope["width"] - 80)
             page.mouse.click(x, scope["y"] + scope["height"] / 2)
+        case 3 if choice.random() < 0.3:
+            page.keyboard.press("Space")  # to the end of the program
+            page.wait_for_function("nctaktRun.run.bars.end > nctaktRun.run.tick")
         case _:
             page.keyboard.press(choice.choice(STEPS))
 
 
-def follow(page: Any, session: Session) -> None:
-    """Wait until the page lists the events of the session's past at the tick that it shows."""
+def follow(page: Any, session: Session, file: str) -> tuple[int, int, int]:
+    """Wait until the page shows the session's past at its tick: events, curves, marks, lanes.
+
+    Returns of how many ticks there are curves, how many marks, and how many samples of lanes.
+    """
     rows = page.get_by_test_id("events").locator(".nc-finding > .nc-rows > :first-child")
     for _ in range(20):
         ticks, branch = settled(page)
@@ -167,9 +174,56 @@ def follow(page: Any, session: Session) -> None:
         events = session.happened(0, ticks).events
         expected = [" ".join(view.event_row(one, "en").text.split()) for one in events]
         shown = [" ".join(text.split()) for text in rows.all_inner_texts()]
-        if shown == expected[::-1][:80]:
-            return
+        drawn = page.evaluate(_DRAWN)
+        own = of_the_branch(session, drawn, file)
+        if (shown, drawn) == (expected[::-1][:80], own):
+            break
     assert shown == expected[::-1][:80]
+    assert drawn == own
+    return len(drawn["ticks"]), len(drawn["marks"]), len(drawn["lanes"])
+
+
+#: What the scope draws: curves, marks, and lanes as far as they are exact.
+_DRAWN = """() => {
+  const { names, ticks, columns, marks, bars, lanes, conditions } = nctaktRun.run;
+  const lines = bars.lines.map(({ line, bars: found }) => (
+    [line, found.filter(([begin]) => begin < bars.end)
+      .map(([begin, end]) => [begin, Math.min(end, bars.end)])]));
+  const truths = lanes.map(([tick, ...states]) => [tick, states.map((state) => state > 0)]);
+  return { names, ticks, columns, marks, conditions, lanes: truths, end: bars.end, lines };
+}"""
+
+
+def of_the_branch(session: Session, drawn: dict[str, Any], file: str) -> dict[str, Any]:
+    """Return the same of the branch that the session is in, for the ticks and up to the marks."""
+    latest, names, end = session.branches[session.branch], drawn["names"], drawn["end"]
+    ticks = [tick for tick in drawn["ticks"] if tick < latest]
+    _, cells = session.look(0, latest, names, latest) if latest else (1, memoryview(b""))
+    rows = [cells[tick * len(names) : (tick + 1) * len(names)].tolist() for tick in ticks]
+    columns = [[view.rounded(row[column]) for row in rows] for column in range(len(names))]
+    marks = [list(mark) for mark in marks_of(session.events(0, latest)[0], file)]
+    reaches = max((mark[0] for mark in drawn["marks"]), default=-1)
+    whole = bars_of(session.why(latest, session.branch), file) if latest else []
+    of_line = {one["line"]: one["bars"] for one in whole}
+    bars = [of_line.get(line, []) for line in drawn["conditions"]]
+    shown = bars_of(session.why(min(end, latest), session.branch), file) if end else []
+    return {
+        "names": names,
+        "ticks": ticks,
+        "columns": columns,
+        "marks": [mark for mark in marks if mark[0] <= reaches],
+        "conditions": drawn["conditions"],
+        "end": min(end, latest),
+        "lanes": [
+            [tick, [any(first <= tick < last for first, last in own) for own in bars]]
+            for tick, _ in drawn["lanes"]
+            if tick < latest
+        ],
+        "lines": [
+            [one["line"], [[first, min(last, end)] for first, last in one["bars"] if first < end]]
+            for one in shown
+        ],
+    }
 
 
 def settled(page: Any) -> tuple[int, int]:
@@ -186,7 +240,10 @@ def settled(page: Any) -> tuple[int, int]:
 @pytest.mark.nightly
 @seeds_in_parts(1, 1, 1)
 def test_events_are_those_of_the_branch(browser: Any, tmp_path: Path, seeds: range) -> None:
-    """Travel, inputs in the past, other branches: each event of the shown past once, no other."""
+    """Travel, inputs in the past, other branches: each event of the shown past once, no other.
+
+    Curves, marks and the exact part of lanes are those of the shown branch, too.
+    """
     path = tmp_path / "branches.nc"
     path.write_text(PROGRAM, "utf-8")
     for seed in seeds:
@@ -194,9 +251,11 @@ def test_events_are_those_of_the_branch(browser: Any, tmp_path: Path, seeds: ran
         with served(str(path)) as address, Session(path) as session:
             page = opened(browser, address)
             page.get_by_test_id("tab-events").click()
+            compared = []
             for _ in range(16):
                 act_beside(page, session, choice)
-                follow(page, session)
+                compared.append(follow(page, session, str(path)))
+            assert all(max(one) > 0 for one in zip(*compared, strict=True)), compared
             page.close()
 
 

@@ -231,3 +231,32 @@ def test_all_names_of_known_libraries_are_found_by_their_words() -> None:
         seen = {*space.declared, *space.lists, *space.variables, *space.values} - {""}
         assert seen <= seen_words(name)
         assert {one.lower() for one in declared_names(name)} == set(space.declared)
+
+
+def test_homing_options_have_the_mode_of_the_encoder(tmp_path: Path) -> None:
+    """ST-741: E_EncoderReferenceMode of Tc2_MC2, eight modes from 0 to 7."""
+    (tmp_path / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "Tc2_MC2"), "utf-8")
+    variables = "PROGRAM MAIN\nVAR o : ST_HomingOptions; n, m : UDINT; END_VAR"
+    body = """o.ReferenceMode := E_EncoderReferenceMode.ENCODERREFERENCEMODE_PLCCAM;
+n := o.ReferenceMode;
+m := Tc2_MC2.E_EncoderReferenceMode.ENCODERREFERENCEMODE_SOFTDRIVELATCHNEG;"""
+    (tmp_path / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
+    (tmp_path / "T.TcTTO").write_text(
+        '<TcPlcObject><Task Name="T"><CycleTime>1000</CycleTime><Priority>20</Priority>'
+        "<PouCall><Name>MAIN</Name></PouCall></Task></TcPlcObject>",
+        "utf-8",
+    )
+    plc = load_structured(tmp_path / "Cell.plcproj")
+    run(plc, 3)
+    assert (plc.read("MAIN.n"), plc.read("MAIN.m")) == (1, 7)
+
+
+def test_what_the_nc_fills_on_the_machine_is_told(tmp_path: Path) -> None:
+    """902968: outputs of an AXIS_REF of Tc2_MC2 stay empty here, but for the axis's number."""
+    (tmp_path / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "Tc2_MC2"), "utf-8")
+    variables = "PROGRAM MAIN\nVAR a : AXIS_REF; r : LREAL; b : BOOL; n : UDINT; END_VAR"
+    body = "r := a.NcToPlc.ActPos;\nb := a.Status.NotMoving;\nn := a.NcToPlc.AxisId;"
+    (tmp_path / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
+    done = CliRunner().invoke(command, [str(tmp_path / "Cell.plcproj"), "--format", "json"])
+    found = [one for one in json.loads(done.stdout)["diagnostics"] if one["id"] == 902968]
+    assert [one["text"].split(" ")[0] for one in found] == ["NcToPlc", "Status"]

@@ -400,6 +400,8 @@ def test_a_value_that_a_variable_cannot_hold_is_refused(
     "text",
     [
         "PROGRAM MAIN VAR a : AXIS_REF; h : MC_CamOut; END_VAR h(Slave := a); END_PROGRAM",
+        "PROGRAM MAIN VAR a : INT; e : E_TcMemoryArea; END_VAR"
+        " e := F_CheckMemoryArea(ADR(a), 2); END_PROGRAM",
     ],
 )
 def test_what_does_not_run_is_refused_by_name(tmp_path: Path, text: str) -> None:

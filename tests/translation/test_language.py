@@ -283,6 +283,29 @@ CASES = {
         " c := LWORD_TO_HEXSTR(16#123456789ABCDEF0, 18, FALSE);",
         {"a": "LTIME#1h2us", "b": "DT#1998-02-13-14:20:00", "c": "00123456789ABCDEF0"},
     ),
+    "ST-722: lengths and copies of texts by address; what has no room is cut off": (
+        "",
+        "a : STRING(9) := 'abcdef'; b, c : STRING(5); t : STRING(9);"
+        " w : WSTRING(9) := \"a\u20acb\"; v : WSTRING(3); n, m, src, dst : UDINT;"
+        " whole, cut, narrow, wide, none : BOOL;",
+        "n := LEN2(ADR(a)); m := WLEN2(ADR(w));"
+        " whole := STRNCPY(ADR(t), ADR(a), SIZEOF(t));"
+        " cut := STRNCPY(ADR(b), ADR(a), 4, nSrcLen => src, nDstLen => dst);"
+        " narrow := WSTRING_TO_STRING2(ADR(c), ADR(w), SIZEOF(c));"
+        " wide := STRING_TO_WSTRING2(ADR(v), ADR(a), SIZEOF(v));"
+        " none := WSTRNCPY(ADR(w), ADR(v), 0);",
+        {
+            "n": 6, "m": 3, "whole": True, "t": "abcdef", "cut": False, "b": "abc", "src": 6,
+            "dst": 3, "narrow": True, "c": "ab", "wide": False, "v": "abc", "none": False,
+            "w": "a\u20acb",
+        },
+    ),
+    "ST-722: an address of six numbers as a text": (
+        "",
+        "ids : T_AmsNetIdArr := [127, 16, 17, 3, 1, 1]; s : T_AmsNetId;",
+        "s := F_CreateAmsNetId(ids);",
+        {"s": "127.16.17.3.1.1"},
+    ),
     "ST-314: a subrange begins with its lowest value": (
         "FUNCTION F : INT VAR n : INT(4..9); END_VAR F := n; END_FUNCTION\n"
         "TYPE T_Low : UINT(2..7); END_TYPE\n",

@@ -32,6 +32,7 @@ from nctakt.messages.plcs.st_check import (
     NAME_AMBIGUOUS,
     NAME_NEEDS_QUALIFIER,
     NAME_UNKNOWN,
+    NOT_FILLED_HERE,
     OPERATOR_ON_WRONG_TYPES,
     POINTER_CONVERTED,
     POWER_REFUSED,
@@ -130,6 +131,7 @@ from nctakt.st.vocabulary.elementary import (
     string,
     wider,
 )
+from nctakt.st.vocabulary.libraries import NC_AXES
 
 _COMPARISONS = frozenset(
     (
@@ -168,6 +170,8 @@ _WARNINGS = {
 }
 #: Bits of the largest whole number.
 _MAX_BITS = 64
+#: The number of an axis, which an AXIS_REF has here, too.
+_AXIS_NUMBER = "axisid"
 
 
 class ExpressionChecker:
@@ -180,6 +184,8 @@ class ExpressionChecker:
         self.scope = Scope()
         self.foreign_libraries: list[str] = []
         self._known_names: KnownNames | None = None
+        #: Of ``Axis.NcToPlc.AxisId`` what is before the number.
+        self._has_number: Expression | None = None
         self._reported_foreign: set[str] = set()
         #: Names of libraries without sources are reported in each unit, not once for the project.
         self.reports_in_each_unit = False
@@ -457,6 +463,8 @@ class ExpressionChecker:
             constant = qualifier.variables.get(key)
             if constant is not None and (constant.is_constant or constant.section is Section.STAT):
                 return self._qualified(node, qualifier, qualifier.name, constant, {})
+        if key == _AXIS_NUMBER:
+            self._has_number = node.base
         kind = self.operand(node.base)
         if kind is None:
             return None
@@ -464,8 +472,19 @@ class ExpressionChecker:
         if target is None:
             return self._bit_by_name(node, kind)
         node.target = target
+        self._check_filled(node, kind, target)
         self._check_access(node, target)
         return self._value_of(node, target)
+
+    def _check_filled(self, node: Member, kind: Type, target: Target) -> None:
+        """Warn of what the NC fills on the machine: of an AXIS_REF all outputs but its number."""
+        if self.scope.library or not isinstance(kind, BlockType) or node is self._has_number:
+            return
+        is_filled_there = isinstance(target, Variable) and target.section is Section.OUTPUT
+        if is_filled_there and (kind.pou.library, kind.pou.name) == (NC_AXES, "AXIS_REF"):
+            self.reporter.report(
+                NOT_FILLED_HERE, node.end - len(node.name), node.end, name=node.name
+            )
 
     def _qualified(
         self, node: Member, qualifier: Target, name: str, found: Target | None, known: object

@@ -6,6 +6,7 @@ The FMU is built here: y = gain * u with u and y in m, n counts its steps, ``abo
 
 from __future__ import annotations
 
+import importlib
 import itertools
 import zipfile
 from collections.abc import Callable
@@ -339,6 +340,53 @@ def test_an_fmu_that_lies_about_itself_is_told(
                 file, inputs={"u": "X.ACS.ACT_POS"}, outputs={"y": "V.E.VALUE"}, isolate=is_isolated
             )
         )
+
+
+#: A model in Python whose step raises; the libraries of pythonfmu log it only if logging is on.
+RAISING = """\
+from {package} import {slave}, {causality}, {number}
+
+
+class Stuck({slave}):
+    def __init__(self, **keywords):
+        super().__init__(**keywords)
+        self.time = self.position = 0.0
+        {time}
+        self.register_variable({number}("position", causality={causality}.input))
+
+    def do_step(self, time, step):
+        raise ValueError("the valve is stuck")
+"""
+PACKAGES = {
+    "pythonfmu": {
+        "slave": "Fmi2Slave",
+        "causality": "Fmi2Causality",
+        "number": "Real",
+        "time": "",
+    },
+    "pythonfmu3": {
+        "slave": "Fmi3Slave",
+        "causality": "Fmi3Causality",
+        "number": "Float64",
+        "time": 'self.register_variable(Float64("time", causality=Fmi3Causality.independent))',
+    },
+}
+
+
+@pytest.mark.parametrize("is_isolated", [False, True])
+@pytest.mark.parametrize("package", PACKAGES)
+def test_an_error_of_a_model_is_told_in_its_words(
+    tmp_path: Path, package: str, is_isolated: bool
+) -> None:
+    """902609 has the text that the model gives to the log."""
+    pytest.importorskip(package, reason="needs the extra fmi")
+    builder = importlib.import_module(f"{package}.builder").FmuBuilder
+    script = tmp_path / "stuck.py"
+    script.write_text(RAISING.format(package=package, **PACKAGES[package]), "utf-8")
+    builder.build_FMU(script, dest=tmp_path)
+    fmu = Fmu(tmp_path / "Stuck.fmu", inputs={"position": "X.ACS.ACT_POS"}, isolate=is_isolated)
+    with pytest.raises(FmuError, match=r"902609: .*DoStep failed at 0 s.*the valve is stuck"):
+        run_with(fmu)
 
 
 def test_a_description_in_another_encoding_is_refused(tmp_path: Path) -> None:

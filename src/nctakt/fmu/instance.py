@@ -41,7 +41,7 @@ class FmuInstance:
     def __init__(self, description: FmuDescription, folder: Path, limit_s: float = 0.0) -> None:
         self._description = description
         self._library = fmpy()
-        self._log: deque[str] = deque(maxlen=_LOG_LINES)
+        self._log: deque[bytes] = deque(maxlen=_LOG_LINES)
         self._status = 0
         self.time_us = 0
         self._keeps_callbacks: Any = None
@@ -107,7 +107,7 @@ class FmuInstance:
                 FMU_NOT_INSTANTIATED,
                 file=self._name,
                 token=self._description.token,
-                reason="; ".join(self._log) or _SILENT,
+                reason="; ".join(self._last_lines()) or _SILENT,
             )
             raise FmuError(found) from error
 
@@ -116,15 +116,15 @@ class FmuInstance:
             self._keeps_callbacks = callbacks = self._callbacks()
             self._call(
                 "fmi2Instantiate",
-                lambda: self._model.instantiate(callbacks=callbacks, loggingOn=False),
+                lambda: self._model.instantiate(callbacks=callbacks, loggingOn=True),
             )
         else:
 
             def note(_: Any, status: int, category: bytes, message: bytes) -> None:
-                self._note(message)
+                self._log.append(message or b"")
 
             self._call("fmi3InstantiateCoSimulation", lambda: self._model.instantiate(
-                loggingOn=False, logMessage=note
+                loggingOn=True, logMessage=note
             ))  # fmt: skip
 
     def _callbacks(self) -> Any:
@@ -132,7 +132,7 @@ class FmuInstance:
         fmi2 = self._library.fmi2
 
         def note(_: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
-            self._note(message)
+            self._log.append(message or b"")
 
         callbacks = fmi2.fmi2CallbackFunctions()
         callbacks.logger = fmi2.fmi2CallbackLoggerTYPE(note)
@@ -141,9 +141,10 @@ class FmuInstance:
         fmi2.addLoggerProxy(ctypes.byref(callbacks))
         return callbacks
 
-    def _note(self, message: bytes | None) -> None:
-        text = (message or b"").decode("utf-8", errors="replace")
-        self._log.append(" ".join(text.split())[:_LINE_LENGTH])
+    def _last_lines(self) -> list[str]:
+        """Return the last lines of the model's log; they are read only where they are told."""
+        texts = (one.decode("utf-8", errors="replace") for one in self._log)
+        return [" ".join(text.split())[:_LINE_LENGTH] for text in texts]
 
     def end(self) -> None:
         """End the instance; one that has failed is freed as far as FMI permits."""
@@ -227,7 +228,7 @@ class FmuInstance:
             status = getattr(error, "status", None)
             self._status = max(self._status, _ERROR if status is None else status)
             text = str(error) if status is None else _status_name(status)
-            reason = "; ".join([" ".join(text.split()), *self._log])
+            reason = "; ".join([" ".join(text.split()), *self._last_lines()])
             found = diagnostic(
                 FMU_FAILED,
                 file=self._name,

@@ -381,7 +381,7 @@ def test_an_error_of_a_model_is_told_in_its_words(
     """902609 has the text that the model gives to the log."""
     pytest.importorskip(package, reason="needs the extra fmi")
     builder = importlib.import_module(f"{package}.builder").FmuBuilder
-    script = tmp_path / "stuck.py"
+    script = tmp_path / f"stuck_{package}.py"  # LG-505: one process knows one module of a name
     script.write_text(RAISING.format(package=package, **PACKAGES[package]), "utf-8")
     builder.build_FMU(script, dest=tmp_path)
     fmu = Fmu(tmp_path / "Stuck.fmu", inputs={"position": "X.ACS.ACT_POS"}, isolate=is_isolated)

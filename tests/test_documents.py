@@ -7,6 +7,7 @@ import ast
 import functools
 import importlib
 import re
+import runpy
 import subprocess
 import sys
 import tomllib
@@ -15,6 +16,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from itertools import takewhile
 from pathlib import Path
+from types import SimpleNamespace
 
 import click
 import pytest
@@ -268,6 +270,21 @@ def navigation() -> dict[str, list[str]]:
 def pages(entries: Iterable[str]) -> list[str]:
     """The pages in the lines of a group."""
     return [line.split()[-1] for line in entries if line.endswith(".md")]
+
+
+def test_the_site_has_a_search_and_the_version() -> None:
+    """The hook writes it below each page."""
+    assert "plugins: [search]" in text_of("mkdocs.yml")
+    assert "hooks: [scripts/site_hooks.py]" in text_of("mkdocs.yml")
+    config = SimpleNamespace(copyright="")
+    runpy.run_path(str(ROOT / "scripts" / "site_hooks.py"))["on_config"](config)
+    assert config.copyright == f"nctakt {__version__}"
+
+
+def test_reports_of_faults_ask_for_the_version_with_all_that_belongs_to_it() -> None:
+    """Each template asks for what ``nctakt --version --verbose`` prints."""
+    for template in (ROOT / ".github" / "ISSUE_TEMPLATE").iterdir():
+        assert "`nctakt --version --verbose`" in template.read_text("utf-8"), template.name
 
 
 def test_the_site_has_five_groups_of_at_most_eight_entries() -> None:

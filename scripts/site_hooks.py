@@ -1,10 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""A hook of mkdocs: links that lead out of docs/ show the path in the repository instead."""
+"""Hooks of mkdocs: each page has the version; links out of docs/ show the path instead."""
 
 import re
+import runpy
+from pathlib import Path
 from typing import Any
 
+VERSION = Path(__file__).parent.parent / "src" / "nctakt" / "base" / "version.py"
 _OUTSIDE = re.compile(r"\[([^\]]+)\]\(\.\./((?:\.\./)*)([^)#]+)(?:#[^)]*)?\)")
+
+
+def on_config(config: Any, **_: Any) -> Any:
+    """Return the site's settings with the version below each page."""
+    config.copyright = f"nctakt {runpy.run_path(str(VERSION))['__version__']}"
+    return config
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:

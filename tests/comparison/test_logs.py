@@ -143,6 +143,49 @@ def test_a_trace_of_our_own(tmp_path: Path) -> None:
     assert samples(log) == {"X.ACS.ACT_POS": [(0.0, 1.0), (1.0, 2.0)]}
 
 
+HEADER = (
+    '{"format": "nctakt-trace", '
+    '"signals": [{"name": "X", "unit": "mm"}, {"name": "B", "unit": ""}]}'
+)
+
+
+def test_a_trace_of_our_own_in_json(tmp_path: Path) -> None:
+    """As ``--trace run.jsonl`` writes it: rows with values; events only; what is no number."""
+    rows = [
+        '{"tick": 0, "time_us": 0, "values": [1.5, null]}',
+        '{"tick": 1, "time_us": 1000, "events": []}',
+        '{"tick": 2, "time_us": 2000, "values": [2, 7], "events": []}',
+    ]
+    log = opened(tmp_path, "\n".join([HEADER, *rows]) + "\n")
+    assert [(one.name, one.unit) for one in log.columns] == [("X", "mm"), ("B", "")]
+    assert samples(log) == {"X": [(0.0, 1.5), (2.0, 2.0)], "B": [(2.0, 7.0)]}
+    assert numbers(log) == [902864]
+
+
+@pytest.mark.parametrize(
+    ("text", "number", "line"),
+    [
+        (HEADER + '\n{"time_us": 0, "values": [1.5', 902956, 2),
+        (HEADER + '\n{"time_us": 0, "values": [1.5]}\n', 902956, 2),
+        (HEADER + '\n{"time_us": 0, "values": [1, "x"]}\n', 902956, 2),
+        (HEADER + '\n{"values": [1, 2]}\n', 902956, 2),
+        (HEADER + "\n[1, 2]\n", 902956, 2),
+        ("{a\n", 902956, 1),
+        (HEADER.replace("name", "title"), 902956, 1),
+        ('{"format": "nctakt-trace", "signals": 5}', 902956, 1),
+        ('{"format": "other"}\n', 902510, None),
+        (HEADER.replace("nctakt-trace", "nctakt-tape") + "\n", 902510, None),
+    ],
+)
+def test_json_that_is_no_trace(tmp_path: Path, text: str, number: int, line: int | None) -> None:
+    """902956 at the line, e.g. of a file that was cut; 902510 for another format."""
+    with pytest.raises(Failure) as caught:
+        samples(opened(tmp_path, text))
+    (found,) = caught.value.diagnostics
+    assert found.id == number
+    assert line is None or (found.span is not None and found.span.line == line)
+
+
 def test_a_table_with_a_period(tmp_path: Path) -> None:
     """LG-301: no stamps; the rows are as far apart as the first line says."""
     log = opened(tmp_path, "# Sampling period is 2000000 ns\na;b\n1.0;2.0\n3.0;4.0\n")

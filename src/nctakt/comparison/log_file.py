@@ -9,7 +9,7 @@ from pathlib import Path
 
 from nctakt.base.failure import Failure
 from nctakt.comparison.log import Log
-from nctakt.comparison.measurement_files import Mf4Log, ParquetLog
+from nctakt.comparison.measurement_files import Mf4Log, ParquetLog, TraceLines
 from nctakt.comparison.plain_table import PlainTable
 from nctakt.comparison.scope_export import ScopeExport, is_scope_export
 from nctakt.files.access import FileAccess
@@ -37,6 +37,8 @@ def open_log(path: str | Path, access: FileAccess, said: Mapping[str, str] | Non
         return Mf4Log(path)
     if path.suffix.lower() == PARQUET:
         return ParquetLog(path, said or {})
+    if begin.startswith(b"{"):
+        return TraceLines(path, access)
     if path.suffix.lower() in _OTHER_FORMS or b"\0" in begin.removeprefix(codecs.BOM_UTF16_LE)[:1]:
         raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=str(path)))
     encoding = next((name for mark, name in _MARKS.items() if begin.startswith(mark)), "")

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Logs that are no text: MF4 files of measuring tools (ASAM MDF), Parquet tables.
+"""Logs that are no tables in text: MF4 of measuring tools (ASAM MDF), Parquet, traces in JSON.
 
-In: the file. Out: ``Log``; only the columns that are asked for are read. In MF4 each group has its
+In: the file. Out: ``Log``; only the columns that are asked for are kept. In MF4 each group has its
 own stamps, which count from the begin of the measurement; a Parquet table has a column of stamps,
-by its name or that of a mapping file, and units in the metadata of its fields or in brackets.
+by its name or that of a mapping file, and units in the metadata of its fields or in brackets; a
+trace of nctakt in JSON has a header with its signals.
 """
 
 from __future__ import annotations
@@ -11,15 +12,19 @@ from __future__ import annotations
 import contextlib
 import gc
 import importlib
+import json
 import sys
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 import numpy
 
+from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.comparison.columns import STRETCH, Numbers, NumberTable, stretches
+from nctakt.comparison.delimited import MAX_LINE
 from nctakt.comparison.log import Log, LogColumn, Samples
 from nctakt.comparison.plain_table import (
     NOT_SIGNALS,
@@ -28,10 +33,16 @@ from nctakt.comparison.plain_table import (
     split_unit,
     time_column,
 )
+from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
-from nctakt.messages.commands.comparison import LOG_IN_OTHER_FORM, NO_SIGNAL_IN_LOG
+from nctakt.messages.commands.comparison import (
+    LOG_IN_OTHER_FORM,
+    NO_ROW_OF_TRACE,
+    NO_SIGNAL_IN_LOG,
+)
 from nctakt.trace.arrow import load_pyarrow
 from nctakt.trace.measurement import load_asammdf
+from nctakt.trace.sinks import FORMAT_NAME
 
 #: Types of channels of MF4 that are numbers.
 _NUMBER_TYPES = frozenset(range(6))
@@ -146,6 +157,70 @@ class ParquetLog(Log):
             self.settled(one.name, table.column(0), table.column(at))
             for at, one in enumerate(columns, 1)
         ]
+
+
+class TraceLines(Log):
+    """A trace of nctakt with an object a line; raises ``Failure`` for another one (902510)."""
+
+    def __init__(self, path: Path, access: FileAccess) -> None:
+        super().__init__(str(path))
+        self._path, self._access = path, access
+        _, header = next(self._objects(), (0, {}))
+        if header.get("format") != FORMAT_NAME:
+            raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=self.file))
+        try:
+            self.columns = [
+                LogColumn(str(one["name"]), str(one["unit"]), at, 0)
+                for at, one in enumerate(header["signals"])
+            ]
+        except (KeyError, TypeError):
+            raise self._no_row(1) from None
+        if not self.columns:
+            raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
+
+    def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
+        """Return the samples of columns; raises ``Failure`` for a line that is no row (902956)."""
+        table = NumberTable(1 + len(columns))
+        rows: list[list[float]] = []
+        for number, row in islice(self._objects(), 1, None):
+            if "values" not in row:  # it has events only
+                continue
+            try:
+                values = [row["values"][one.column] for one in columns]
+                rows.append([float(row["time_us"]), *(_number(one) for one in values)])
+            except (KeyError, IndexError, TypeError, ValueError):
+                raise self._no_row(number) from None
+            if len(rows) == STRETCH:
+                table.add(numpy.array(rows))
+                rows.clear()
+        if rows:
+            table.add(numpy.array(rows))
+        return [
+            self.settled(one.name, table.column(0), table.column(at))
+            for at, one in enumerate(columns, 1)
+        ]
+
+    def _objects(self) -> Iterator[tuple[int, dict[str, Any]]]:
+        """Yield the objects with the numbers of their lines, from 1; raises ``Failure``."""
+        with self._access.open_text(self._path, "utf-8") as file:
+            number = 0
+            while line := file.readline(MAX_LINE):
+                number += 1
+                try:
+                    found = json.loads(line)
+                except (ValueError, RecursionError):
+                    raise self._no_row(number) from None
+                if not isinstance(found, dict):
+                    raise self._no_row(number)
+                yield number, found
+
+    def _no_row(self, number: int) -> Failure:
+        return Failure(diagnostic(NO_ROW_OF_TRACE, Span(self.file, number, 1, 1)))
+
+
+def _number(value: Any) -> float:
+    """Return a value of a trace; raises ``TypeError`` and ``ValueError`` for what is none."""
+    return numpy.nan if value is None else float(value)
 
 
 def _are_missing(cells: Any) -> Any:

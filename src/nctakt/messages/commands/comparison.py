@@ -28,6 +28,13 @@ TIME_UNIT_UNKNOWN = error(
     unit=("the unit", "die Einheit"),
     units=("the units that are known", "die bekannten Einheiten"),
 )
+NO_ROW_OF_TRACE = error(
+    902956,
+    en="this line is not a row of a trace",
+    de="diese Zeile ist keine Zeile einer Aufzeichnung",
+    remedy_en="Record the trace again with --trace; it may have been cut off, or edited.",
+    remedy_de="Mit --trace neu aufzeichnen; die Datei ist vielleicht abgeschnitten oder verändert.",
+)
 NO_NAMES_IN_LOG = error(
     902512,
     en="{file}, line {line}: the row of names before the numbers is missing",

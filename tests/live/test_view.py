@@ -106,6 +106,17 @@ def test_a_living_cycle_is_shown_before_an_ended_one_of_its_line() -> None:
     assert view.truths([*ended, *living], FILE) == {2: False}
 
 
+def test_a_cycle_that_has_ended_has_no_truth_in_the_lanes() -> None:
+    """In the tick in which the program ends its cycles are not evaluated, so no lane goes on."""
+    cycle = "#RT CYCLE [ID=1 SCOPE=PROG]\n$IF V.RTA.ACS.ACT_POS.X > 5\nV.E.COUNT += 1\n$ENDIF\n"
+    with Session(NcText(FILE, f"{cycle}#RT CYCLE END\nG01 X9 F6000\nM30\n")) as session:
+        session.run()
+        cycles = session.state_view().cycles
+        assert [one.state for one in cycles] == ["ended"]
+        assert [one.truth for one in cycles[0].branches] == [True]  # of its last evaluation
+        assert view.truths(cycles, FILE) == {2: None}
+
+
 @pytest.mark.parametrize(
     ("axes", "placed"),
     [

@@ -167,8 +167,11 @@ def branches_in(
 
 
 def truths(cycles: Sequence[CycleState], file: str) -> dict[int, bool | None]:
-    """Return the truth of the conditions in a file, by their lines."""
-    return {line: branch.truth for line, (_, branch) in branches_in(cycles, file).items()}
+    """Return the truth of the conditions in a file, by their lines: ``None`` once it has ended."""
+    return {
+        line: None if cycle.state == "ended" else branch.truth
+        for line, (cycle, branch) in branches_in(cycles, file).items()
+    }
 
 
 def operands_in(line: str) -> list[str]:

@@ -252,11 +252,23 @@ m := Tc2_MC2.E_EncoderReferenceMode.ENCODERREFERENCEMODE_SOFTDRIVELATCHNEG;"""
 
 
 def test_what_the_nc_fills_on_the_machine_is_told(tmp_path: Path) -> None:
-    """902968: outputs of an AXIS_REF of Tc2_MC2 stay empty here, but for the axis's number."""
+    """902968: of Tc2_MC2 an AXIS_REF has its number alone, and MC_ReadStatus the states."""
     (tmp_path / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "Tc2_MC2"), "utf-8")
-    variables = "PROGRAM MAIN\nVAR a : AXIS_REF; r : LREAL; b : BOOL; n : UDINT; END_VAR"
-    body = "r := a.NcToPlc.ActPos;\nb := a.Status.NotMoving;\nn := a.NcToPlc.AxisId;"
+    variables = (
+        "PROGRAM MAIN\nVAR a : AXIS_REF; s : MC_ReadStatus; r : LREAL; b : BOOL; n : UDINT; END_VAR"
+    )
+    body = """r := a.NcToPlc.ActAcc;
+b := a.Status.OpMode.Modulo;
+n := a.NcToPlc.AxisId;
+s(Axis := a, Enable := TRUE, Accelerating => b, StandStill => b);
+b := s.Status.CmdBuffered;"""
     (tmp_path / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
     done = CliRunner().invoke(command, [str(tmp_path / "Cell.plcproj"), "--format", "json"])
     found = [one for one in json.loads(done.stdout)["diagnostics"] if one["id"] == 902968]
-    assert [one["text"].split(" ")[0] for one in found] == ["NcToPlc", "Status"]
+    told = [" ".join(one["text"].split(" ")[:3]) for one in found]
+    assert told == [
+        "NcToPlc of AXIS_REF",
+        "Status of AXIS_REF",
+        "Accelerating of MC_ReadStatus",
+        "Status of MC_ReadStatus",
+    ]

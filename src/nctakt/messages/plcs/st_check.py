@@ -562,8 +562,10 @@ BIT_MISPLACED = error(
 )
 NOT_FILLED_HERE = warning(
     902968,
-    en="{name} of an AXIS_REF stays empty: the NC that fills it on the machine is not simulated",
-    de="{name} einer AXIS_REF bleibt leer: die NC, die es an der Maschine füllt, fehlt hier",
-    remedy_en="MC_ReadActualPosition and MC_ReadStatus read the axis here and on the machine.",
-    remedy_de="MC_ReadActualPosition und MC_ReadStatus lesen die Achse hier und an der Maschine.",
+    en="{name} of {owner} stays empty: the NC that fills it on the machine is not simulated",
+    de="{name} von {owner} bleibt leer: die NC, die es an der Maschine füllt, fehlt hier",
+    remedy_en="MC_ReadActualPosition and other outputs of MC_ReadStatus have the axis's values.",
+    remedy_de="MC_ReadActualPosition und andere Ausgänge von MC_ReadStatus haben die Werte der "
+    "Achse.",
+    owner=_OWNER,
 )

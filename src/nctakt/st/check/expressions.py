@@ -131,7 +131,7 @@ from nctakt.st.vocabulary.elementary import (
     string,
     wider,
 )
-from nctakt.st.vocabulary.libraries import NC_AXES
+from nctakt.st.vocabulary.libraries import NC_AXES, NOT_FILLED
 
 _COMPARISONS = frozenset(
     (
@@ -472,19 +472,17 @@ class ExpressionChecker:
         if target is None:
             return self._bit_by_name(node, kind)
         node.target = target
-        self._check_filled(node, kind, target)
+        if isinstance(kind, BlockType) and node is not self._has_number:
+            self.check_filled(kind.pou, key, node.end - len(node.name), node.end)
         self._check_access(node, target)
         return self._value_of(node, target)
 
-    def _check_filled(self, node: Member, kind: Type, target: Target) -> None:
-        """Warn of what the NC fills on the machine: of an AXIS_REF all outputs but its number."""
-        if self.scope.library or not isinstance(kind, BlockType) or node is self._has_number:
-            return
-        is_filled_there = isinstance(target, Variable) and target.section is Section.OUTPUT
-        if is_filled_there and (kind.pou.library, kind.pou.name) == (NC_AXES, "AXIS_REF"):
-            self.reporter.report(
-                NOT_FILLED_HERE, node.end - len(node.name), node.end, name=node.name
-            )
+    def check_filled(self, owner: Pou, key: str, start: int, end: int) -> None:
+        """Warn of what the NC fills on the machine, and nothing here."""
+        if owner.library == NC_AXES and not self.scope.library:
+            known = owner.members.get(key)
+            if known is not None and key in NOT_FILLED.get(owner.name, ()):
+                self.reporter.report(NOT_FILLED_HERE, start, end, name=known.name, owner=owner.name)
 
     def _qualified(
         self, node: Member, qualifier: Target, name: str, found: Target | None, known: object

@@ -21,6 +21,11 @@ SYSTEM = "System"
 #: The CNC's interface, and its blocks for single axes.
 CNC_INTERFACE, CNC_AXES, NC_AXES = "Tc2_CncHli", "McpPLCopenP1", "Tc2_MC2"
 TEST_LIBRARY = "TcUnit"
+#: Outputs of ``NC_AXES`` that the NC fills on the machine, and nothing here, by their blocks.
+NOT_FILLED = {
+    "AXIS_REF": frozenset(("nctoplc", "ads", "status", "driveaddress")),
+    "MC_ReadStatus": frozenset(("constantvelocity", "accelerating", "decelerating", "status")),
+}
 #: The library of the types that others share; its only one here is that of the system.
 BASE_TYPES = "IBaseLibrary"
 

@@ -652,7 +652,7 @@ def test_the_other_library_homes_in_three_ways(
 
     Then its position becomes greater by 7.5, and the parameter was read once.
     """
-    body = HOME_BODY.format(pins=pins, parameter="AxisParaCommandedPosition")
+    body = HOME_BODY.format(pins=pins, parameter="CommandedPosition")
     plc = load_structured(nc_axis(tmp_path, HOME_AXIS, body), {"MAIN.axLoader": "A"})
     a = run_nc(plc, "N10 G04 1\nM30", 60, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"]
     assert [round(float(a[tick]), 6) for tick in (49, 59)] == [homed, round(homed + 7.5, 6)]

@@ -406,6 +406,7 @@ def imports(path: Path) -> tuple[str, ...]:
 PACING = (
     "session/session.py", "session/process/thread.py", "session/listening.py",
     "session/process/workshop.py",
+    "session/history/past_runs.py",  # whoever asks about the past does so in a thread of its own
     "session/history/trail.py",  # where ticks are marked to be compared, which changes none of them
     "session/process/worker.py",  # how long a request took, by which slices get their length
 )  # fmt: skip

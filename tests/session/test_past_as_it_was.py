@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import random
 import subprocess
 import sys
@@ -29,6 +30,7 @@ from nctakt.session.history.parking import (
     first_gap,
     surplus,
 )
+from nctakt.session.history.past_runs import PastRuns
 from nctakt.session.history.record import BranchRecord, PastMark
 from nctakt.session.history.trail import MARK_US, Mark
 from nctakt.session.listening import Notice
@@ -110,13 +112,18 @@ def test_a_mark_is_another_one_for_another_past(change: str) -> None:
     assert marks[0].digest != marks[1].digest
 
 
+def explained(core: SessionCore) -> object:
+    with contextlib.closing(PastRuns()) as runs:
+        return runs.explained(core.past(), lambda: None)
+
+
 TRAVEL: dict[str, Callable[[SessionCore], object]] = {
     "go_to": lambda core: core.go_to(120),
     "back": lambda core: core.back(3),
     "back_to": lambda core: core.back_to([read_stop("V.E.COUNT > 5")]),
     "look": lambda core: core.look(100, 400, ["X.ACS.ACT_POS"]),
     "happened": lambda core: core.happened(100, 400),
-    "why": lambda core: core.past().explained(lambda: None),
+    "why": explained,
 }
 
 

@@ -348,7 +348,7 @@ class SessionCore:
         end = self.tick if tick is None else tick
         target = timeline.reached(end, branch)
         marks = tuple(target.marks_between(-1, end))
-        return Past(timeline.setup, tuple(timeline.tape(target)), end, marks)
+        return Past(timeline.setup, target, tuple(timeline.tape(target)), end, marks)
 
     # --- the end --------------------------------------------------------------------------------
 

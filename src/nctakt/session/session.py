@@ -35,6 +35,7 @@ from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.comparing import BranchDifference
+from nctakt.session.history.past_runs import PastRuns
 from nctakt.session.listening import Listener
 from nctakt.session.process.thread import SessionThread
 from nctakt.session.setup import Description, Inventory, Setup
@@ -122,6 +123,7 @@ class Session:
     def _begin(self, setup: Setup, pace: str) -> None:
         self.on_travel: Callable[[int, int], None] | None = None
         self._core = SessionCore(setup, self._poll)
+        self._pasts = PastRuns()
         self._setup = setup
         self.description: Description = self._core.description
         has_schedule = setup.rtconf is not None
@@ -577,7 +579,7 @@ class Session:
         are no ticks yet, or a branch has not reached the tick (901154, 901157).
         """
         poll = self._thread.poller()
-        report = self._ask(self._core.past, tick, branch).explained(poll).why
+        report = self._pasts.explained(self._ask(self._core.past, tick, branch), poll).why
         assert report is not None
         return report
 
@@ -676,6 +678,7 @@ class Session:
         if not self._thread.is_closed:
             self._thread.close(self._core.abandon)
             self._audience.tell("closed")
+            self._pasts.close()
             self._core.close()
 
     def __enter__(self) -> Self:

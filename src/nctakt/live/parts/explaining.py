@@ -22,8 +22,8 @@ from nctakt.session.session import Session
 #: How long a session rests before its past is explained, in seconds.
 _REST_S = 0.6
 
-#: Ticks of a past that is explained without being asked for.
-_MAX_TICKS = 1_000_000
+#: Ticks of a past that is explained without being asked for: an hour of 1 ms fits.
+_MAX_TICKS = 4_000_000
 
 #: The state that is explained: the session's serial number, its branch and its tick.
 Moment = tuple[int, int, int]

@@ -58,6 +58,13 @@ class Branch:
             branch = branch.parent
         return branch is other
 
+    def owner(self, tick: int) -> Branch:
+        """Return the eldest branch of which a state before a tick is one."""
+        branch = self
+        while branch.parent is not None and tick <= branch.first_tick:
+            branch = branch.parent
+        return branch
+
     # --- marks and events -----------------------------------------------------------------------
 
     def marks_between(self, after: int, last: int) -> list[PastMark]:

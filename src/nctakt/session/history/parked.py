@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass
 from nctakt.session.history.branch import Branch
-from nctakt.session.history.parking import surplus
+from nctakt.session.history.parking import MAX_PARKED, surplus
 from nctakt.session.process.workshop import RemoteEngine
 
 
@@ -26,10 +26,12 @@ class Parked:
 class ParkedControllers:
     """All parked controllers; ``filler``: one on its way to where another one is missing.
 
-    ``candidate``: one of which it is not known yet whether it is right.
+    ``candidate``: one of which it is not known yet whether it is right. ``capacity``: how
+    many are kept.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, capacity: int = MAX_PARKED) -> None:
+        self._capacity = capacity
         self._parked: list[Parked] = []
         self.filler: Parked | None = None
         self.candidate: Parked | None = None
@@ -45,7 +47,7 @@ class ParkedControllers:
     def thin_out(self, present_us: float) -> None:
         """Close those that are too close together, seen from a present."""
         works = [one.work_us for one in self._parked]
-        for index in reversed(surplus(works, present_us)):
+        for index in reversed(surplus(works, present_us, self._capacity)):
             self._parked.pop(index).engine.close()
 
     def before(self, branch: Branch, tick: int) -> list[Parked]:

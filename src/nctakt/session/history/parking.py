@@ -23,8 +23,8 @@ DENSE_US = 5_000.0
 EVEN_SHARE = 10.0
 
 
-def surplus(parked: Sequence[float], present: float) -> list[int]:
-    """Return the indexes to give up, so that at most ``MAX_PARKED`` are left.
+def surplus(parked: Sequence[float], present: float, capacity: int = MAX_PARKED) -> list[int]:
+    """Return the indexes to give up, so that at most ``capacity`` are left.
 
     ``parked`` ascends; the first one, the start, and the last one are always kept. One by one goes
     the controller without which the gap between its neighbours is the smallest, as a share of what
@@ -39,7 +39,7 @@ def surplus(parked: Sequence[float], present: float) -> list[int]:
         away_us = abs(present - parked[kept[position]])
         return gap_us / max(min(away_us, even_us), DENSE_US)
 
-    while len(kept) > MAX_PARKED:
+    while len(kept) > capacity:
         given_up.append(kept.pop(min(range(1, len(kept) - 1), key=share)))
     return sorted(given_up)
 

@@ -1,71 +1,34 @@
 # SPDX-License-Identifier: MIT
-"""The past of a session, run once more to be explained: why reactions fired, or did not.
+"""The past of a session, to be run once more and explained: why reactions fired, or did not.
 
-In: the setup of a session and the inputs of its branch. Out: a result with the histories of its
-conditions. The session itself keeps none, since they cost time in each tick.
+The session itself keeps no histories of conditions, since they cost time in each tick.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import cast
-
 from nctakt.base.dataclass import dataclass
-from nctakt.results.run import Run
-from nctakt.run.access.inputs import Input
-from nctakt.session.history.record import (
-    PastMark,
-    check_programs,
-    first_difference,
-    past_differs,
-    ticks_of,
-)
-from nctakt.session.history.timeline import PART_TICKS, Poll
-from nctakt.session.process.workshop import ProcessPool, RemoteEngine
+from nctakt.run.access.inputs import PLC, Input
+from nctakt.session.history.branch import Branch
+from nctakt.session.history.record import PastMark
 from nctakt.session.setup import Setup
 
 
 @dataclass(frozen=True, slots=True)
 class Past:
-    """What it takes to run a session up to a tick again, in a process of its own.
+    """What it takes to run a branch of a session up to a tick again, in a process of its own.
 
     ``marks``: those that this must lead to.
     """
 
     setup: Setup
+    branch: Branch
     inputs: tuple[Input, ...]
     tick: int
     marks: tuple[PastMark, ...]
 
-    def explained(self, poll: Poll) -> Run:
-        """Return the result with ``why``; raises ``Failure`` where the setup has mistakes.
+    def inputs_from(self, tick: int) -> list[Input]:
+        """Return the inputs that a controller before a tick has not had yet.
 
-        Raises it as well where the past is not as it was (901901). ``poll`` is called meanwhile,
-        and may end it by an exception.
+        What the PLC gave in the tick before is in its state.
         """
-        workshop = ProcessPool()
-        try:
-            engine, _ = workshop.open(
-                replace(self.setup, options={**self.setup.options, "why": True})
-            )
-            try:
-                engine.plan(self.inputs)
-                self._rerun(engine, poll)
-                return cast("Run", engine.ask("result"))
-            finally:
-                engine.close()
-        finally:
-            workshop.close()
-
-    def _rerun(self, engine: RemoteEngine, poll: Poll) -> None:
-        while engine.tick < self.tick:
-            end = min(self.tick, engine.tick + PART_TICKS)
-            marks = [mark for mark in self.marks if engine.tick < mark.tick <= end]
-            done = engine.run(end, marks=ticks_of(marks))
-            check_programs(done.diagnostics)
-            differs = first_difference(done.marks, marks)
-            if differs is not None and not self.setup.plcs:
-                raise past_differs(differs)
-            if done.run_state is not None:
-                return
-            poll()
+        return [one for one in self.inputs if one.tick >= tick + (tick > 0 and one.source == PLC)]

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: MIT
+"""What a session has been asked about its past: it is run once more, in a process of its own.
+
+In: what it takes to run a branch up to a tick. Out: the result, with the histories of its
+conditions. What runs a past leaves copies of itself on the way, so that the next place is explained
+from the nearest one on.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+from dataclasses import replace
+from typing import cast
+
+from nctakt.base.failure import Failure
+from nctakt.results.run import Run
+from nctakt.session.history.parked import Parked, ParkedControllers
+from nctakt.session.history.past import Past
+from nctakt.session.history.record import check_programs, first_difference, past_differs, ticks_of
+from nctakt.session.history.timeline import PART_TICKS, Poll
+from nctakt.session.process.workshop import ProcessPool, RemoteEngine
+
+#: Copies that are left on the way at most.
+MAX_KEPT = 12
+
+
+class PastRuns:
+    """Runs pasts of one session again; several threads may ask at once."""
+
+    def __init__(self) -> None:
+        self._kept = ParkedControllers(MAX_KEPT)
+        self._pool: ProcessPool | None = None
+        self._lock = threading.Lock()
+        self._is_closed = False
+
+    def explained(self, past: Past, poll: Poll) -> Run:
+        """Return the result with ``why``; raises ``Failure`` where the setup has mistakes.
+
+        Raises it as well where the past is not as it was (901901). ``poll`` is called meanwhile,
+        and may end it by an exception.
+        """
+        engine = self._nearest(past)
+        if engine is not None:
+            with contextlib.closing(engine):
+                return self._run(engine, past, poll)
+        pool = ProcessPool()
+        setup = replace(past.setup, options={**past.setup.options, "why": True})
+        try:
+            with contextlib.closing(pool.open(setup)[0]) as engine:
+                self._keep(engine, past, pool)
+                return self._run(engine, past, poll)
+        finally:
+            if pool is not self._pool:
+                pool.close()
+
+    def _nearest(self, past: Past) -> RemoteEngine | None:
+        """Return a copy of the last controller that is kept before the end of a past."""
+        with self._lock:
+            kept = self._kept.nearest(past.branch, past.tick)
+            if kept is None:
+                return None
+            return self._copy(kept.engine)
+
+    def _copy(self, engine: RemoteEngine) -> RemoteEngine | None:
+        """Return a copy; ``None`` where none can be made, which a PLC may be the reason of."""
+        try:
+            copy = engine.copy()
+        except Failure:
+            return None
+        copy.is_apart = True
+        return copy
+
+    def _run(self, engine: RemoteEngine, past: Past, poll: Poll) -> Run:
+        engine.plan(past.inputs_from(engine.tick))
+        while engine.tick < past.tick:
+            end = min(past.tick, engine.tick + PART_TICKS)
+            marks = [mark for mark in past.marks if engine.tick < mark.tick <= end]
+            done = engine.run(end, marks=ticks_of(marks))
+            check_programs(done.diagnostics)
+            differs = first_difference(done.marks, marks)
+            if differs is not None and not past.setup.plcs:
+                raise past_differs(differs)
+            if done.run_state is not None:
+                break
+            if self._pool is not None and engine.tick < past.tick:
+                self._keep(engine, past, self._pool)
+            poll()
+        return cast("Run", engine.ask("result"))
+
+    def _keep(self, engine: RemoteEngine, past: Past, pool: ProcessPool) -> None:
+        """Keep a copy of a controller, if one can be made; the first one decides whose process."""
+        copy = self._copy(engine) if pool.can_copy else None
+        if copy is None:
+            return
+        with self._lock:
+            if self._is_closed or self._pool not in (None, pool):
+                copy.close()
+                return
+            self._pool = pool
+            # Where the work is not measured, ticks say how far apart controllers are.
+            owner = past.branch.owner(engine.tick)
+            self._kept.add(Parked(owner, engine.tick, float(engine.tick), copy))
+            self._kept.thin_out(float(past.tick))
+
+    def close(self) -> None:
+        """Close all controllers that are kept."""
+        with self._lock:
+            self._is_closed = True
+            self._kept.close()
+        if self._pool is not None:
+            self._pool.close()

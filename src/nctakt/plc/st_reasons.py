@@ -11,13 +11,13 @@ from __future__ import annotations
 import itertools
 import struct
 from collections import deque
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
-from nctakt.base.dataclass import dataclass, field
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.context import PlcContext
-from nctakt.results.explained.plc_histories import Fact, PlcChange, PlcHistory
+from nctakt.results.explained.plc_histories import Fact, PlcChange, PlcHistories, PlcHistory
 from nctakt.st.program import Program
 from nctakt.st.types import (
     ArrayType,
@@ -39,18 +39,27 @@ from nctakt.translation.body import value_type
 from nctakt.translation.layout import is_real, kind_of
 from nctakt.translation.observing.noting import NoteRows
 
-#: Changes of a variable that are kept: the newest.
-CHANGES_KEPT = 50
 #: Elements of an array that are watched, at most.
 _MAX_ELEMENTS = 256
 
 
-@dataclass(slots=True)
-class _Kept:
-    """The changes of a watch, as words of the log."""
+#: The newest changes of watches by their numbers, each as its words of the log.
+_Changes = dict[int, deque[Sequence[int]]]
 
-    changes: deque[tuple[int, ...]] = field(default_factory=lambda: deque(maxlen=CHANGES_KEPT))
-    count: int = 0
+
+@dataclass(frozen=True, slots=True)
+class _Noted:
+    """What had been noted at a moment: the log, changes that had been taken out of it, watches."""
+
+    log: memoryview
+    taken: Mapping[int, Sequence[Sequence[int]]]
+    address: Sequence[int]
+    kind: Sequence[int]
+    seen: Sequence[int]
+    written_at: Sequence[int]
+    written_by: Sequence[int]
+    missed: Sequence[int]
+    logged: Sequence[int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +91,8 @@ class StReasons:
         self._first_tick = first_tick
         self._names = names
         self._own: dict[int, _Named] = {}
-        self._kept: dict[int, _Kept] = {}
+        self._taken: _Changes = {}
+        self._facts_seen: dict[tuple[int, int], Fact] = {}
         for path, address, found in _own_variables(program, rows.counters):
             kind = kind_of(found)
             number = 0 if kind is None else self._watch(address, kind)
@@ -94,33 +104,47 @@ class StReasons:
         return self._notes.watch(self._context.memory, address, kind)
 
     def take(self) -> None:
-        """Take what has been logged since the last call."""
-        log = self._notes.take_log()
-        at = 0
-        while at < len(log):
-            end = at + kinds.NOTE_HEAD + 2 * log[at + 5]
-            kept = self._kept.setdefault(log[at], _Kept())
-            kept.changes.append(tuple(log[at:end]))
-            kept.count += 1
-            at = end
+        """Take what is in the log, where too much of it is needed."""
+        if self._notes.is_crowded:
+            _add(self._taken, self._notes.take_log())
 
-    def histories(self) -> tuple[PlcHistory, ...]:
-        """Return the histories of what statements have written, in the order of their names."""
-        self.take()
+    def histories(self) -> PlcHistories:
+        """Return the histories of what statements have written, in the order of their names.
+
+        They are made when somebody looks, of what is noted now.
+        """
+        notes = self._notes
+        notes.drop_old()
+        watches = slice(0, notes.count + 1)
+        noted = _Noted(
+            _words(notes.log[: notes.log_end]),
+            {number: tuple(changes) for number, changes in self._taken.items()},
+            _words(notes.address[watches]),
+            _words(notes.kind[watches]),
+            _words(notes.seen[watches]),
+            _words(notes.written_at[watches]),
+            _words(notes.written_by[watches]),
+            _words(notes.missed[watches]),
+            _words(notes.logged[watches]),
+        )
+        return PlcHistories(lambda: self._histories(noted))
+
+    def _histories(self, noted: _Noted) -> tuple[PlcHistory, ...]:
+        kept = {number: deque(changes, kinds.NOTES_KEPT) for number, changes in noted.taken.items()}
+        _add(kept, noted.log)
         found = [
-            self._history(number)
-            for number in range(1, self._notes.count + 1)
-            if self._notes.written_at[number] >= 0 or number in self._kept
+            self._history(number, noted, kept.get(number, ()))
+            for number in range(1, len(noted.address))
+            if noted.written_at[number] >= 0 or number in kept
         ]
         return tuple(sorted(found, key=lambda one: (not one.is_interface, one.path)))
 
-    def _history(self, number: int) -> PlcHistory:
-        notes, named = self._notes, self._named(number)
-        kept = self._kept.get(number, _Kept())
-        changes = tuple(self._change(words, named) for words in kept.changes)
-        written = notes.written_at[number]
-        begin = named.show(kept.changes[0][3] if kept.changes else notes.seen[number])
-        missed = notes.missed[number]
+    def _history(self, number: int, noted: _Noted, kept: Sequence[Sequence[int]]) -> PlcHistory:
+        named = self._named(number, noted)
+        changes = tuple(self._change(words, named) for words in kept)
+        written, writer = noted.written_at[number], noted.written_by[number]
+        begin = named.show(kept[0][3] if kept else noted.seen[number])
+        missed = noted.missed[number]
         if missed or (changes and not changes[0].before):
             begin = ""
         return PlcHistory(
@@ -128,18 +152,18 @@ class StReasons:
             named.is_interface,
             begin,
             changes,
-            kept.count - len(changes),
+            noted.logged[number] - len(changes),
             missed,
             self._tick(written) if written >= 0 else None,
-            self._span(notes.written_by[number]) if written >= 0 else None,
-            self._statement(notes.written_by[number]) if written >= 0 else "",
+            self._span(writer) if written >= 0 else None,
+            self._statement(writer) if written >= 0 else "",
         )
 
-    def _named(self, number: int) -> _Named:
+    def _named(self, number: int, noted: _Noted) -> _Named:
         found = self._own.get(number)
         if found is not None:
             return found
-        address, kind = self._notes.address[number], int(self._notes.kind[number])
+        address, kind = noted.address[number], noted.kind[number]
         name = self._names.get(address, f"%{address}")
         return _Named(name, True, _shower(None, kind))
 
@@ -158,8 +182,8 @@ class StReasons:
             return self._program.sources.text(source, end)
         return self._program.sources.line(span.file, span.line)[span.column - 1 :].strip()
 
-    def _change(self, words: tuple[int, ...], named: _Named) -> PlcChange:
-        _, now, source, before, value, count, flags = words[: kinds.NOTE_HEAD]
+    def _change(self, words: Sequence[int], named: _Named) -> PlcChange:
+        _, now, source, before, value, count, flags, _ = words[: kinds.NOTE_HEAD]
         rows = words[kinds.NOTE_HEAD :]
         pairs = [(rows[2 * i], rows[2 * i + 1]) for i in range(count)]
         return PlcChange(
@@ -194,6 +218,12 @@ class StReasons:
         return tuple(fact for _, fact in open_facts)
 
     def _fact(self, row: int, value: int) -> Fact:
+        fact = self._facts_seen.get((row, value))
+        if fact is None:
+            fact = self._facts_seen[row, value] = self._new_fact(row, value)
+        return fact
+
+    def _new_fact(self, row: int, value: int) -> Fact:
         found = self._rows.rows[row]
         node, sources = found.node, self._program.sources
         text = sources.text(node.start, node.end)
@@ -207,6 +237,20 @@ class StReasons:
                 kind = kinds.F64
             shown = "" if kind is None else _shower(sought, kind)(value)
         return Fact(found.kind, sources.span(node.start, node.start + 1), text, shown)
+
+
+def _words(noted: Sequence[int]) -> memoryview:
+    """Return words as they are now."""
+    return memoryview(bytes(noted)).cast("q")
+
+
+def _add(kept: _Changes, log: memoryview) -> None:
+    """Add the changes of a log to those of their watches."""
+    at = 0
+    while at < len(log):
+        end = at + kinds.NOTE_HEAD + 2 * log[at + 5]
+        kept.setdefault(log[at], deque(maxlen=kinds.NOTES_KEPT)).append(log[at:end])
+        at = end
 
 
 def _shower(found: Type | None, kind: int) -> Callable[[int], str]:

@@ -317,7 +317,7 @@ class StructuredPlc(RealtimePlc):
             cyclic.exchange(_body_of(task, probed))
         return probed
 
-    def changes(self) -> tuple[PlcHistory, ...]:
+    def changes(self) -> Sequence[PlcHistory]:
         """Return what it has changed since it was attached, and why, if that is noted."""
         return () if self._reasons is None else self._reasons.histories()
 

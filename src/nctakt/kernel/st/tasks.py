@@ -251,7 +251,7 @@ class PlcTasks(PlcSide):
                 self.cnc.leave()
         elif self.cnc.take() or self.context.overrun_task:
             self.has_news = True
-        if self.context.notes.log_end > kinds.NOTE_LOG >> 1:
+        if self.context.notes.is_crowded:
             self.has_news = True
         if self.message_at and words.load(self.context.memory, self.message_at, kinds.I32):
             self.has_news = True

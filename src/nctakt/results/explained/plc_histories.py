@@ -6,7 +6,8 @@ Made by ``plc/st_reasons.py``, shown by ``plc_text.py``. Ticks count from the co
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Callable, Sequence
+from typing import Literal, overload
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
@@ -70,3 +71,32 @@ class PlcHistory:
     def change_at(self, tick: int) -> PlcChange | None:
         """Return the change that gave the value in a tick; ``None`` if it is older."""
         return next((one for one in reversed(self.changes) if one.tick <= tick), None)
+
+
+class PlcHistories(Sequence[PlcHistory]):
+    """Histories that are made when somebody looks at them: few runs are asked for them."""
+
+    def __init__(self, make: Callable[[], tuple[PlcHistory, ...]]) -> None:
+        self._make = make
+        self._made: tuple[PlcHistory, ...] | None = None
+
+    @property
+    def _all(self) -> tuple[PlcHistory, ...]:
+        if self._made is None:
+            self._made = self._make()
+        return self._made
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    @overload
+    def __getitem__(self, index: int) -> PlcHistory: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[PlcHistory]: ...
+
+    def __getitem__(self, index: int | slice) -> PlcHistory | Sequence[PlcHistory]:
+        return self._all[index]
+
+    def __reduce__(self) -> tuple[Callable[..., object], tuple[object, ...]]:
+        return tuple, (self._all,)

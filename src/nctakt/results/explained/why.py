@@ -27,7 +27,7 @@ from nctakt.messages.commands.explaining import (
     RUN_WITHOUT_CYCLES,
     TICK_NOT_IN_RUN,
 )
-from nctakt.results.explained.plc_histories import PlcHistory
+from nctakt.results.explained.plc_histories import PlcHistories, PlcHistory
 from nctakt.results.explained.plc_text import render_plc, render_plc_at
 from nctakt.results.explained.why_text import render_answer, render_report, render_state
 from nctakt.results.explained.why_words import Words
@@ -50,11 +50,12 @@ class WhyReport:
     cycles: tuple[CycleHistory, ...]
     left_out: int = 0
     #: What a PLC in Structured Text has changed.
-    plc: tuple[PlcHistory, ...] = ()
+    plc: Sequence[PlcHistory] = ()
 
-    def with_plc(self, changes: tuple[PlcHistory, ...]) -> WhyReport:
+    def with_plc(self, changes: Sequence[PlcHistory]) -> WhyReport:
         """Return the report with what a PLC has changed."""
-        return replace(self, plc=self.plc + changes)
+        before = self.plc
+        return replace(self, plc=PlcHistories(lambda: (*before, *changes)))
 
     def select_plc(self, path: str) -> WhyReport:
         """Return only the history of a variable of the PLC; raises ``Failure`` (902660)."""
@@ -147,7 +148,7 @@ class WhyReport:
             return plc.lstrip("\n")
         return render_report(self.cycles, self.left_out, self.last_tick, words) + plc
 
-    def _shown_plc(self) -> tuple[PlcHistory, ...]:
+    def _shown_plc(self) -> Sequence[PlcHistory]:
         """Return what is asked for: a variable, else what the PLC has commanded."""
         if not self.cycles and len(self.plc) == 1:
             return self.plc

@@ -63,7 +63,7 @@ class RealtimePlc(WatchedPlc):
     def count_branches(self) -> None:
         """Count what its branches do from the next ``attach`` on, if it can."""
 
-    def changes(self) -> tuple[PlcHistory, ...]:
+    def changes(self) -> Sequence[PlcHistory]:
         """Return what it has changed since it was attached, and why, if that is noted."""
         return ()
 

@@ -106,6 +106,8 @@ class SeenSelector(Whole):
         if self.is_unsigned and value < 0:
             seen = words.real_of_unsigned(value)
         for i in range(self.count):
+            if self.numbers[i] >= context.count_end or context.counts[self.numbers[i]]:
+                continue
             if seen < self.lowest[i]:
                 context.note_near(self.numbers[i], seen, self.lowest[i])
             elif seen > self.highest[i]:

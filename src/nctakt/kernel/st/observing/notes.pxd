@@ -17,14 +17,17 @@ cdef class Notes:
     cdef public long long interface_from
     cdef readonly long long[::1] address
     cdef readonly long long[::1] kind
+    cdef long long[::1] whole
     cdef long long[::1] is_new
     cdef readonly long long[::1] seen
     cdef readonly long long[::1] written_at
     cdef readonly long long[::1] written_by
     cdef readonly long long[::1] missed
+    cdef readonly long long[::1] logged
     cdef readonly long long log_size
     cdef readonly long long[::1] log
     cdef readonly long long log_end
+    cdef readonly bint is_crowded
 
     cdef void begin(self) noexcept nogil
     cdef void push(self, long long number, long long value) noexcept nogil
@@ -49,11 +52,14 @@ cdef class Notes:
     cdef void touch(self, unsigned char[::1] memory, long long at, long long now) noexcept nogil
     @cython.locals(
         value=cython.longlong, before=cython.longlong, count=cython.longlong,
-        flags=cython.longlong, i=cython.longlong
+        flags=cython.longlong, i=cython.longlong, end=cython.longlong
     )
     cdef void compare(
         self, unsigned char[::1] memory, long long number, long long source, long long now
     ) noexcept nogil
-    cdef void put(self, long long word) noexcept nogil
+    @cython.locals(
+        at=cython.longlong, kept=cython.longlong, end=cython.longlong, i=cython.longlong
+    )
+    cpdef void drop_old(self) noexcept nogil
 
 cdef long long width(int kind) noexcept nogil

@@ -4,7 +4,7 @@
 Conditions, operands and calls put rows of a number and a value on a stack; a statement's rows leave
 it when the statement is over, those of a call that led to its result stay until the calling
 statement is over. When a watched variable changes, the rows on the stack are copied into the log
-(ST-840), which Python empties between two ticks. Without watches nothing of this runs.
+(ST-840), which keeps the newest changes of each. Without watches nothing of this runs.
 """
 
 from __future__ import annotations
@@ -17,10 +17,13 @@ class Notes:
     """The stack of rows, the watched variables, and the log of their changes.
 
     ``watched`` has for each byte of the memory the number of the watch that it belongs to, from 1
-    on, or 0. A change in the log: watch, time in ns, source (0: not by a statement), value before,
-    value after, number of rows, whether rows are missing (``kinds.NOTES_CUT``) or the value before
-    is not known (``kinds.NOTES_FIRST``); then the rows. ``missed`` counts for each watch the
-    changes for which the log had no room.
+    on, or 0; ``whole`` is the number of bytes of a watch, 0 where some belong to an earlier one.
+    A change in the log: watch, time in ns, source (0: not by a statement), value before, value
+    after, number of rows, whether rows are missing (``kinds.NOTES_CUT``) or the value before is
+    not known (``kinds.NOTES_FIRST``), which change of the watch it is, from 1 on; then the rows.
+    ``logged`` counts for each watch the changes in the log, those that have left it included, and
+    ``missed`` those for which it had no room. It is crowded (``is_crowded``) while little is left
+    to drop; then Python takes it between two ticks.
     """
 
     def __init__(self, size: int) -> None:
@@ -40,14 +43,17 @@ class Notes:
         self.interface_from = 0
         self.address = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.kind = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.whole = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.is_new = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.seen = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.written_at = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.written_by = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.missed = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.logged = memoryview(bytearray(8 * watches + 8)).cast("q")
         self.log_size = kinds.NOTE_LOG if size else 0
         self.log = memoryview(bytearray(8 * self.log_size + 8)).cast("q")
         self.log_end = 0
+        self.is_crowded = False
 
     def begin(self) -> None:
         """Begin a cycle: nothing has led anywhere yet."""
@@ -86,9 +92,12 @@ class Notes:
         self.kind[self.count] = kind
         self.seen[self.count] = self.bits(memory, address, kind)
         self.written_at[self.count] = -1
+        self.whole[self.count] = width(kind)
         for i in range(width(kind)):
             if self.watched[address + i] == 0:
                 self.watched[address + i] = self.count
+            else:
+                self.whole[self.count] = 0
         return self.count
 
     def bits(self, memory: memoryview, address: int, kind: int) -> int:
@@ -107,6 +116,12 @@ class Notes:
 
     def note(self, memory: memoryview, at: int, size: int, source: int, now: int) -> None:
         """Note that a statement has written bytes; log the variables that it has changed."""
+        latest = self.watched[at]
+        if latest and self.address[latest] == at and self.whole[latest] >= size:
+            self.written_at[latest] = now
+            self.written_by[latest] = source
+            self.compare(memory, latest, source, now)
+            return
         latest = 0
         for i in range(size):
             number = self.watched[at + i]
@@ -144,29 +159,47 @@ class Notes:
             flags |= kinds.NOTES_CUT
         self.seen[number] = value
         self.is_new[number] = 0
-        if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size:
+        if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size and not self.is_crowded:
+            self.drop_old()
+        end = self.log_end
+        if end + kinds.NOTE_HEAD + 2 * count > self.log_size:
             self.missed[number] += 1
             return
-        self.put(number)
-        self.put(now)
-        self.put(source)
-        self.put(before)
-        self.put(value)
-        self.put(count)
-        self.put(flags)
+        self.logged[number] += 1
+        self.log[end] = number
+        self.log[end + 1] = now
+        self.log[end + 2] = source
+        self.log[end + 3] = before
+        self.log[end + 4] = value
+        self.log[end + 5] = count
+        self.log[end + 6] = flags
+        self.log[end + 7] = self.logged[number]
+        end += kinds.NOTE_HEAD
         for i in range(count):
-            self.put(self.numbers[i])
-            self.put(self.values[i])
+            self.log[end] = self.numbers[i]
+            self.log[end + 1] = self.values[i]
+            end += 2
+        self.log_end = end
 
-    def put(self, word: int) -> None:
-        """Put a word at the end of the log."""
-        self.log[self.log_end] = word
-        self.log_end += 1
+    def drop_old(self) -> None:
+        """Keep the newest changes of each watch in the log, in their order."""
+        at = 0
+        kept = 0
+        while at < self.log_end:
+            end = at + kinds.NOTE_HEAD + 2 * self.log[at + 5]
+            if self.log[at + 7] > self.logged[self.log[at]] - kinds.NOTES_KEPT:
+                for i in range(at, end):
+                    self.log[kept] = self.log[i]
+                    kept += 1
+            at = end
+        self.log_end = kept
+        self.is_crowded = 4 * kept > 3 * self.log_size
 
-    def take_log(self) -> list[int]:
+    def take_log(self) -> memoryview:
         """Return the words of the log, and empty it."""
-        log = list(self.log[: self.log_end])
+        log = memoryview(bytes(self.log[: self.log_end])).cast("q")
         self.log_end = 0
+        self.is_crowded = False
         return log
 
 

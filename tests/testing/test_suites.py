@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 from xml.etree import ElementTree
@@ -193,3 +195,22 @@ def test_tests_of_own_sources_are_chosen(own: Path, capsys: pytest.CaptureFixtur
     (own / "nctakt.toml").write_text(settings, "utf-8")
     assert main(["test", "Cell.plcproj", "-k", "right", *WORDS]) == 1
     assert "902540" in capsys.readouterr().out
+
+
+@pytest.mark.slow
+def test_the_suites_of_a_file_run_in_one_process(tmp_path: Path) -> None:
+    """``nctakt test`` gives each file to one worker as a whole: its suites run together."""
+    suite = (
+        "FUNCTION_BLOCK FB_Own EXTENDS FB_TestSuite\nTEST('one'); TEST_FINISHED();\n"
+        "TEST('two'); TEST_FINISHED();\nEND_FUNCTION_BLOCK\n"
+        "PROGRAM MAIN VAR own : FB_Own; END_VAR TcUnit.RUN(); END_PROGRAM\n"
+    )
+    names = ("first.st", "second.st")
+    for name in names:
+        (tmp_path / name).write_text(suite, "utf-8")
+    words = [sys.executable, "-m", "nctakt", "test", *names, "--", "-n", "2", "-v"]
+    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert "4 passed" in done.stdout, done.stdout + done.stderr
+    ended = [line for line in done.stdout.splitlines() if " PASSED " in line]
+    workers = {name: {line.split()[0] for line in ended if name in line} for name in names}
+    assert [len(one) for one in workers.values()] == [1, 1]

@@ -146,6 +146,8 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
     plugins = [] if "nctakt" in known else [part for name in _PLUGINS for part in ("-p", name)]
     # This process has imported what pytest would rewrite: no assert of nctakt is a test's.
     plugins += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]
+    if _is_parallel(paths):
+        plugins += ["--dist", "loadfile"]  # the suites of a file run together
     code = _NO_TESTS
     if junit is None:
         code = int(pytest.main([*plugins, *words, *paths]))
@@ -195,6 +197,12 @@ def _check_trusted(words: list[str]) -> None:
 def _paths(words: list[str]) -> Iterator[str]:
     """Return an iterator over the words before pytest's options."""
     return takewhile(lambda one: not one.startswith("-"), words)
+
+
+def _is_parallel(words: list[str]) -> bool:
+    """Return whether words for pytest want several processes, and leave open how tests share."""
+    wants = any(word[:2] == "-n" or word.startswith("--numprocesses") for word in words)
+    return wants and not any(word.startswith("--dist") for word in words)
 
 
 def _check_there(words: list[str]) -> None:

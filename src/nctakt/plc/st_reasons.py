@@ -248,7 +248,7 @@ def _add(kept: _Changes, log: memoryview) -> None:
     """Add the changes of a log to those of their watches."""
     at = 0
     while at < len(log):
-        end = at + kinds.NOTE_HEAD + 2 * log[at + 5]
+        end = at + kinds.NOTE_HEAD + 2 * log[at + kinds.NOTE_ROW_COUNT]
         kept.setdefault(log[at], deque(maxlen=kinds.NOTES_KEPT)).append(log[at:end])
         at = end
 

@@ -114,6 +114,8 @@ cdef enum:
     NOTE_LOG = 1048576
     NOTES_KEPT = 50
     NOTE_HEAD = 8
+    NOTE_ROW_COUNT = 5
+    NOTE_NUMBER = 7
     NOTE_CLOSED = -1
     NOTE_RETURNED = -2
     NOTES_CUT = 1

@@ -80,13 +80,16 @@ MAX_OUTPUTS = 256
 #: Counts of conditions and bodies in one project, at most.
 MAX_COUNTS = 1 << 22
 #: Notes of what led to a change (``notes.py``): rows on the stack, watched variables, words of the
-#: log, changes of a variable that it keeps, words before the rows of a change; rows that say that
-#: those from a row on belong to a statement that is over, or to a call that has returned.
+#: log, changes of a variable that it keeps, words before the rows of a change, and among them the
+#: number of the rows and of the change; rows that say that those from a row on belong to a
+#: statement that is over, or to a call that has returned.
 NOTE_ROWS = 512
 MAX_WATCHES = 16384
 NOTE_LOG = 1 << 20
 NOTES_KEPT = 50
 NOTE_HEAD = 8
+NOTE_ROW_COUNT = 5
+NOTE_NUMBER = 7
 NOTE_CLOSED = -1
 NOTE_RETURNED = -2
 NOTES_CUT = 1

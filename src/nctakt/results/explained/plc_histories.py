@@ -78,13 +78,13 @@ class PlcHistories(Sequence[PlcHistory]):
 
     def __init__(self, make: Callable[[], tuple[PlcHistory, ...]]) -> None:
         self._make = make
-        self._made: tuple[PlcHistory, ...] | None = None
+        self._histories: tuple[PlcHistory, ...] | None = None
 
     @property
     def _all(self) -> tuple[PlcHistory, ...]:
-        if self._made is None:
-            self._made = self._make()
-        return self._made
+        if self._histories is None:
+            self._histories = self._make()
+        return self._histories
 
     def __len__(self) -> int:
         return len(self._all)

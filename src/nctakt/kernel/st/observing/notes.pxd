@@ -52,13 +52,15 @@ cdef class Notes:
     cdef void touch(self, unsigned char[::1] memory, long long at, long long now) noexcept nogil
     @cython.locals(
         value=cython.longlong, before=cython.longlong, count=cython.longlong,
-        flags=cython.longlong, i=cython.longlong, end=cython.longlong
+        flags=cython.longlong, i=cython.longlong
     )
     cdef void compare(
         self, unsigned char[::1] memory, long long number, long long source, long long now
     ) noexcept nogil
+    cdef void put(self, long long word) noexcept nogil
     @cython.locals(
-        at=cython.longlong, kept=cython.longlong, end=cython.longlong, i=cython.longlong
+        at=cython.longlong, kept=cython.longlong, end=cython.longlong, number=cython.longlong,
+        i=cython.longlong
     )
     cpdef void drop_old(self) noexcept nogil
 

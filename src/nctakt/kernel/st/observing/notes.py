@@ -161,33 +161,35 @@ class Notes:
         self.is_new[number] = 0
         if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size and not self.is_crowded:
             self.drop_old()
-        end = self.log_end
-        if end + kinds.NOTE_HEAD + 2 * count > self.log_size:
+        if self.log_end + kinds.NOTE_HEAD + 2 * count > self.log_size:
             self.missed[number] += 1
             return
         self.logged[number] += 1
-        self.log[end] = number
-        self.log[end + 1] = now
-        self.log[end + 2] = source
-        self.log[end + 3] = before
-        self.log[end + 4] = value
-        self.log[end + 5] = count
-        self.log[end + 6] = flags
-        self.log[end + 7] = self.logged[number]
-        end += kinds.NOTE_HEAD
+        self.put(number)
+        self.put(now)
+        self.put(source)
+        self.put(before)
+        self.put(value)
+        self.put(count)
+        self.put(flags)
+        self.put(self.logged[number])
         for i in range(count):
-            self.log[end] = self.numbers[i]
-            self.log[end + 1] = self.values[i]
-            end += 2
-        self.log_end = end
+            self.put(self.numbers[i])
+            self.put(self.values[i])
+
+    def put(self, word: int) -> None:
+        """Put a word at the end of the log."""
+        self.log[self.log_end] = word
+        self.log_end += 1
 
     def drop_old(self) -> None:
         """Keep the newest changes of each watch in the log, in their order."""
         at = 0
         kept = 0
         while at < self.log_end:
-            end = at + kinds.NOTE_HEAD + 2 * self.log[at + 5]
-            if self.log[at + 7] > self.logged[self.log[at]] - kinds.NOTES_KEPT:
+            end = at + kinds.NOTE_HEAD + 2 * self.log[at + kinds.NOTE_ROW_COUNT]
+            number = self.log[at + kinds.NOTE_NUMBER]
+            if number > self.logged[self.log[at]] - kinds.NOTES_KEPT:
                 for i in range(at, end):
                     self.log[kept] = self.log[i]
                     kept += 1

@@ -217,7 +217,12 @@ def test_cells_without_a_number_and_gaps_are_noted(tmp_path: Path) -> None:
 def test_encodings(tmp_path: Path) -> None:
     """UTF-8 with a mark, UTF-16, and what Windows wrote, which is told."""
     text = "t;Höhe [°]\n0;1\n"
-    for encoding, found in (("utf-8-sig", []), ("utf-16", []), ("cp1252", [902526])):
+    for encoding, found in (
+        ("utf-8-sig", []),
+        ("utf-16", []),
+        ("utf-16-le", []),
+        ("cp1252", [902526]),
+    ):
         log = opened(tmp_path, text.encode(encoding))
         assert [(one.name, one.unit) for one in log.columns] == [("Höhe", "°")]
         assert numbers(log) == found
@@ -235,6 +240,9 @@ def test_encodings(tmp_path: Path) -> None:
         ("t,x\n0,\n", 902516),
         ("t,x\n0,nan\n1,inf\n", 902516),
         ("t [days],x\n0,1\n", 902955),
+        ("t,x\n0,001,1,5\n", 902515),
+        ("t,x\n0,1\n1,2\nt,x\n0,1\n", 902514),
+        ("t,x\n0,\0\n", 902510),
         ("t,x\n" + "1" * (1 << 20) + ",1\n", 902523),
     ],
 )

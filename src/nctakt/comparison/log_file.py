@@ -39,9 +39,11 @@ def open_log(path: str | Path, access: FileAccess, said: Mapping[str, str] | Non
         return ParquetLog(path, said or {})
     if begin.startswith(b"{"):
         return TraceLines(path, access)
-    if path.suffix.lower() in _OTHER_FORMS or b"\0" in begin.removeprefix(codecs.BOM_UTF16_LE)[:1]:
-        raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=str(path)))
     encoding = next((name for mark, name in _MARKS.items() if begin.startswith(mark)), "")
+    if not encoding and begin[1:2] == b"\0" != begin[:1]:
+        encoding = "utf-16-le"  # without a mark: a name begins with a letter of ASCII
+    if path.suffix.lower() in _OTHER_FORMS or (b"\0" in begin and "16" not in encoding):
+        raise Failure(diagnostic(LOG_IN_OTHER_FORM, file=str(path)))
     is_guessed = not encoding and not _is_utf8(begin)
     encoding = encoding or ("cp1252" if is_guessed else "utf-8")
     text = begin.decode(encoding, "replace").lstrip("\ufeff")

@@ -17,6 +17,7 @@ from nctakt.comparison.log import LogColumn
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import (
+    COMMA_FOR_BOTH,
     NO_NAMES_IN_LOG,
     NO_SIGNAL_IN_LOG,
     NO_TIME_IN_LOG,
@@ -81,6 +82,8 @@ class PlainTable(Table):
         names = [cell.strip().strip('"') for cell in row.split(self.separator)]
         if any(map(_is_number, names)):
             raise Failure(diagnostic(NO_NAMES_IN_LOG, file=self.file, line=number))
+        if self.separator == "," and len(line.rstrip(", ").split(",")) > len(names):
+            raise Failure(diagnostic(COMMA_FOR_BOTH, file=self.file))
         return names
 
     def _time_column(self, cells: Sequence[tuple[str, str]]) -> int:

@@ -7,10 +7,10 @@ from nctakt.messages.catalogue import error, note, warning
 
 LOG_IN_OTHER_FORM = error(
     902510,
-    en="{file} is a log in a format that nctakt does not read",
-    de="{file} ist ein Log in einem Format, das nctakt nicht liest",
-    remedy_en="Export it as text: TC3ScopeExportTool.exe writes .csv from .svdx.",
-    remedy_de="Als Text exportieren: TC3ScopeExportTool.exe schreibt .csv aus .svdx.",
+    en="{file} is damaged, or a log in a format that nctakt does not read",
+    de="{file} ist beschädigt oder ein Log in einem Format, das nctakt nicht liest",
+    remedy_en="Export it again, or as text: TC3ScopeExportTool.exe writes .csv from .svdx.",
+    remedy_de="Erneut oder als Text exportieren: TC3ScopeExportTool.exe schreibt .csv aus .svdx.",
 )
 NO_TIME_IN_LOG = error(
     902511,
@@ -54,9 +54,10 @@ NO_NUMBER_IN_LOG = error(
     902514,
     en="'{text}' is not a number",
     de="'{text}' ist keine Zahl",
-    remedy_en="Give separator and decimal mark in a mapping file, or leave the column out there.",
-    remedy_de="Trennzeichen und Dezimalzeichen in einer Zuordnungsdatei angeben oder die Spalte "
-    "dort weglassen.",
+    remedy_en="Give separator and decimal mark in a mapping file, or leave the column out; split "
+    "a log at a second header.",
+    remedy_de="In einer Zuordnungsdatei Trenn- und Dezimalzeichen angeben, die Spalte weglassen; "
+    "vor zweitem Kopf teilen.",
     text=("the text", "der Text"),
 )
 BYTE_NOT_OF_ENCODING = error(

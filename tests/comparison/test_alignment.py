@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy
 import pytest
+from support.random_seeds import by_night
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.unit_factors import factor_between
@@ -85,8 +86,8 @@ def stepped(
     return Samples(stamps, values)
 
 
-@pytest.mark.parametrize("noise", [0.0, 0.01])
-@pytest.mark.parametrize("drift", [0.0, 40e-6, -15e-6])
+@pytest.mark.parametrize("noise", [by_night(0.0), 0.01])
+@pytest.mark.parametrize("drift", [0.0, 40e-6, by_night(-15e-6)])
 @pytest.mark.parametrize(
     "late",
     [

@@ -9,6 +9,7 @@ same results.
 from __future__ import annotations
 
 import os
+from typing import Any
 
 import pytest
 
@@ -35,6 +36,11 @@ def seeds_in_parts(compiled: int, plain: int, part: int) -> pytest.MarkDecorator
 def all_seeds(compiled: int, plain: int) -> range:
     """Return the seeds of one kind."""
     return range(FIRST, FIRST + int(MANY or (compiled if is_compiled() else plain)))
+
+
+def by_night(value: object) -> Any:
+    """Return a parameter that is tried each night, since the others find nearly as much."""
+    return pytest.param(value, marks=pytest.mark.nightly)
 
 
 def examples(count: int) -> int:

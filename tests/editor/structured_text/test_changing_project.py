@@ -95,7 +95,7 @@ def test_files_of_other_plcs_in_the_folder_are_left_out(tmp_path: Path) -> None:
     assert typed.findings("one.st") == typed.findings("two.st") == []
 
 
-@seeds_in_parts(60, 20, 20)
+@seeds_in_parts(30, 20, 10)
 def test_after_each_keystroke_the_findings_are_those_of_a_check(
     seeds: range, tmp_path: Path
 ) -> None:

@@ -17,8 +17,6 @@ import click
 
 from nctakt.base.diagnostics import LANGUAGE_VARIABLE, Language, Text
 
-#: The environment variable for the language.
-
 #: The groups of options, in the order of the help.
 GROUPS: Mapping[str, Text] = {
     "machine": Text("Machine, programs and PLC", "Maschine, Programme und SPS"),

@@ -214,3 +214,20 @@ def test_the_suites_of_a_file_run_in_one_process(tmp_path: Path) -> None:
     ended = [line for line in done.stdout.splitlines() if " PASSED " in line]
     workers = {name: {line.split()[0] for line in ended if name in line} for name in names}
     assert [len(one) for one in workers.values()] == [1, 1]
+
+
+def test_suites_speak_german(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Messages, what was found and when, reasons of skipped tests, as ``--lang`` wants."""
+    path = tmp_path / "suites.st"
+    path.write_text(
+        "FUNCTION_BLOCK FB_Own EXTENDS FB_TestSuite\n"
+        "TEST('wrong'); AssertEquals_INT(1, 2, 'zu viel'); TEST_FINISHED();\n"
+        "TEST('disabled_one'); TEST_FINISHED();\nTEST('open');\nEND_FUNCTION_BLOCK\n"
+        "PROGRAM MAIN VAR own : FB_Own; END_VAR TcUnit.RUN(); END_PROGRAM\n",
+        "utf-8",
+    )
+    assert main(["test", str(path), "--lang", "de", "--", "-rs", "-p", "no:cacheprovider"]) == 1
+    out = capsys.readouterr().out
+    assert "+ 2 bei 0 s, Takt 0" in out
+    assert "Fehler 902540" in out
+    assert "abgeschaltet" in out

@@ -13,7 +13,7 @@ from functools import cached_property
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.base.diagnostics import Diagnostic, Span
+from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.lists.format.times import Time, TimeLike, read_time
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
@@ -44,6 +44,9 @@ _SUITE, _RUNNERS, _OPENERS = "fb_testsuite", ("run", "run_in_sequence"), ("test"
 _DISABLED = "disabled_"
 #: Stands for all tests of a suite whose names its text does not say.
 OTHER_TESTS = "tests with computed names"
+_FAILED = Text("an assertion failed", "eine Zusicherung ist nicht erfüllt")
+_WHEN = Text("at {time}, tick {tick}", "bei {time}, Takt {tick}")
+
 #: Ticks between two looks at whether the suites have ended.
 _TICKS_AT_ONCE = 200
 #: The library keeps what a run finds under this name.
@@ -249,8 +252,11 @@ def _calls(called: Callable) -> Iterator[Call]:
 class SuiteRun:
     """A run of all suites of a project on a machine, in virtual time."""
 
-    def __init__(self, plc: StructuredPlc, machine: Machine, until: TimeLike | None = None) -> None:
+    def __init__(
+        self, plc: StructuredPlc, machine: Machine, until: TimeLike | None, language: Language
+    ) -> None:
         self._plc = plc
+        self._language: Language = language
         self._until = read_time(DEFAULT_UNTIL if until is None else until)
         self._controller = Controller(machine)
         self._suites = {one.address: one for one in suites_of(plc.program)}
@@ -345,9 +351,9 @@ class SuiteRun:
     def _rendered(self, message: Diagnostic) -> str:
         span = message.span
         if span is None:
-            return message.render()
+            return message.render(self._language)
         line = self._plc.program.sources.line(span.file, span.line)
-        return diagnostic(message.message, span, line, **message.values).render()
+        return diagnostic(message.message, span, line, **message.values).render(self._language)
 
     def _outcome(self, row: str, suite: Suite) -> Outcome:
         outcome = Outcome(
@@ -376,15 +382,16 @@ class SuiteRun:
         time = Time(nanoseconds // 1000)
         tick = nanoseconds // (1000 * self._controller.cycle_time_us)
         where = "" if span is None else f"{span.file}:{span.line}: "
+        when = _WHEN.get(self._language).format(time=time, tick=tick)
         if not failed:
-            return f"{where}an assertion failed at {time}, tick {tick}"
+            return f"{where}{_FAILED.get(self._language)} {when}"
         message = self._text(f"aFailures[{failed}].sMessage")
         line = "" if span is None else self._plc.program.sources.line(span.file, span.line)
         return "\n".join(
             (
                 f"{where}{message or line.strip()}",
                 f"    - {self._text(f'aFailures[{failed}].sExpected')}",
-                f"    + {self._text(f'aFailures[{failed}].sActual')} at {time}, tick {tick}",
+                f"    + {self._text(f'aFailures[{failed}].sActual')} {when}",
             )
         )
 
@@ -469,13 +476,18 @@ class SourcesRun(SuiteRun):
         if self._plc.read(f"{row}TestIsFailed"):
             message = str(self._plc.read(f"{row}AssertionMessage"))
             where = "" if span is None else f"{span.file}:{span.line}: "
-            outcome.problems.append(f"{where}{message or 'an assertion failed'}")
+            outcome.problems.append(f"{where}{message or _FAILED.get(self._language)}")
         if not self._plc.read(f"{row}TestIsFinished") and not outcome.is_disabled:
             outcome.problems.append(self._why_unfinished(span, name, suite))
         return outcome
 
 
-def run_suites(plc: StructuredPlc, machine: Machine, until: TimeLike | None = None) -> SuiteResults:
+def run_suites(
+    plc: StructuredPlc,
+    machine: Machine,
+    until: TimeLike | None = None,
+    language: Language = "en",
+) -> SuiteResults:
     """Run the suites of a PLC on a machine; raises ``Failure`` for what cannot begin."""
     kind = SuiteRun if _has_own_results(plc.program) else SourcesRun
-    return kind(plc, machine, until).results()
+    return kind(plc, machine, until, language).results()

@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.structured_text import StructuredPlc
@@ -29,8 +30,11 @@ from nctakt.plc.unit_tests import (
 from nctakt.project.run_settings import Named, RunSettings
 from nctakt.testing.collecting import UnmetError
 from nctakt.testing.coverage import session_coverage
-from nctakt.testing.language import rendered
+from nctakt.testing.language import language_of_tests, rendered
 from nctakt.testing.settings_under_test import settings_of_test
+
+_NEVER_OPENED = Text("the suite never opens this test", "die Suite öffnet diesen Test nie")
+_DISABLED = Text("disabled", "abgeschaltet")
 
 
 class SuiteFile(pytest.File):
@@ -41,7 +45,7 @@ class SuiteFile(pytest.File):
         try:
             self._plc, self._settings = self._load()
         except Failure as failure:
-            raise self.CollectError(_text(failure)) from failure
+            raise self.CollectError(rendered(failure.diagnostics)) from failure
         self._found: SuiteResults | None = None
         for suite in suites_of(self._plc.program):
             yield SuiteNode.from_parent(self, name=suite.path, suite=suite)
@@ -58,7 +62,7 @@ class SuiteFile(pytest.File):
             session = session_coverage(self.config)
             if session is not None:
                 self._plc.count_branches()
-            self._found = run_suites(self._plc, machine, self._settings.until)
+            self._found = run_suites(self._plc, machine, self._settings.until, language_of_tests())
             counted = self._plc.coverage()
             if session is not None and counted is not None:
                 session.add(replace(counted, runs=1))
@@ -104,7 +108,7 @@ class SuiteItem(pytest.Item):
         try:
             results = self.parent.parent.results()
         except Failure as failure:
-            raise UnmetError(_text(failure)) from failure
+            raise UnmetError(rendered(failure.diagnostics)) from failure
         outcomes = self._outcomes(results.outcomes.get(self._suite.path, {}))
         self.virtual_seconds = sum(one.duration_us for one in outcomes) / 1e6
         problems = [*results.problems.get(self._suite.path, [])]
@@ -113,9 +117,9 @@ class SuiteItem(pytest.Item):
             root = f"{self.config.rootpath.as_posix()}/"
             raise UnmetError("\n\n".join(problems).replace(root, ""))
         if self._test is not None and not outcomes:
-            pytest.skip("the suite never opens this test")
+            pytest.skip(_NEVER_OPENED.get(language_of_tests()))
         if outcomes and all(one.is_disabled for one in outcomes):
-            pytest.skip("disabled")
+            pytest.skip(_DISABLED.get(language_of_tests()))
 
     def _outcomes(self, by_name: dict[str, Outcome]) -> list[Outcome]:
         if self._test is None:
@@ -134,7 +138,3 @@ class SuiteItem(pytest.Item):
         if self._test is None:
             return self.path, None, title
         return Path(self._test.span.file), self._test.span.line - 1, title
-
-
-def _text(failure: Failure) -> str:
-    return rendered(failure.diagnostics)

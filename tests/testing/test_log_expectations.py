@@ -70,6 +70,15 @@ def test_what_cannot_be_compared_is_told(folder: Path, expectation: str, number:
     assert f"error {number}" in found
 
 
+def test_a_log_whose_time_is_not_found(folder: Path) -> None:
+    """902528 stands beside the deviation: nothing moves in the log, so its time is the run's."""
+    rows = "".join(f"{tick},{400.0}\n" for tick in range(10))
+    (folder / "still.csv").write_text(f"time_ms,X.ACS.ACT_POS\n{rows}", "utf-8")
+    (found,) = wrong(folder, "X within 1 of still.csv")
+    assert "beyond from 0." in found
+    assert "the time of the log is taken as that of the run: nothing moves in both" in found
+
+
 def test_a_study_has_no_log() -> None:
     """Its runs differ by their inputs: 900660."""
     with pytest.raises(Failure, match="900660"):

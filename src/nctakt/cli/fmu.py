@@ -57,8 +57,8 @@ _TEXT = Text(
     ),
     examples=(
         "nctakt fmu part.nc --machine mill --plc cell.py -o cell.fmu",
-        "nctakt fmu part.nc -o cell.fmu --fmi 2 --inputs V.E.DOOR,HLI.OVERRIDE "
-        "--outputs X.ACS.ACT_POS,V.E.CLAMP",
+        "nctakt fmu part.nc -o cell.fmu --fmi 2 --inputs V.E.VALUE,HLI.OVERRIDE "
+        "--outputs X.ACS.ACT_POS,V.E.COUNT",
     ),
 )
 @table_options("fmu")

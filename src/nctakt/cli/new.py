@@ -50,6 +50,12 @@ _NAMED_ENTRIES = 5
         "Die Listen einer Maschine mit vier Achsen und drei Spindeln schreiben, mit Kommentaren.",
     ),
     codes=(Text("the lists are written", "die Listen sind geschrieben"), None),
+    notes=Text(
+        "Of a TwinCAT project the lists in the .tsproj itself are taken as they are; a CNC in .xti "
+        "files is refused, and NC programs and rtconf.lis are not in a project.",
+        "Aus einem TwinCAT-Projekt werden die Listen in der .tsproj selbst unverändert genommen; "
+        "eine CNC in .xti-Dateien wird abgelehnt, NC-Programme und rtconf.lis sind nicht darin.",
+    ),
     examples=(
         "nctakt new mymachine",
         "nctakt check mymachine",

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from nctakt.base.diagnostics import Severity
 from nctakt.base.failure import Failure
 from nctakt.base.unit_factors import factor_between
 from nctakt.comparison.comparison import compare
@@ -59,7 +60,9 @@ def wrong_beside_log(run: NcRun, name: str, expectation: Expectation, folder: Pa
     found = next(one for one in comparison.deviations if one.pair.signal.name == name)
     if found.first_us is None:
         return []
-    return [
+    lines = [
         f"beyond from {time_stamp(found.first_us)} on, in {found.beyond} of {found.samples} "
         f"samples; {found.greatest:.4g} {signal.unit} at {time_stamp(found.greatest_us)}"
     ]
+    lines += [one.text("en") for one in comparison.diagnostics if one.severity > Severity.NOTE]
+    return lines

@@ -407,6 +407,42 @@ _CONCEPTS = (
         fact(*_EXAMPLES, "nctakt serve part.nc --ads --opcua"),
         fact(*_FURTHER, "docs/serve.md, docs/ads.md, docs/opcua.md, docs/mqtt.md, interface"),
     ),
+    _concept(
+        "homing, home, reference run; Referenzfahrt, Referenzpunktfahrt, referenzieren, Referenz",
+        Text(
+            "G74 moves axes to their reference points, one after the other as their values say",
+            "G74 fährt Achsen auf ihre Referenzpunkte, in der Reihenfolge ihrer Werte",
+        ),
+        fact(*_EXAMPLES, "G74 X1 Y2 Z1"),
+        fact(*_FURTHER, "G74, V.A.RERF"),
+    ),
+    _concept(
+        "loop, loops, repeat; Schleife, Schleifen, wiederholen",
+        Text(
+            "$FOR counts, $WHILE asks at its head, $REPEAT at its end; $BREAK leaves them",
+            "$FOR zählt, $WHILE fragt am Kopf, $REPEAT am Ende; $BREAK verlässt sie",
+        ),
+        fact(*_EXAMPLES, "$FOR P1 = 1, 3, 1\n  G91 X10 F1000\n$ENDFOR"),
+        fact(*_FURTHER, "$FOR, $WHILE, $REPEAT, $DO, $BREAK, $CONTINUE, #RT WHILE"),
+    ),
+    _concept(
+        "message; Meldung, Meldungen",
+        Text(
+            "#MSG sends a text of the program to the operator; a run shows it with its time",
+            "#MSG sendet dem Bediener einen Text des Programms; ein Lauf zeigt ihn mit seiner Zeit",
+        ),
+        fact(*_EXAMPLES, '#MSG ["X is at %f", V.A.ABS.X]'),
+        fact(*_FURTHER, "#MSG, #ERROR; nctakt explain 22009 explains a message of nctakt"),
+    ),
+    _concept(
+        "comment, comments; Kommentar, Kommentare",
+        Text(
+            "A text in round brackets or after a semicolon; #COMMENT over several lines",
+            "Ein Text in runden Klammern oder nach einem Semikolon; #COMMENT über mehrere Zeilen",
+        ),
+        fact(*_EXAMPLES, "G01 X10 (to the gate) F1000\nM30 ; the end"),
+        fact(*_FURTHER, "#COMMENT, expect"),
+    ),
     *map(_of_time, TIME_WORDS),
 )
 

@@ -59,11 +59,14 @@ def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFi
 
 @pytest.mark.nightly
 def test_tests_are_chosen(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """By words of their names; nothing chosen is wrong usage (902541)."""
+    """By words of their names; nothing chosen (902961) or found (902541) is wrong usage."""
     assert main(["test", "suites.st", "-k", "right", *WORDS]) == 0
     assert "1 passed, 4 deselected" in capsys.readouterr().out
     assert main(["test", "suites.st", "-k", "nothing", *WORDS]) == 2
-    assert "error 902541: no tests in suites.st" in capsys.readouterr().err
+    assert "error 902961: no test in suites.st has a name that fits -k" in capsys.readouterr().err
+    (folder / "empty").mkdir()
+    assert main(["test", "empty", *WORDS]) == 2
+    assert "error 902541: no tests in empty" in capsys.readouterr().err
 
 
 @pytest.mark.nightly

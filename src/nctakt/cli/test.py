@@ -26,7 +26,7 @@ from nctakt.files.access import FileAccess, missing_file
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.project import TESTS_NOT_TRUSTED
-from nctakt.messages.plcs.unit_tests import NOTHING_TESTED, PYTEST_MISSING
+from nctakt.messages.plcs.unit_tests import NOTHING_CHOSEN, NOTHING_TESTED, PYTEST_MISSING
 from nctakt.project.trust import list_of_trusted, why_distrusted
 from nctakt.testing.language import language_of_tests
 
@@ -163,8 +163,10 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
         with OutputFile(junit, "--junit", access) as output:
             output.fill(write)
     if code == _NO_TESTS:
-        named = [path for path in paths if Path(path).exists()]
-        found = diagnostic(NOTHING_TESTED, paths=", ".join(named) or ".")
+        named = ", ".join(path for path in paths if Path(path).exists()) or "."
+        found = diagnostic(NOTHING_TESTED, paths=named)
+        if words[:1] == ["-k"]:
+            found = diagnostic(NOTHING_CHOSEN, paths=named, expression=words[1])
         print_diagnostics([found], language)
     return _CODES.get(code, EXIT_INTERNAL)
 

@@ -30,6 +30,15 @@ NOTHING_TESTED = error(
     "schreibt einen ersten.",
     paths=("the files and folders", "die Dateien und Ordner"),
 )
+NOTHING_CHOSEN = error(
+    902961,
+    en="no test in {paths} has a name that fits -k {expression}",
+    de="kein Test in {paths} hat einen Namen, der zu -k {expression} passt",
+    remedy_en="nctakt test -- --collect-only shows the names of all tests.",
+    remedy_de="nctakt test -- --collect-only zeigt die Namen aller Tests.",
+    paths=("the files and folders", "die Dateien und Ordner"),
+    expression=("the words of -k", "die Wörter von -k"),
+)
 OUTSIDE_OF_TESTS = error(
     902542,
     en="this does not belong to a test: none has been opened",

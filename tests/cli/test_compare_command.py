@@ -101,6 +101,42 @@ def test_our_own_trace_is_the_run(capsys: pytest.CaptureFixture[str]) -> None:
     assert "innerhalb der Toleranzen" in text
 
 
+@pytest.mark.parametrize(
+    ("rises", "falls", "change", "told"),
+    [
+        (1020, 0, ("run", 1.0, 20_000.0), "the run becomes 1 there, the log 20 ms later"),
+        (980, 0, ("log", 1.0, 20_000.0), "the log becomes 1 there, the run 20 ms later"),
+        (9999, 0, ("run", 1.0, None), "the run becomes 1 there, the log never does afterwards"),
+        (1000, 1100, ("log", 0.0, None), "the log becomes 0 there, the run never does afterwards"),
+        (1000, 0, None, ""),
+    ],
+)
+def test_what_happens_on_one_side_or_at_another_time(
+    rises: int,
+    falls: int,
+    change: tuple[str, float, float | None] | None,
+    told: str,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """A reaction makes V.E.COUNT 1 in tick 1000: later or earlier in the log, never, or back."""
+    Path("part.nc").write_text("G04 X1\nV.E.COUNT = 1\nG04 X0.5\nM30\n", "utf-8")
+    run = Controller().run("part.nc", signals=["V.E.COUNT"])
+    begin = int(numpy.flatnonzero(numpy.array(run.trace["V.E.COUNT"]) == 1.0)[0])
+    rows = [
+        f"{tick};{int(tick - begin >= rises - 1000 and not 0 < falls <= tick - begin + 1000)}"
+        for tick in range(run.ticks)
+    ]
+    Path("count.csv").write_text("time_ms;V.E.COUNT\n" + "\n".join(rows) + "\n", "utf-8")
+    words = ["compare", "count.csv", "part.nc", "--offset", "0s", "--tolerance", "0"]
+    assert main(words) == (0 if change is None else 1)
+    assert told in capsys.readouterr().out
+    assert main([*words, "--format", "json"]) == (0 if change is None else 1)
+    (found,) = json.loads(capsys.readouterr().out)["comparison"]["signals"]
+    assert found["change"] == (
+        None if change is None else dict(zip(("side", "value", "later_us"), change, strict=True))
+    )
+
+
 def test_columns_without_a_signal_are_named(capsys: pytest.CaptureFixture[str]) -> None:
     """Whoever does not see a curve in the answer reads why; the first ten of many."""
     table = [f"p{at};{at}" for at in range(12)]

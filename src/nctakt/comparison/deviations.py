@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from nctakt.base.dataclass import dataclass
 from nctakt.comparison.alignment import Alignment, Curve
-from nctakt.comparison.columns import Numbers, range_of
+from nctakt.comparison.columns import Numbers, range_of, stretches
 from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.log import Samples
 from nctakt.comparison.mapping import Pair, Tolerance
@@ -44,13 +44,26 @@ class Overlaid:
 
 
 @dataclass(frozen=True, slots=True)
+class Change:
+    """A whole number becomes ``value`` on one side, the run's if ``is_run``, and not on the other.
+
+    ``later_us``: how much later the other side has this value next, ``None`` if it never has.
+    """
+
+    is_run: bool
+    value: float
+    later_us: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class Deviation:
     """How far a pair is apart; times are those of the run, in whole µs.
 
     ``samples``: those that lie within the run. ``first_us``: where it begins to be more than the
     tolerance for two samples or longer, ``None`` for nowhere or without a tolerance; ``beyond``:
     how many samples are. ``tolerance``: in the signal's unit, ``ticks`` earlier or later.
-    ``overlaid``: the samples that are kept, if it is asked for.
+    ``overlaid``: the samples that are kept, if it is asked for. ``change``: of a whole number, at
+    ``first_us`` or else where it is farthest.
     """
 
     pair: Pair
@@ -65,6 +78,7 @@ class Deviation:
     tolerance: float | None = None
     ticks: int = 0
     overlaid: Overlaid | None = None
+    change: Change | None = None
 
 
 def deviation_of(
@@ -101,6 +115,8 @@ def deviation_of(
     if not sums.samples:
         return None
     sums.finish()
+    place_us = sums.greatest_us if sums.first_us is None else sums.first_us
+    change = _change(samples, curve, alignment, place_us) if pair.signal.integral else None
     return Deviation(
         pair,
         sums.samples,
@@ -114,7 +130,38 @@ def deviation_of(
         limit,
         around,
         None if drawn is None else drawn.overlaid(),
+        change,
     )
+
+
+def _change(samples: Samples, curve: Curve, alignment: Alignment, time_us: float) -> Change | None:
+    """Return what changes on one side alone at a sample; ``None`` if nothing does."""
+    before = alignment.between(samples, -numpy.inf, time_us - 0.5)
+    after = alignment.between(samples, time_us - 0.5, numpy.inf)
+    if not len(before) or not len(after):
+        return None
+    both = [before.part(len(before) - 1, len(before)), after.part(0, 1)]
+    (was_us, was), (now_us, now) = (next(one.stretches()) for one in both)
+    times = alignment.run_times(numpy.append(was_us, now_us))
+    ours_was, ours = curve.of_ticks(numpy.clip(times, 0.0, curve.end_us))
+    if ours == now[0]:
+        return None
+    if ours != ours_was:
+        for stamps, values in after.stretches():
+            found = numpy.flatnonzero(values == ours)
+            if len(found):
+                next_us = float(alignment.run_times(stamps[found[:1]])[0])
+                return Change(True, float(ours), next_us - float(times[1]))
+        return Change(True, float(ours), None)
+    if now[0] == was[0]:
+        return None
+    first = int(times[1] // curve.period_us)
+    for part in stretches(len(curve.values) - first):
+        found = numpy.flatnonzero(curve.values[part.start + first : part.stop + first] == now[0])
+        if len(found):
+            next_us = (first + part.start + int(found[0])) * curve.period_us
+            return Change(False, float(now[0]), next_us - float(times[1]))
+    return Change(False, float(now[0]), None)
 
 
 def beside(

@@ -10,7 +10,7 @@ from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.comparison.aligning_event import EventInLog
 from nctakt.comparison.alignment import Alignment
 from nctakt.comparison.comparison import Comparison, Running
-from nctakt.comparison.deviations import Deviation
+from nctakt.comparison.deviations import Change, Deviation
 from nctakt.results.summary import Table, plain_table
 
 _HEADS = (
@@ -76,6 +76,12 @@ _MORE = Text(
     "spätere Verzögerungen sind nicht aufgeführt",
 )
 _SUGGESTED = Text("suggested by its name", "nach dem Namen vorgeschlagen")
+_CHANGES = {
+    True: Text("the run becomes {value} there, the log", "dort wird der Lauf {value}, das Log"),
+    False: Text("the log becomes {value} there, the run", "dort wird das Log {value}, der Lauf"),
+}
+_AFTERWARDS = Text("{later} ms later", "{later} ms später")
+_NEVER = Text("never does afterwards", "danach nie")
 _NOT_COMPARED = Text(
     "columns of the log without a signal: {columns}",
     "Spalten des Logs ohne Signal: {columns}",
@@ -158,11 +164,21 @@ def _remarks(comparison: Comparison, one: Deviation, language: Language) -> Iter
             samples=one.samples,
         )
         yield from _where(comparison.running_at(one.first_us), language)
+        yield from _changes(one, language)
     elif one.greatest:
         yield _FARTHEST.get(language).format(
             signal=one.pair.signal.name, time=f"{one.greatest_us / 1e6:.6f}"
         )
         yield from _where(comparison.running_at(one.greatest_us), language)
+        yield from _changes(one, language)
+
+
+def _changes(one: Deviation, language: Language) -> Iterator[str]:
+    if one.change is not None:
+        later_us = one.change.later_us
+        when = _NEVER if later_us is None else _AFTERWARDS
+        change = _CHANGES[one.change.is_run].get(language).format(value=f"{one.change.value:g}")
+        yield f"  {change} {when.get(language).format(later=f'{(later_us or 0.0) / 1e3:g}')}"
 
 
 def _delays(comparison: Comparison, language: Language) -> Iterator[str]:
@@ -248,7 +264,15 @@ def _document(comparison: Comparison, one: Deviation) -> dict[str, Any]:
         "beyond": one.beyond,
         "block": _span(running.block),
         "reaction": None if running.reaction is None else str(running.reaction),
+        "change": _change_document(one.change),
     }
+
+
+def _change_document(change: Change | None) -> dict[str, Any] | None:
+    if change is None:
+        return None
+    side = "run" if change.is_run else "log"
+    return {"side": side, "value": change.value, "later_us": change.later_us}
 
 
 def _event_document(event: EventInLog | None) -> dict[str, Any] | None:

@@ -18,8 +18,8 @@ function settings(): vscode.WorkspaceConfiguration {
 
 /** The words that start nctakt; a relative path is one of the first folder. */
 function words(): [string, string[]] {
-  const words = settings().get<string | string[]>("command", ["nctakt"]);
-  const [command = "nctakt", ...rest] = typeof words === "string" ? [words] : words;
+  const named = settings().get<string | string[]>("command", ["nctakt"]);
+  const [command = "nctakt", ...rest] = typeof named === "string" ? [named] : named;
   const folder = vscode.workspace.workspaceFolders?.[0]?.uri.fsPath;
   const isRelative = command.includes("/") && !path.isAbsolute(command) && folder !== undefined;
   return [isRelative ? path.join(folder, command) : command, rest];

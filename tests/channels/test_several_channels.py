@@ -215,7 +215,7 @@ def test_the_command_line_runs_a_program_in_each_channel(
     [
         (["--channel", "two", "one.nc"], 900752),
         (["--channel", "3", "one.nc"], 900749),
-        (["--channel", "2", "gone.nc"], 900500),
+        (["--channel", "2", "absent.nc"], 900500),
     ],
 )
 def test_wrong_words(

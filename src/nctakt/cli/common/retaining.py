@@ -44,8 +44,8 @@ def with_retained(
     values, warnings = read_retained(options.retain, plcs, access)
     print_diagnostics(warnings, options.language)
     file = files.enter_context(OutputFile(options.retain, "--retain", access))
-    words = (*(assignment_text(*one) for one in values.items()), *options.run["set"])
     given = {**values, **(request.options["set"] or {})}
+    words = tuple(assignment_text(*one) for one in given.items())
     return (
         replace(options, run={**options.run, "set": words}),
         replace(request, options={**request.options, "set": given}),

@@ -572,13 +572,25 @@ class Session:
         """Return where the signals of two branches differ first; raises ``Failure`` (901157)."""
         return self._ask(self._core.compare, one, other, self._poll)
 
-    def why(self, tick: int | None = None, branch: int | None = None) -> WhyReport:
+    def why(
+        self,
+        tick: int | None = None,
+        branch: int | None = None,
+        *,
+        meanwhile: Callable[[], None] = lambda: None,
+    ) -> WhyReport:
         """Return why reactions have fired up to a tick, by default up to here, or have not.
 
-        The past is run again for it; the session goes on meanwhile. Raises ``Failure`` where there
-        are no ticks yet, or a branch has not reached the tick (901154, 901157).
+        The past is run again for it; the session goes on meanwhile. ``meanwhile`` is called now
+        and then, and may end it by an exception. Raises ``Failure`` where there are no ticks yet,
+        or a branch has not reached the tick (901154, 901157).
         """
-        poll = self._thread.poller()
+        is_interrupted = self._thread.poller()
+
+        def poll() -> None:
+            is_interrupted()
+            meanwhile()
+
         report = self._pasts.explained(self._ask(self._core.past, tick, branch), poll).why
         assert report is not None
         return report

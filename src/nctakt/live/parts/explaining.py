@@ -22,11 +22,15 @@ from nctakt.session.session import Session
 #: How long a session rests before its past is explained, in seconds.
 _REST_S = 0.6
 
-#: Ticks of a past that is explained without being asked for: an hour of 1 ms fits.
-_MAX_TICKS = 4_000_000
+#: Ticks of a past that is explained without being asked for: five hours of 1 ms fit.
+_MAX_TICKS = 20_000_000
 
 #: The state that is explained: the session's serial number, its branch and its tick.
 Moment = tuple[int, int, int]
+
+
+class _GoneOnError(Exception):
+    """The session no longer stands where it is being explained."""
 
 
 class Explainer:
@@ -38,6 +42,7 @@ class Explainer:
         self._widest: tuple[Moment, Session, WhyReport] | None = None
         self._lanes: tuple[WhyReport | None, str, list[dict[str, Any]]] = (None, "", [])
         self._wish: tuple[Moment, Session] | None = None
+        self._current: Moment | None = None
         self._changed = threading.Condition()
         self._is_closed = False
         self._thread = threading.Thread(target=self._work, name="nctakt why", daemon=True)
@@ -48,6 +53,9 @@ class Explainer:
         if not 0 < moment[2] <= _MAX_TICKS:
             return
         with self._changed:
+            if moment == self._current:
+                return
+            self._current = None
             if self._wish is None or self._wish[0] != moment:
                 self._wish = (moment, session)
                 self._changed.notify_all()
@@ -55,15 +63,20 @@ class Explainer:
     def forget_wish(self) -> None:
         """Explain nothing: the session has gone on."""
         with self._changed:
-            self._wish = None
+            self._wish = self._current = None
             self._changed.notify_all()
 
-    def report(self, moment: Moment, session: Session) -> WhyReport:
-        """Return the report of this place, at once if it is there; raises ``Failure``."""
+    def report(
+        self, moment: Moment, session: Session, meanwhile: Callable[[], None] = lambda: None
+    ) -> WhyReport:
+        """Return the report of this place, at once if it is there; raises ``Failure``.
+
+        ``meanwhile`` may end it by an exception.
+        """
         known = self._report
         if known is not None and known[0] == moment:
             return known[1]
-        report = self._explained(moment, session)
+        report = self._explained(moment, session, meanwhile)
         self._report = (moment, report)
         self._notify()
         return report
@@ -72,9 +85,11 @@ class Explainer:
         """Return whether the report of this place is there."""
         return self._report is not None and self._report[0] == moment
 
-    def _explained(self, moment: Moment, session: Session) -> WhyReport:
+    def _explained(
+        self, moment: Moment, session: Session, meanwhile: Callable[[], None]
+    ) -> WhyReport:
         """Explain a place; what the lanes have of its branch gets longer by it, never shorter."""
-        report = session.why(moment[2], moment[1])
+        report = session.why(moment[2], moment[1], meanwhile=meanwhile)
         if _exact_end(self._widest, moment) <= moment[2]:
             self._widest = moment, session, report
         return report
@@ -102,19 +117,27 @@ class Explainer:
                 is_replaced = partial(self._is_replaced, wish)
                 if wish is None or self._changed.wait_for(is_replaced, _REST_S):
                     continue
-                self._wish = None
+                self._wish, self._current = None, wish[0]
+            meanwhile = partial(self._check_rest, wish[0])
             try:
-                self.report(*wish)
-                self._look_on(*wish)
+                self.report(*wish, meanwhile)
+                self._look_on(*wish, meanwhile)
+            except _GoneOnError:
+                continue
             except (Failure, RuntimeError):
                 time.sleep(_REST_S)  # whoever clicks gets the reason
 
-    def _look_on(self, moment: Moment, session: Session) -> None:
+    def _check_rest(self, moment: Moment) -> None:
+        """Raise ``_GoneOnError`` if the session has gone on since it was to be explained."""
+        if self._current != moment or self._is_closed:
+            raise _GoneOnError
+
+    def _look_on(self, moment: Moment, session: Session, meanwhile: Callable[[], None]) -> None:
         """Let the lanes be exact up to the end of the branch, as far as its curves go."""
         serial, branch, _ = moment
         end = session.branches[branch]
         if _exact_end(self._widest, moment) < end <= _MAX_TICKS and self._wish is None:
-            self._explained((serial, branch, end), session)
+            self._explained((serial, branch, end), session, meanwhile)
             self._notify()
 
     def _is_replaced(self, wish: tuple[Moment, Session] | None) -> bool:

@@ -32,6 +32,7 @@ class PastRuns:
         self._kept = ParkedControllers(MAX_KEPT)
         self._pool: ProcessPool | None = None
         self._lock = threading.Lock()
+        self._opening = threading.Lock()
         self._is_closed = False
 
     def explained(self, past: Past, poll: Poll) -> Run:
@@ -40,19 +41,25 @@ class PastRuns:
         Raises it as well where the past is not as it was (901901). ``poll`` is called meanwhile,
         and may end it by an exception.
         """
-        engine = self._nearest(past)
-        if engine is not None:
-            with contextlib.closing(engine):
-                return self._run(engine, past, poll)
+        with contextlib.ExitStack() as ends:
+            engine = self._nearest(past)
+            if engine is None:
+                with self._opening:  # whoever asks meanwhile gets a copy of the first one
+                    engine = self._nearest(past) or self._opened(past, ends)
+            ends.enter_context(contextlib.closing(engine))
+            return self._run(engine, past, poll)
+
+    def _opened(self, past: Past, ends: contextlib.ExitStack) -> RemoteEngine:
+        """Return a new controller, of which a copy is kept; ``ends``: what ends it if not."""
         pool = ProcessPool()
-        setup = replace(past.setup, options={**past.setup.options, "why": True})
         try:
-            with contextlib.closing(pool.open(setup)[0]) as engine:
-                self._keep(engine, past, pool)
-                return self._run(engine, past, poll)
+            setup = replace(past.setup, options={**past.setup.options, "why": True})
+            engine = pool.open(setup)[0]
+            self._keep(engine, past, pool)
         finally:
             if pool is not self._pool:
-                pool.close()
+                ends.callback(pool.close)
+        return engine
 
     def _nearest(self, past: Past) -> RemoteEngine | None:
         """Return a copy of the last controller that is kept before the end of a past."""

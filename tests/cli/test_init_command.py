@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -116,6 +119,17 @@ def test_nothing_is_overwritten(cell: Path, capsys: Captured) -> None:
     assert main(["init"]) == 0
     assert "note 902382: " in capsys.readouterr().err
     assert (cell / "nctakt.toml").read_text("utf-8") == 'language = "de"\n'
+
+
+def test_a_reader_that_goes_early_leaves_no_half_project(cell: Path) -> None:
+    """All files are written before anything is told: ``nctakt init | head -1``."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    words = [sys.executable, "-P", "-m", "nctakt", "init", "--ci", "jenkins"]
+    subprocess.run(words, cwd=cell, stdout=writing, stderr=subprocess.DEVNULL, check=False)
+    os.close(writing)
+    names = {path.name for path in cell.iterdir()}
+    assert {"nctakt.toml", "test_programs.py", "Jenkinsfile"} <= names
 
 
 def test_a_folder_without_anything(tmp_path: Path, capsys: Captured) -> None:

@@ -113,14 +113,17 @@ class _Content:
 @table_option(BY_NAME["quiet"])
 def command(folder: str, ci: str | None, language: Language, quiet: bool) -> int:
     """Make a project of a folder."""
+    lines: list[str] = []
+    found: Sequence[Diagnostic] = ()
     try:
         for line in _init(Path(folder), ci, language):
-            if not quiet:
-                click.echo(line)
+            lines.append(line)  # all is written before whoever reads the answer can end it
     except Failure as failure:
-        print_diagnostics(failure.diagnostics, language)
-        return EXIT_USAGE
-    return EXIT_RAN
+        found = failure.diagnostics
+    for line in () if quiet else lines:
+        click.echo(line)
+    print_diagnostics(found, language)
+    return EXIT_USAGE if found else EXIT_RAN
 
 
 def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:

@@ -179,7 +179,7 @@ class TraceLines(Log):
             raise Failure(diagnostic(NO_SIGNAL_IN_LOG, file=self.file))
 
     def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
-        """Return the samples of columns; raises ``Failure`` for a line that is no row (902956)."""
+        """Return the samples of columns; raises ``Failure`` for a line without a row (902956)."""
         table = NumberTable(1 + len(columns))
         rows: list[list[float]] = []
         for number, row in islice(self._objects(), 1, None):

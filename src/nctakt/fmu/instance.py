@@ -142,7 +142,7 @@ class FmuInstance:
         return callbacks
 
     def _last_lines(self) -> list[str]:
-        """Return the last lines of the model's log; they are read only where they are told."""
+        """Return the last lines of the model's log; only messages need them decoded."""
         texts = (one.decode("utf-8", errors="replace") for one in self._log)
         return [" ".join(text.split())[:_LINE_LENGTH] for text in texts]
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 #: Files that may hold suites in Structured Text.
 _SUITE_SUFFIXES = (".plcproj", ".st", ".iecst", ".exp")
 
-#: What a worker of pytest-xdist is told by this name: whether all projects are trusted.
+#: The key under which a worker of pytest-xdist learns whether all projects are trusted.
 _TRUST = "nctakt_trusts_all"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a session has been asked about its past: it is run once more, in a process of its own.
+"""Runs the past of a session once more to explain it, in a process of its own.
 
 In: what it takes to run a branch up to a tick. Out: the result, with the histories of its
 conditions. What runs a past leaves copies of itself on the way, so that the next place is explained
@@ -19,6 +19,7 @@ from nctakt.session.history.parked import Parked, ParkedControllers
 from nctakt.session.history.past import Past
 from nctakt.session.history.record import check_programs, first_difference, past_differs, ticks_of
 from nctakt.session.history.timeline import PART_TICKS, Poll
+from nctakt.session.process.worker import can_fork
 from nctakt.session.process.workshop import ProcessPool, RemoteEngine
 
 #: Copies that are left on the way at most.
@@ -30,7 +31,6 @@ class PastRuns:
 
     def __init__(self) -> None:
         self._kept = ParkedControllers(MAX_KEPT)
-        self._pool: ProcessPool | None = None
         self._lock = threading.Lock()
         self._opening = threading.Lock()
         self._is_closed = False
@@ -50,15 +50,11 @@ class PastRuns:
             return self._run(engine, past, poll)
 
     def _opened(self, past: Past, ends: contextlib.ExitStack) -> RemoteEngine:
-        """Return a new controller, of which a copy is kept; ``ends``: what ends it if not."""
-        pool = ProcessPool()
-        try:
-            setup = replace(past.setup, options={**past.setup.options, "why": True})
-            engine = pool.open(setup)[0]
-            self._keep(engine, past, pool)
-        finally:
-            if pool is not self._pool:
-                ends.callback(pool.close)
+        """Return a new controller, of which a copy is kept; ``ends``: what waits for its end."""
+        pool = ends.enter_context(contextlib.closing(ProcessPool()))
+        setup = replace(past.setup, options={**past.setup.options, "why": True})
+        engine = pool.open(setup)[0]
+        self._keep(engine, past)
         return engine
 
     def _nearest(self, past: Past) -> RemoteEngine | None:
@@ -90,21 +86,20 @@ class PastRuns:
                 raise past_differs(differs)
             if done.run_state is not None:
                 break
-            if self._pool is not None and engine.tick < past.tick:
-                self._keep(engine, past, self._pool)
+            if engine.tick < past.tick:
+                self._keep(engine, past)
             poll()
         return cast("Run", engine.ask("result"))
 
-    def _keep(self, engine: RemoteEngine, past: Past, pool: ProcessPool) -> None:
-        """Keep a copy of a controller, if one can be made; the first one decides whose process."""
-        copy = self._copy(engine) if pool.can_copy else None
+    def _keep(self, engine: RemoteEngine, past: Past) -> None:
+        """Keep a copy of a controller, if one can be made."""
+        copy = self._copy(engine) if can_fork() else None
         if copy is None:
             return
         with self._lock:
-            if self._is_closed or self._pool not in (None, pool):
+            if self._is_closed:
                 copy.close()
                 return
-            self._pool = pool
             # Where the work is not measured, ticks say how far apart controllers are.
             owner = past.branch.owner(engine.tick)
             self._kept.add(Parked(owner, engine.tick, float(engine.tick), copy))
@@ -115,5 +110,3 @@ class PastRuns:
         with self._lock:
             self._is_closed = True
             self._kept.close()
-        if self._pool is not None:
-            self._pool.close()

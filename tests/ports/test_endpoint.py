@@ -16,7 +16,7 @@ import pytest
 from nctakt import Failure
 from nctakt.ports import endpoint as endpoint_module
 from nctakt.ports.endpoint import VISIT_BYTES, Endpoint, Visitor
-from nctakt.ports.token import known_token
+from nctakt.ports.token import known_token, new_token
 
 
 def echo(visitor: Visitor) -> None:
@@ -69,6 +69,13 @@ def test_only_the_token_opens(endpoint: Endpoint) -> None:
     with connected(endpoint, f"{endpoint.token}\nhello\n") as client:
         with client.makefile("rb") as lines:
             assert [lines.readline(), lines.readline()] == [b"in\n", b"hello\n"]
+
+
+def test_a_token_is_the_value_of_an_option_everywhere() -> None:
+    """It never begins with a hyphen, as one in 64 did; a double click selects all of it."""
+    tokens = {new_token() for _ in range(1000)}
+    assert len(tokens) == 1000
+    assert all(len(token) == 48 and set(token) <= set("0123456789abcdef") for token in tokens)
 
 
 def test_the_file_of_the_token_is_of_its_user_alone(endpoint: Endpoint, tmp_path: Path) -> None:

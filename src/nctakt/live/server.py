@@ -10,7 +10,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
-import secrets
 import socket
 import sys
 from collections.abc import Callable, Mapping
@@ -26,6 +25,7 @@ from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.live import ADDRESS_NOT_USABLE, LIVE_LIBRARY_MISSING
+from nctakt.ports.token import new_token
 
 if TYPE_CHECKING:
     from starlette.responses import Response
@@ -89,7 +89,7 @@ def serve(
     from nctakt.live.page import Page  # noqa: PLC0415
 
     host, port = address
-    access = Access(secrets.token_urlsafe(24), host not in LOCAL, is_embedded)
+    access = Access(new_token(), host not in LOCAL, is_embedded)
     word = f"?{WORD}={access.token}" if access.is_closed or is_embedded else ""
 
     places = Places(Client.instances, refused)

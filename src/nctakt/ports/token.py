@@ -22,8 +22,8 @@ _MAX_LENGTH = 256
 
 
 def new_token() -> str:
-    """Return a new secret."""
-    return secrets.token_urlsafe(_BYTES)
+    """Return a new secret of hexadecimal digits: no ``-`` that a command takes for an option."""
+    return secrets.token_hex(_BYTES)
 
 
 def is_same(given: str, token: str) -> bool:

@@ -112,7 +112,7 @@ class Security:
     def _read_users(self) -> dict[str, tuple[bytes, bytes]]:
         path = self.folder / USERS
         if not path.exists():
-            password = secrets.token_urlsafe(12)
+            password = secrets.token_hex(12)
             salt = secrets.token_bytes(16)
             line = f"{FIRST_USER}:{salt.hex()}:{_hash(password, salt).hex()}\n"
             _write_private(path, line.encode())

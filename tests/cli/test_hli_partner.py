@@ -57,7 +57,7 @@ def test_who_has_come_is_said(capsys: pytest.CaptureFixture[str]) -> None:
 
     def be_a_plc() -> None:
         with hli.attach(name):
-            left.wait(30.0)
+            left.wait(60)
 
     thread = threading.Thread(target=be_a_plc)
     thread.start()

@@ -406,7 +406,7 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
 
         def held(engine: RemoteEngine, *words: Any) -> Found:
             begun.set()
-            assert goes_on.wait(20.0)
+            assert goes_on.wait(60)
             return search(engine, *words)
 
         monkeypatch.setattr(timeline, "PART_TICKS", 100)
@@ -419,7 +419,7 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
             with monkeypatch.context() as patch:
                 patch.setattr(RemoteEngine, "last_hit", held)
                 number = client.send(command, **arguments)
-                assert begun.wait(20.0)
+                assert begun.wait(60)
                 paused = client.send("pause", threadId=1)
                 answer = client.answer(number)
                 client.answer(paused)
@@ -478,13 +478,13 @@ def test_a_pause_between_two_searches_ends_what_goes_back(
 
         def not_due(*_words: Any) -> tuple[None, list[Any]]:
             found.set()
-            assert goes_on.wait(20.0)
+            assert goes_on.wait(60)
             return None, []
 
         monkeypatch.setattr(Session, "interrupt", noted)
         monkeypatch.setattr(Debuggee, "_due_here", not_due)
         client.send("reverseContinue", threadId=1)
-        assert found.wait(20.0)
+        assert found.wait(60)
         client.send("pause", threadId=1)
         assert client.stopped()["reason"] == "pause"
         where = client.ask("evaluate", expression="tick", context="repl")["result"]

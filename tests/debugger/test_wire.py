@@ -384,13 +384,13 @@ def test_a_client_that_breaks_off_leaves_no_traceback(monkeypatch: pytest.Monkey
     server = PortServer(0)
     threading.Thread(target=server.serve, daemon=True).start()
     before = set(threading.enumerate())
-    client = socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=20)
+    client = socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=60)
     client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
     client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}') * 200)
     client.recv(1)
     client.close()
     for thread in set(threading.enumerate()) - before:
-        thread.join(timeout=20)
+        thread.join(timeout=60)
     server.close()
     assert broken == []
 
@@ -400,11 +400,11 @@ def test_a_port_serves_several_clients_and_refuses_others(folder: Path) -> None:
     threading.Thread(target=server.serve, daemon=True).start()
     with pytest.raises(Failure, match="901920"):
         PortServer(server.endpoint.port)
-    with socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=20) as browser:
+    with socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=60) as browser:
         browser.sendall(b"GET / HTTP/1.1\r\n\r\n")
         assert b"901220" in browser.makefile("rb").read()
     for _ in range(2):
-        with socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=20) as client:
+        with socket.create_connection(("127.0.0.1", server.endpoint.port), timeout=60) as client:
             client.sendall(framed(b'{"seq": 1, "type": "request", "command": "initialize"}'))
             answer = MessageReader(client.makefile("rb"), is_strict=True).read()
             assert answer is not None
@@ -471,7 +471,7 @@ def test_the_command_speaks_over_standard_input_and_output(folder: Path) -> None
             assert message is not None
             events.append(message.get("event"))
         process.stdin.close()
-        assert process.wait(timeout=20) == 0
+        assert process.wait(timeout=60) == 0
 
 
 def test_the_command_ends_when_it_is_left_while_its_input_is_open() -> None:
@@ -487,5 +487,5 @@ def test_the_command_ends_when_it_is_left_while_its_input_is_open() -> None:
         assert process.stderr is not None
         process.stdin.write(b"".join(map(framed, requests)))
         process.stdin.flush()
-        assert process.wait(timeout=20) == 0
+        assert process.wait(timeout=60) == 0
         assert process.stderr.read() == b""

@@ -61,7 +61,7 @@ def test_an_editor_can_come_over_tcp_with_the_token(
     result = asyncio.run(asyncio.wait_for(initialized(port, {"token": token}), 60))
     assert result.server_info is not None
     assert result.server_info.name == "nctakt"
-    assert server.wait(30) == 0
+    assert server.wait(60) == 0
 
 
 BODY = (
@@ -84,7 +84,7 @@ def test_what_does_not_begin_with_the_token_is_not_read(
     """A page in a browser sends its header first: the message in its body, too, is not obeyed."""
     _, port, token = at_port
     body = BODY.replace("TOKEN", token)
-    with socket.create_connection(("127.0.0.1", port), timeout=20) as page:
+    with socket.create_connection(("127.0.0.1", port), timeout=60) as page:
         page.sendall(f"{begin}Content-Length: {len(body)}\r\n\r\n{body}".encode())
         with page.makefile("rb") as answers:
             try:

@@ -413,7 +413,7 @@ def test_command_killed(tmp_path: Path) -> None:
     with started(*write_files(tmp_path, semaphore=name), "--duration", "60s") as process:
         scheduler, workers = tree_of(process)
         process.kill()
-        process.wait(timeout=30)
+        process.wait(timeout=60)
         wait_for(lambda: not any(map(is_alive, (scheduler, *workers))))
     assert left_behind(name) == []
 
@@ -455,7 +455,7 @@ def test_all_killed_and_started_again(tmp_path: Path, capsys: Capture) -> None:
         for pid in (scheduler, process.pid):
             os.kill(pid, signal.SIGSTOP)
         os.killpg(process.pid, signal.SIGKILL)
-        process.wait(timeout=30)
+        process.wait(timeout=60)
         wait_for(lambda: not any(map(is_alive, (scheduler, *workers))))
     assert semaphore_file(name).exists()
     assert run(*words, "--cycles", "3") in (0, 1)

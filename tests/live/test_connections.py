@@ -16,7 +16,7 @@ from nctakt.live.access import connections  # noqa: E402 - behind the library th
 GET = b"GET / HTTP/1.1\r\nHost: a\r\n\r\n"
 
 #: How long the machine may take for anything, in seconds.
-PATIENCE_S = 30.0
+PATIENCE_S = 60.0
 
 
 async def application(scope: Any, receive: Any, send: Any) -> None:

@@ -204,7 +204,7 @@ def test_connections_that_become_no_browser(address: str) -> None:
         links: list[Any] = []
         for _ in range(60):
             with contextlib.suppress(Exception):
-                links.append(crowd.enter_context(client.connect(url, open_timeout=30)))
+                links.append(crowd.enter_context(client.connect(url, open_timeout=60)))
         assert len(links) < 60
         with again(address) as browser:
             browser.until(lambda state: "tick" in state)
@@ -215,10 +215,10 @@ def test_connections_that_become_no_browser(address: str) -> None:
 
 def is_ended(link: Any) -> bool:
     """Whether a connection ends that answers each ping."""
-    ends_s = time.monotonic() + 30
+    ends_s = time.monotonic() + 60
     while time.monotonic() < ends_s:
         try:
-            if link.recv(timeout=30) == "2":
+            if link.recv(timeout=60) == "2":
                 link.send("3")
         except Exception:  # noqa: BLE001 - the library has several for a connection that is closed
             return True
@@ -229,7 +229,7 @@ def test_what_stands_for_a_websocket(address: str) -> None:
     """Requests in its stead leave no memory, and neither do pages that do not exist."""
     for path in ("no_such_page", "_nicegui_ws/socket.io/?EIO=4&transport=polling"):
         with pytest.raises(urllib.error.HTTPError, match=r"40[34]") as refused:
-            urllib.request.urlopen(address + path, timeout=30)
+            urllib.request.urlopen(address + path, timeout=60)
         assert len(refused.value.read()) < 100
 
 

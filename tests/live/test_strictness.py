@@ -59,10 +59,10 @@ M30
 def connected(address: str, **options: Any) -> Iterator[Any]:
     """A WebSocket of the page, greeted."""
     url = address.replace("http", "ws").rstrip("/") + SOCKET
-    with client.connect(url, open_timeout=30, **options) as link:
-        link.recv(timeout=30)
+    with client.connect(url, open_timeout=60, **options) as link:
+        link.recv(timeout=60)
         link.send("40")
-        link.recv(timeout=30)
+        link.recv(timeout=60)
         yield link
 
 

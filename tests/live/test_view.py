@@ -213,7 +213,7 @@ def test_a_shared_session_follows_commands() -> None:
         (state,) = shown.cycles[-1].branches
         assert (state.evaluated_at, str(state.seen)) == (3, "1 > 0.5")
         assert shown.shown_tick == 3
-        end_s = time.monotonic() + 20.0
+        end_s = time.monotonic() + 60
         while len(shared.track.rows) < 4 and time.monotonic() < end_s:
             time.sleep(0.02)  # the curves of the past come after the state
         assert [row[0] for row in shared.track.rows.entries()] == [0, 1, 2, 3]
@@ -395,7 +395,7 @@ def test_a_controller_that_is_lost_is_told_once() -> None:
         (process,) = processes_of(shared.session)
         process.kill()
         process.wait()
-        end_s = time.monotonic() + 20.0
+        end_s = time.monotonic() + 60
         for _ in range(20):
             with pytest.raises(Failure, match="901153"):
                 shared.do(lambda session: session.step(1))
@@ -419,7 +419,7 @@ def test_a_page_that_did_not_keep_up_listens_anew() -> None:
             for _ in range(MAX_NOTICES + 100):
                 audience.tell_of_travel()
         shared.do(lambda session: session.play(1.0))
-        end_s = time.monotonic() + 20.0
+        end_s = time.monotonic() + 60
         while time.monotonic() < end_s:
             if shared.snapshot.tick >= 100 and audience.count == 1:
                 break

@@ -47,7 +47,7 @@ def endpoint(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Endpoi
 
 def connected(endpoint: Endpoint, first: str = "") -> socket.socket:
     """A client that has sent its first line, if there is one."""
-    client = socket.create_connection(("127.0.0.1", endpoint.port), timeout=20)
+    client = socket.create_connection(("127.0.0.1", endpoint.port), timeout=60)
     client.sendall(first.encode())
     return client
 

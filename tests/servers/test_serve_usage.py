@@ -77,7 +77,7 @@ def test_the_page_shares_the_session_with_ads_until_sigterm(tmp_path: Path) -> N
             texts.append(ready.read_text("utf-8") if ready.exists() else "")
         assert "" in texts  # whoever waits for the file does not find that of an earlier start
         addresses = json.loads(texts[-1])["addresses"]
-        with urllib.request.urlopen(addresses["live"], timeout=20) as page:
+        with urllib.request.urlopen(addresses["live"], timeout=60) as page:
             assert page.status == 200
         os.killpg(process.pid, signal.SIGTERM)  # as a shell, timeout and build servers do
         out, error = process.communicate(timeout=60)

@@ -21,7 +21,7 @@ from nctakt.session.process import thread as thread_module
 from nctakt.session.process.thread import SessionThread
 
 #: How long a test waits, in seconds.
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 
 
 def test_who_asks_while_it_closes_gets_an_answer() -> None:

@@ -15,7 +15,7 @@ from nctakt.debugger.server import serve_streams
 from nctakt.ports.framing import MessageReader
 
 #: How long a test waits for a message, in seconds.
-PATIENCE_S = 20.0
+PATIENCE_S = 60.0
 
 
 class Refused(Exception):

@@ -99,15 +99,15 @@ class Served:
         """End it."""
         if self._thread.is_alive():
             self._loop.call_soon_threadsafe(self._end.set)
-            self._thread.join(30)
+            self._thread.join(60)
         self.session.close()
 
 
 #: How long a client waits for an answer: four seconds, as by itself, pass on a busy machine.
-PATIENCE_S = 30.0
+PATIENCE_S = 60.0
 
 
-async def until(condition: Callable[[], Any], deadline_s: float = 20.0) -> Any:
+async def until(condition: Callable[[], Any], deadline_s: float = 60.0) -> Any:
     """Return what a condition gives once it is true; fail after a time."""
     end = time.monotonic() + deadline_s
     while True:

@@ -129,6 +129,20 @@ nShown := gpCh[0]^.bahn_mc_control.override.state_r;
 )
 
 
+def test_a_fault_says_where_it_was_called_from(tmp_path: Path) -> None:
+    """ST-560: the innermost call first; nothing of values where none are known."""
+    code = (
+        "FUNCTION Tenth : INT VAR_INPUT n : INT; END_VAR\nTenth := 10 / n;\nEND_FUNCTION\n"
+        "FUNCTION Share : INT VAR_INPUT n : INT; END_VAR\nShare := Tenth(n);\nEND_FUNCTION\n"
+        "PROGRAM MAIN VAR n : INT; END_VAR\nn := Share(0);\nEND_PROGRAM\n"
+    )
+    (error,) = run_nc(loaded(tmp_path, code), "M30", 40, []).errors
+    file = tmp_path / "cell.st"
+    calls = f"{file}:5, {file}:8"
+    assert error.text("en").endswith(f"division by zero; called from {calls}")
+    assert error.text("de").endswith(f"Division durch null; aufgerufen aus {calls}")
+
+
 def test_a_control_unit_decides_while_it_is_enabled(tmp_path: Path) -> None:
     """ST-762: enabled in cycle 10, 50 % acts from tick 11 on; the HMI's 80 % is a wish until 30."""
     plc = loaded(tmp_path, OVERRIDE)

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nctakt.base.diagnostics import Diagnostic, Severity, Span
+from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.mode import is_compiled
 from nctakt.files.access import FileAccess
@@ -480,7 +480,7 @@ class StructuredPlc(RealtimePlc):
     def _fault(self) -> Diagnostic:
         context = self.context
         message = _MESSAGES[context.fault]
-        words: dict[str, str] = {"time": f"{context.now / 1e6:g} ms", "calls": self._calls()}
+        words: dict[str, str | Text] = {"time": f"{context.now / 1e6:g} ms", "calls": self._calls()}
         if context.fault == kinds.INDEX:
             words["index"] = str(context.fault_a)
         if context.fault == kinds.BUDGET:
@@ -491,28 +491,31 @@ class StructuredPlc(RealtimePlc):
             words["depth"] = str(context.fault_a)
         else:
             words["values"] = self._values(context.fault_source)
-        return diagnostic(message, _span(self.program, context.fault_source), **words)
+        return diagnostic(message, _span(self.program, context.fault_source), "", **words)
 
-    def _calls(self) -> str:
+    def _calls(self) -> str | Text:
+        """Return what a fault's text says of the calls that led to it, the innermost first."""
         context = self.context
         shown = []
         for source in context.trail[: context.trail_length : kinds.TRAIL_WIDTH]:
             span = _span(self.program, source)
             if span is not None:
                 shown.append(f"{span.file}:{span.line}")
-        return "".join(f" < {one}" for one in shown[:-1])
+        calls = ", ".join(shown[:-1])
+        return Text(f"; called from {calls}", f"; aufgerufen aus {calls}") if calls else ""
 
     def _values(self, start: int) -> str:
-        """Return the values of a program's variables in the line of a statement of its body.
+        """Return what a fault's text says of the variables in the line of a program's statement.
 
         Elsewhere a name may mean a variable of an instance or of a call, which is not known here.
         """
         span, owner = _span(self.program, start), self._owner(start)
         if span is None or not isinstance(owner, Pou) or owner.kind is not Kind.PROGRAM:
-            return "-"
+            return ""
         line = self.program.sources.line(span.file, span.line)
         found = dict(self._shown(owner, line))
-        return ", ".join(f"{name} = {value}" for name, value in found.items()) or "-"
+        values = ", ".join(f"{name} = {value}" for name, value in found.items())
+        return f"; {values}" if values else ""
 
     def _owner(self, start: int) -> Callable | None:
         """Return whose text holds a position: the last one that begins before it."""

@@ -5,14 +5,17 @@ from __future__ import annotations
 
 from nctakt.messages.catalogue import error, warning
 
-_VALUES = ("values of the statement's variables", "Werte der Variablen der Anweisung")
-_CALLS = ("the calls that led to it", "die Aufrufe, die dorthin geführt haben")
+_VALUES = (
+    "values of the statement's variables, if known",
+    "Werte der Variablen der Anweisung, falls bekannt",
+)
+_CALLS = ("where it was called from, if it was", "woher sie aufgerufen wurde, falls sie es wurde")
 _TIME = ("time of the PLC's cycle", "Zeit des SPS-Zyklus")
 
 DIVISION_BY_ZERO = error(
     902265,
-    en="the PLC stops at {time}: division by zero; {values}{calls}",
-    de="die SPS stoppt bei {time}: Division durch null; {values}{calls}",
+    en="the PLC stops at {time}: division by zero{values}{calls}",
+    de="die SPS stoppt bei {time}: Division durch null{values}{calls}",
     remedy_en="Check for zero before the division.",
     remedy_de="Vor der Division auf null prüfen.",
     values=_VALUES,
@@ -21,8 +24,8 @@ DIVISION_BY_ZERO = error(
 )
 PLC_INDEX_OUTSIDE = error(
     902266,
-    en="the PLC stops at {time}: index {index} is outside of its array; {values}{calls}",
-    de="die SPS stoppt bei {time}: Index {index} liegt außerhalb seines Felds; {values}{calls}",
+    en="the PLC stops at {time}: index {index} is outside of its array{values}{calls}",
+    de="die SPS stoppt bei {time}: Index {index} liegt außerhalb seines Felds{values}{calls}",
     remedy_en="Keep the index within the bounds of the array.",
     remedy_de="Den Index in den Grenzen des Felds halten.",
     index=("the index", "der Index"),
@@ -32,10 +35,10 @@ PLC_INDEX_OUTSIDE = error(
 )
 POINTER_OUTSIDE = error(
     902267,
-    en="the PLC stops at {time}: a pointer, reference or interface is null or points outside; "
+    en="the PLC stops at {time}: a pointer, reference or interface is null or points outside"
     "{values}{calls}",
     de="die SPS stoppt bei {time}: Zeiger, Referenz oder Schnittstelle ist null oder zeigt nach "
-    "außen; {values}{calls}",
+    "außen{values}{calls}",
     remedy_en="Assign it first; check for 0, or with __ISVALIDREF.",
     remedy_de="Vorher zuweisen; auf 0 oder mit __ISVALIDREF prüfen.",
     values=_VALUES,
@@ -100,8 +103,8 @@ STACK_FULL = error(
 )
 TOO_MANY_INSTRUCTIONS = error(
     902269,
-    en="the PLC stops at {time}: more than {limit} instructions in a cycle; {values}{calls}",
-    de="die SPS stoppt bei {time}: mehr als {limit} Anweisungen in einem Zyklus; {values}{calls}",
+    en="the PLC stops at {time}: more than {limit} instructions in a cycle{values}{calls}",
+    de="die SPS stoppt bei {time}: mehr als {limit} Anweisungen in einem Zyklus{values}{calls}",
     remedy_en="Let the loop end, or spread its work over several cycles.",
     remedy_de="Die Schleife enden lassen oder ihre Arbeit auf mehrere Zyklen verteilen.",
     limit=("highest number of elementary instructions", "Höchstzahl elementarer Anweisungen"),
@@ -111,8 +114,8 @@ TOO_MANY_INSTRUCTIONS = error(
 )
 CONVERSION_OUTSIDE = error(
     902270,
-    en="the PLC stops at {time}: a real number does not fit into the integer type; {values}{calls}",
-    de="die SPS stoppt bei {time}: eine reelle Zahl passt nicht in den ganzzahligen Typ; "
+    en="the PLC stops at {time}: a real number does not fit into the integer type{values}{calls}",
+    de="die SPS stoppt bei {time}: eine reelle Zahl passt nicht in den ganzzahligen Typ"
     "{values}{calls}",
     remedy_en="Limit the value before its conversion.",
     remedy_de="Den Wert vor der Umwandlung begrenzen.",
@@ -122,8 +125,8 @@ CONVERSION_OUTSIDE = error(
 )
 STEP_ZERO = error(
     902271,
-    en="the PLC stops at {time}: the step of FOR is 0; {values}{calls}",
-    de="die SPS stoppt bei {time}: die Schrittweite von FOR ist 0; {values}{calls}",
+    en="the PLC stops at {time}: the step of FOR is 0{values}{calls}",
+    de="die SPS stoppt bei {time}: die Schrittweite von FOR ist 0{values}{calls}",
     remedy_en="Give a step that is not 0.",
     remedy_de="Eine Schrittweite ungleich 0 angeben.",
     values=_VALUES,
@@ -132,8 +135,8 @@ STEP_ZERO = error(
 )
 INVALID_OPERATION = error(
     902260,
-    en="the PLC stops at {time}: invalid operation with real numbers; {values}{calls}",
-    de="die SPS stoppt bei {time}: ungültige Operation mit reellen Zahlen; {values}{calls}",
+    en="the PLC stops at {time}: invalid operation with real numbers{values}{calls}",
+    de="die SPS stoppt bei {time}: ungültige Operation mit reellen Zahlen{values}{calls}",
     remedy_en="Check the range of the operands first: no root of a negative number.",
     remedy_de="Vorher den Bereich der Operanden prüfen: keine Wurzel aus negativen Zahlen.",
     values=_VALUES,
@@ -142,8 +145,8 @@ INVALID_OPERATION = error(
 )
 EXCEPTION_RAISED = error(
     902360,
-    en="the PLC stops at {time}: exception {code} of F_RaiseException; {values}{calls}",
-    de="die SPS stoppt bei {time}: Ausnahme {code} von F_RaiseException; {values}{calls}",
+    en="the PLC stops at {time}: exception {code} of F_RaiseException{values}{calls}",
+    de="die SPS stoppt bei {time}: Ausnahme {code} von F_RaiseException{values}{calls}",
     remedy_en="Correct what makes the code raise it, or remove the call.",
     remedy_de="Beheben, was der Code als Ausnahme meldet, oder den Aufruf entfernen.",
     code=("the number of the exception", "die Nummer der Ausnahme"),

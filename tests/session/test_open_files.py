@@ -46,6 +46,26 @@ class Cell(Plc):
             self.file = Path(__file__).with_name("log.txt").open("w")
 """
 
+REGISTERED = """\
+import atexit, os
+from pathlib import Path
+from nctakt import Plc
+
+MARK = Path(__file__).with_name("ends")
+
+def end():
+    MARK.mkdir(exist_ok=True)
+    (MARK / str(os.getpid())).touch()
+
+class Cell(Plc):
+    def __init__(self):
+        atexit.register(end)
+
+    def cycle(self, hli):
+        if hli.override_pct == 100:
+            hli.override_pct = 90
+"""
+
 
 def opened(folder: Path, text: str) -> SessionCore:
     """A session with a PLC."""
@@ -101,3 +121,17 @@ def test_files_are_opened_again_where_they_were(tmp_path: Path) -> None:
         check_open_files(own - {reader, writer})
     os.close(reader)
     os.close(writer)
+
+
+def test_what_a_plc_has_registered_for_its_end_runs_once(tmp_path: Path) -> None:
+    """It belongs to the PLC, not to each copy of its controller that a session has given up."""
+    own = opened(tmp_path, REGISTERED)
+    first = own.timeline.live.process
+    try:
+        own.step(60)
+        for tick in (40, 20, 50, 10):
+            own.go_to(tick)
+        assert own.timeline.live.process != first
+    finally:
+        own.close()
+    assert [one.name for one in (tmp_path / "ends").iterdir()] == [str(first)]

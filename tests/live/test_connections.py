@@ -3,11 +3,13 @@
 
 import asyncio
 import contextlib
+import random
 from collections import Counter
 from collections.abc import Awaitable, Callable
 from typing import Any
 
 import pytest
+from support.random_seeds import each_seed
 
 uvicorn = pytest.importorskip("uvicorn", reason="the live page needs NiceGUI")
 
@@ -158,3 +160,33 @@ def test_more_connections_than_there_may_be(monkeypatch: Any) -> None:
         assert served.refused["its request did not come to an end"] == len(idle)
 
     run(part)
+
+
+@each_seed(20, 20)
+def test_frames_are_counted_however_they_come(seed: int) -> None:
+    """Frames of all lengths, masked or not, in parts of any size; then one more than may be."""
+    chance, later_s = random.Random(seed), 1e9
+    count = connections.FrameCount()
+    sizes = [chance.choice((0, 1, 125, 126, 300, 65_535, 65_536)) for _ in range(60)]
+    whole = b"".join(frame(size, is_masked=chance.random() < 0.8) for size in sizes)
+    while whole:
+        size = chance.choice((1, 2, 7, 5000, 200_000))
+        assert count.take(whole[:size], later_s)
+        whole = whole[size:]
+    allowed = int(connections.FRAME_BURST) - len(sizes)
+    assert count.take(frame(0) * allowed, later_s)
+    assert not count.take(frame(0), later_s)
+    rest_s = later_s + 10 / connections.FRAME_RATE
+    assert count.take(frame(0) * 8, rest_s)
+    assert not count.take(frame(0) * 8, rest_s)
+
+
+def frame(size: int, *, is_masked: bool = True) -> bytes:
+    """A frame of a WebSocket."""
+    if size < 126:
+        head = bytes((0x80, 0x80 * is_masked + size))
+    elif size < 65_536:
+        head = bytes((0x80, 0x80 * is_masked + 126)) + size.to_bytes(2, "big")
+    else:
+        head = bytes((0x80, 0x80 * is_masked + 127)) + size.to_bytes(8, "big")
+    return head + bytes(4 * is_masked + size)

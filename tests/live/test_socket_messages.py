@@ -13,6 +13,7 @@ import random
 import time
 import urllib.error
 import urllib.request
+import zlib
 from collections.abc import Iterator
 from importlib.util import find_spec
 from typing import Any
@@ -195,6 +196,46 @@ def test_a_flood_holds_nobody_up(kind: str, argument: Any, address: str) -> None
                 flooding.send(kind, argument)
         other.press("p")
         assert assert_obeyed(other) < 30
+
+
+def endless(kind: str) -> tuple[bytes, bytes]:
+    """Frames that a WebSocket may begin with, and what comes after them again and again."""
+    frames = pytest.importorskip("websockets.frames")
+    begin = frames.Frame(frames.Opcode.TEXT, b"42[", fin=False).serialize(mask=True)
+    piece = frames.Frame(frames.Opcode.CONT, b"", fin=False).serialize(mask=True)
+    if kind == "empty pieces":
+        return begin, 20_000 * piece
+    if kind == "pieces":
+        return begin, frames.Frame(frames.Opcode.CONT, bytes(65_536), fin=False).serialize(
+            mask=True
+        )
+    if kind == "pings":
+        return b"", 2000 * frames.Frame(frames.Opcode.PING, bytes(125)).serialize(mask=True)
+    if kind == "a length":
+        return b"\x81\xff" + (1 << 62).to_bytes(8, "big") + bytes(4), bytes(65_536)
+    assert kind == "packed"
+    packer = zlib.compressobj(9, zlib.DEFLATED, -12)
+    text = packer.compress(b"x" * 15_000_000) + packer.flush(zlib.Z_SYNC_FLUSH)
+    packed = frames.Frame(frames.Opcode.TEXT, text[:-4]).serialize(mask=True)
+    return b"", b"\xc1" + packed[1:]
+
+
+@pytest.mark.parametrize("kind", ["empty pieces", "pieces", "pings", "a length", "packed"])
+def test_frames_without_an_end(kind: str, address: str) -> None:
+    """They end, and nobody else waits: before, 4 MB of empty pieces stopped the page for minutes.
+
+    Nothing that is packed is unpacked, since 15 KB would become 15 MB.
+    """
+    begin, again_and_again = endless(kind)
+    with again(address) as other, again(address) as speaker:
+        other.until(lambda state: "tick" in state)
+        with contextlib.suppress(OSError):
+            speaker.link.socket.sendall(begin)
+            while not speaker.is_gone:
+                speaker.link.socket.sendall(again_and_again)
+        other.press("p")
+        assert assert_obeyed(other) < 30
+        assert speaker.is_gone
 
 
 def test_connections_that_become_no_browser(address: str) -> None:

@@ -120,6 +120,7 @@ def serve(
         uvicorn_logging_level="critical",
         http=protocol(refused),
         ws_max_size=_MAX_MESSAGE,
+        ws_per_message_deflate=False,  # a few bytes would become as many as a message may have
     )
 
 

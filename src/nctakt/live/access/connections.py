@@ -9,6 +9,8 @@ protocols of the process need stays free.
 from __future__ import annotations
 
 import asyncio
+import functools
+import time
 from typing import Any
 
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -22,8 +24,15 @@ MAX_CONNECTIONS = 200
 #: How long a request may take until it is whole, and its answer until it is taken, in seconds.
 REQUEST_S, ANSWER_S = 5.0, 60.0
 
+#: Frames a second of a WebSocket, and how many more after a rest; a browser sends few of them.
+FRAME_RATE, FRAME_BURST = 1000.0, 5000.0
+
+#: Bytes that the library gets at once: its work grows with the square of how many there are.
+_PIECE = 16_384
+
 _TOO_MANY = Text("too many connections", "zu viele Verbindungen")
 _NO_REQUEST = Text("its request did not come to an end", "seine Anfrage fand kein Ende")
+_FRAMES = Text("its WebSocket sent too many frames", "sein WebSocket sandte zu viele Frames")
 _NO_READER = Text("it did not take its answer", "es nahm seine Antwort nicht ab")
 
 
@@ -40,6 +49,7 @@ def protocol(refused: Refused) -> type[asyncio.Protocol]:
         def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
             """Begin; a connection beyond the limit ends at once."""
             super().connection_made(transport)
+            self.ws_protocol_class = socket_protocol(self.ws_protocol_class, refused)
             if len(self.connections) > MAX_CONNECTIONS:
                 self._end(_TOO_MANY)
             else:
@@ -83,3 +93,73 @@ def protocol(refused: Refused) -> type[asyncio.Protocol]:
                 self.transport.abort()
 
     return Connection
+
+
+class FrameCount:
+    """Counts the frames of a WebSocket, of which the library reads any number as fast as it can.
+
+    Pieces of a message without an end, and pings, come to no one who could hold them back.
+    """
+
+    def __init__(self) -> None:
+        self._head = bytearray()
+        self._rest = 0
+        self._left = FRAME_BURST
+        self._since_s = time.monotonic()
+
+    def take(self, data: bytes, now_s: float) -> bool:
+        """Take bytes that follow; return whether the frames in them are as many as may be."""
+        self._left = min(FRAME_BURST, self._left + (now_s - self._since_s) * FRAME_RATE)
+        self._since_s = now_s
+        place = 0
+        while place < len(data):
+            if self._rest:
+                skipped = min(self._rest, len(data) - place)
+                self._rest -= skipped
+                place += skipped
+                continue
+            self._head.append(data[place])
+            place += 1
+            self._end_head()
+        return self._left >= 0.0
+
+    def _end_head(self) -> None:
+        """Begin the content of a frame if its head is whole."""
+        head = self._head
+        if len(head) < 2:
+            return
+        length = head[1] & 0x7F
+        wide = {126: 2, 127: 8}.get(length, 0)
+        if len(head) < 2 + wide + (4 if head[1] & 0x80 else 0):
+            return
+        self._rest = int.from_bytes(head[2 : 2 + wide], "big") if wide else length
+        self._left -= 1.0
+        head.clear()
+
+
+@functools.cache
+def socket_protocol(library: Any, refused: Refused) -> Any:
+    """Return the library's protocol of WebSockets with a limit of their frames."""
+
+    class Socket(library):  # type: ignore[misc]
+        """A WebSocket; its request comes first, whole."""
+
+        _frames: FrameCount | None = None
+
+        def data_received(self, data: bytes) -> None:
+            """Hand bytes on in small pieces; end where they have too many frames."""
+            if self._frames is None:
+                self._frames = FrameCount()
+                super().data_received(data)
+                return
+            for place in range(0, len(data), _PIECE):
+                if self.transport.is_closing():
+                    return
+                piece = data[place : place + _PIECE]
+                if not self._frames.take(piece, time.monotonic()):
+                    refused(self.client[0] if self.client else "", _FRAMES)
+                    self.transport.abort()
+                    return
+                super().data_received(piece)
+
+    return Socket

@@ -122,3 +122,18 @@ def test_events_of_a_kind_are_those_of_all_events(words: tuple[str, ...]) -> Non
     expected = [event for event in second.events if event.kind in words]
     assert expected
     assert first.events_of(words) == second.events_of(words) == expected
+
+
+def test_chunks_of_one_decoder_are_joined_undecoded() -> None:
+    """Those of another one, which has other names, stay apart."""
+    decoder = Counting(1000, Names())
+    first = EventChunk(decoder, row(rows.EVENT_STARTED, 1) + row(rows.EVENT_FIRED, 1))
+    second = EventChunk(decoder, row(rows.EVENT_HELD, 2))
+    whole = first.joined([second])
+    assert whole is not None
+    assert whole.has_any({rows.EVENT_HELD}) and not first.has_any({rows.EVENT_HELD})
+    assert decoder.decoded == 0
+    assert [str(event) for event in whole.after(2)] == ["held #1"]
+    assert decoder.decoded == 1
+    other = EventChunk(Counting(1000, Names()), row(rows.EVENT_HELD, 2))
+    assert first.joined([second, other]) is None

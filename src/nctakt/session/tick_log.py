@@ -7,11 +7,11 @@ In: the events of a run. Out: the latest of them, within a bound, and the curren
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.kernel import rows
-from nctakt.trace.chunks import latest_of_channels, of_kinds, since_tick
+from nctakt.trace.chunks import EventChunk, latest_of_channels, of_kinds, since_tick
 from nctakt.trace.events import Event
 from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import TraceHeader
@@ -19,56 +19,106 @@ from nctakt.trace.sinks import TraceHeader
 #: Events of one slice that are handed out: the latest; how many others there were is reported.
 MAX_EVENTS = 1000
 
+#: Rows of events that wait to be looked at, at most, beside the latest ones.
+MAX_UNREAD = 4 * MAX_EVENTS
+
 _BLOCKS = frozenset((rows.EVENT_BLOCK,))
 
 
 class TickLog:
-    """The events since the last slice: the latest of them, and the current blocks."""
+    """The events since the last slice: the latest of them, and the current blocks.
+
+    Rows are looked at many at once, and only when somebody asks: a run gives few at a time.
+    """
 
     def __init__(self) -> None:
+        self._unread: list[EventChunk] = []
+        self._unread_count = 0
         self._chunks: deque[Sequence[Event]] = deque()
         self._count = 0
         self._since = 0
-        self.left_out = 0
-        self.blocks: dict[int, Span] = {}
-        self.calls: dict[int, int] = {}
-        self.block_count = 0
+        self._left_out = 0
+        self._blocks: dict[int, Span] = {}
+        self._calls: dict[int, int] = {}
+        self._block_count = 0
 
     def open(self, header: TraceHeader) -> None:
         """Do nothing."""
 
     def events(self, events: Sequence[Event]) -> None:
         """Keep events, and forget the oldest of too many."""
-        begun = of_kinds(events, _BLOCKS)
-        self.block_count += len(begun)
-        for event, calls in latest_of_channels(begun, rows.EVENT_B):
-            if event.span is not None:
-                self.blocks[max(event.channel, 1)] = event.span
-                self.calls[max(event.channel, 1)] = int(calls)
-        events = since_tick(events, self._since)
+        if not isinstance(events, EventChunk):
+            self._read()
+            self._keep(events)
+            return
+        self._unread.append(events)
+        self._unread_count += len(events)
+        if self._unread_count > MAX_UNREAD:
+            self._read()
+
+    def _read(self) -> None:
+        """Look at the events that nobody has looked at."""
+        unread, self._unread, self._unread_count = self._unread, [], 0
+        if not unread:
+            return
+        whole = unread[0].joined(unread[1:])
+        for events in unread if whole is None else (whole,):
+            begun = of_kinds(events, _BLOCKS)
+            self._block_count += len(begun)
+            for event, calls in latest_of_channels(begun, rows.EVENT_B):
+                if event.span is not None:
+                    self._blocks[max(event.channel, 1)] = event.span
+                    self._calls[max(event.channel, 1)] = int(calls)
+            self._keep(since_tick(events, self._since))
+
+    def _keep(self, events: Sequence[Event]) -> None:
         self._chunks.append(events)
         self._count += len(events)
         while self._count - len(self._chunks[0]) >= MAX_EVENTS:
             forgotten = len(self._chunks.popleft())
             self._count -= forgotten
-            self.left_out += forgotten
+            self._left_out += forgotten
 
     def close(self) -> None:
         """Do nothing."""
 
     def begin(self, since: int) -> None:
         """Forget all events before a tick, which is the next one or comes later."""
+        self._read()
         self._chunks.clear()
-        self._count = self.left_out = 0
+        self._count = self._left_out = 0
         self._since = since
+
+    @property
+    def blocks(self) -> Mapping[int, Span]:
+        """Number of the channel -> place of its current block."""
+        self._read()
+        return self._blocks
+
+    @property
+    def calls(self) -> Mapping[int, int]:
+        """Number of the channel -> the number of what is open there."""
+        self._read()
+        return self._calls
+
+    @property
+    def block_count(self) -> int:
+        """How many blocks have begun."""
+        self._read()
+        return self._block_count
 
     def take(self) -> tuple[list[Event], int]:
         """Return the latest events, and how many there were before them."""
-        kept = [event for chunk in self._chunks for event in chunk]
-        left_out = self.left_out + max(0, len(kept) - MAX_EVENTS)
+        self._read()
+        surplus = max(0, self._count - MAX_EVENTS)
+        left_out = self._left_out + surplus
+        kept: list[Event] = []
+        for chunk in self._chunks:
+            kept += chunk.after(surplus) if isinstance(chunk, EventChunk) else chunk[surplus:]
+            surplus = max(0, surplus - len(chunk))
         self._chunks.clear()
-        self._count = self.left_out = 0
-        return kept[-MAX_EVENTS:], left_out
+        self._count = self._left_out = 0
+        return kept, left_out
 
 
 class SignalRows(EventList):

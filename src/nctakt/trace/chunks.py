@@ -58,6 +58,8 @@ class EventChunk(Sequence[Event]):
         self._decoder = decoder
         self._data = data
         self._events: list[Event] | None = None
+        self._kinds: list[float] | None = None
+        self._present: set[float] = set()
 
     def __len__(self) -> int:
         return len(self._data) // _ROW_SIZE
@@ -92,20 +94,45 @@ class EventChunk(Sequence[Event]):
         cells = memoryview(self._data).cast("d")
         return cast("list[float]", cells[number :: rows.EVENT_WIDTH].tolist())
 
+    def after(self, count: int) -> EventChunk:
+        """Return the rows without the first ones, not decoded yet."""
+        return self if count <= 0 else self.with_data(self._data[_ROW_SIZE * count :])
+
     def select(self, indexes: Sequence[int]) -> EventChunk:
         """Return the rows at these indexes, not decoded yet."""
         pieces = (self._data[_ROW_SIZE * i : _ROW_SIZE * (i + 1)] for i in indexes)
         return EventChunk(self._decoder, b"".join(pieces))
 
+    def joined(self, others: Sequence[EventChunk]) -> EventChunk | None:
+        """Return it with the rows that follow, ``None`` where others decode some of them."""
+        if any(other._decoder is not self._decoder for other in others):
+            return None
+        return self.with_data(b"".join([self._data, *(other.data for other in others)]))
+
+    def kinds(self) -> list[float]:
+        """Return the kind of each row (``rows.EVENT_FIRED`` …); several listeners ask for it."""
+        if self._kinds is None:
+            self._kinds = self.column(rows.EVENT_KIND)
+            self._present = set(self._kinds)
+        return self._kinds
+
+    def has_any(self, kinds: Collection[int]) -> bool:
+        """Return whether a row is of one of these kinds."""
+        self.kinds()
+        return any(kind in kinds for kind in self._present)
+
     def of_kinds(self, kinds: Collection[int]) -> EventChunk:
         """Return the rows of these kinds (``rows.EVENT_FIRED`` …), not decoded yet."""
-        chunk_kinds = self.column(rows.EVENT_KIND)
-        return self.select([i for i, kind in enumerate(chunk_kinds) if kind in kinds])
+        if not self.has_any(kinds):
+            return self.select(())
+        if all(kind in kinds for kind in self._present):
+            return self
+        return self.select([i for i, kind in enumerate(self.kinds()) if kind in kinds])
 
     def since(self, tick: int) -> EventChunk:
         """Return the rows from a tick on, not decoded yet."""
         first = bisect.bisect_left(self.column(rows.EVENT_TICK), tick)
-        return self if not first else EventChunk(self._decoder, self._data[_ROW_SIZE * first :])
+        return self.after(first)
 
     def repetitions(self) -> list[tuple[Event, int, int]]:
         """Return each event once, with its number of occurrences and the tick of the last one.
@@ -114,6 +141,8 @@ class EventChunk(Sequence[Event]):
         the same; each event of another kind counts once. They are in the order of their first
         occurrence.
         """
+        if not self._data:
+            return []
         keys = list(zip(*map(self.column, _KEY), strict=True))
         ticks = self.column(rows.EVENT_TICK)
         counts = Counter(keys)
@@ -164,9 +193,9 @@ def without_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[E
     """Return the events of a chunk that are of none of these kinds of rows; others as they are."""
     if not isinstance(events, EventChunk):
         return events
-    own = events.column(rows.EVENT_KIND)
-    kept = [i for i, kind in enumerate(own) if kind not in kinds]
-    return events if len(kept) == len(own) else events.select(kept)
+    if not events.has_any(kinds):
+        return events
+    return events.select([i for i, kind in enumerate(events.kinds()) if kind not in kinds])
 
 
 def repetitions(events: Sequence[Event]) -> list[tuple[Event, int, int]]:

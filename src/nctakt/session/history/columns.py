@@ -102,13 +102,37 @@ class ColumnTrail:
 
     def __init__(self) -> None:
         self._extents: list[Extent] = []
+        self._first_tick = self._end = 0
+        self._values: list[memoryview[float]] = []
         self._writes: list[NDArray[np.float64]] = []
         self._waiting = 0
 
     def extent(self, first_tick: int, count: int, values: memoryview[float]) -> None:
         """Gather the lowest values of the signals in some ticks, and the highest ones."""
-        lowest, highest = np.asarray(values).reshape(2, -1)
-        _append(self._extents, Extent(first_tick, count, lowest, highest))
+        is_next = self._end == first_tick and extent_end(first_tick) == extent_end(self._first_tick)
+        if not is_next or (self._values and len(values) != len(self._values[0])):
+            self._close_extent()
+        if not self._values:
+            self._first_tick = first_tick
+        self._values.append(values)
+        self._end = first_tick + count
+
+    def _close_extent(self) -> None:
+        """Make one extent of the values that follow each other."""
+        if not self._values:
+            return
+        whole = np.array(self._values).reshape(len(self._values), 2, -1)
+        lowest, highest = whole[:, 0].min(axis=0), whole[:, 1].max(axis=0)
+        count = self._end - self._first_tick
+        self._extents.append(Extent(self._first_tick, count, lowest, highest))
+        self._values = []
+
+    def rest(self, data: bytes) -> bytes:
+        """Gather the writes among rows of events; return the other rows."""
+        found = np.frombuffer(data, np.float64).reshape(-1, rows.EVENT_WIDTH)
+        is_write = np.isin(found[:, rows.EVENT_KIND], WRITES)
+        self.writes(found[is_write])
+        return found[~is_write].tobytes()
 
     def writes(self, events: NDArray[np.float64]) -> None:
         """Gather writes, but for those of the decoder."""
@@ -134,6 +158,7 @@ class ColumnTrail:
 
     def take(self) -> tuple[tuple[Extent, ...], bytes]:
         """Return what has been gathered since the last call: of signals, of writes."""
+        self._close_extent()
         extents, self._extents = tuple(self._extents), []
         written = self._join().tobytes() if self._writes else b""
         self._writes = []

@@ -11,10 +11,7 @@ import hashlib
 import time
 from collections.abc import Sequence
 
-import numpy as np
-
 from nctakt.base.dataclass import dataclass
-from nctakt.kernel import rows
 from nctakt.session.history.columns import WRITES, ColumnTrail, Extent
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
@@ -78,13 +75,8 @@ class Trail:
         assert isinstance(events, EventChunk)
         self._events.update(events.data)
         if self.keeps:
-            found = np.frombuffer(events.data, np.float64).reshape(-1, rows.EVENT_WIDTH)
-            is_write = np.isin(found[:, rows.EVENT_KIND], WRITES)
-            if is_write.any():
-                self._columns.writes(found[is_write])
-                self._rows.append(found[~is_write].tobytes())
-            else:
-                self._rows.append(events.data)
+            has_writes = events.has_any(WRITES)
+            self._rows.append(self._columns.rest(events.data) if has_writes else events.data)
 
     def close(self) -> None:
         """Do nothing."""

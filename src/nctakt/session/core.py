@@ -21,7 +21,7 @@ from nctakt.run.access.input_words import WRITE
 from nctakt.run.access.inputs import ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, SELECT, Input
 from nctakt.session.cursor import Cursor
 from nctakt.session.decoders import DecoderState
-from nctakt.session.engine import CycleState, StateView, StepResult, joined
+from nctakt.session.engine import CycleState, Evidence, StateView, StepResult, joined
 from nctakt.session.history.branch import Branch
 from nctakt.session.history.comparing import BranchDifference
 from nctakt.session.history.past import Past
@@ -220,9 +220,14 @@ class SessionCore:
         """Go back by this number of ticks, at most to the start."""
         return self.go_to(max(0, self.tick - ticks))
 
-    def back_to(self, stops: Sequence[StopAt]) -> StepResult | None:
-        """Go back to the last time that one of these stops held; ``None``, and stay, if never."""
-        tick = self.timeline.previous(stops)
+    def back_to(
+        self, stops: Sequence[StopAt], evidence: Sequence[Evidence] | None = None
+    ) -> StepResult | None:
+        """Go back to the last time that one of these stops held; ``None``, and stay, if never.
+
+        ``evidence``: what ``sought`` has returned for them.
+        """
+        tick = self.timeline.previous(stops, evidence)
         return None if tick is None else self.go_to(tick)
 
     # --- stops ----------------------------------------------------------------------------------
@@ -237,6 +242,16 @@ class SessionCore:
         if all(stop in (NEXT_BLOCK, NEXT_REACTION) for stop in stops):
             return cast("tuple[StopAt, ...]", tuple(stops))
         return cast("tuple[StopAt, ...]", self.timeline.live.ask("read_stops", tuple(stops)))
+
+    def sought(
+        self, stops: Sequence[StopAt | str]
+    ) -> tuple[tuple[StopAt, ...], Sequence[Evidence]]:
+        """Return stops as ``read_stops``, and what the record says about each of them.
+
+        It is one question to the controller, since two take longer than the record of a short run.
+        """
+        found = self.timeline.live.ask("sought", tuple(stops))
+        return cast("tuple[tuple[StopAt, ...], Sequence[Evidence]]", found)
 
     # --- inputs ---------------------------------------------------------------------------------
 

@@ -510,6 +510,11 @@ class Engine:
             for stop in stops
         ]
 
+    def sought(self, stops: Sequence[StopAt | str]) -> tuple[tuple[StopAt, ...], list[Evidence]]:
+        """Return stops as ``read_stops``, with what the record of a session says about each."""
+        read = self.read_stops(stops)
+        return read, self.evidence(read)
+
     def _watch(self, stops: Sequence[StopAt]) -> None:
         """Watch these stops and no other ones from now on."""
         self._stop_builder.watch(stops)

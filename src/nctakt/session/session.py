@@ -395,11 +395,11 @@ class Session:
 
     def _back_to(self, stops: Sequence[str | StopAt]) -> StepResult | None:
         self._thread.clock = None
-        named = self._core.read_stops(stops) if stops else self._core.stops
+        named, evidence = self._core.sought(stops) if stops else (self._core.stops, None)
         moved = self._core.moved_within(named, is_back=True)
         if moved is not None:
             return moved
-        done = self._core.back_to(named)
+        done = self._core.back_to(named, evidence)
         if done is None:
             return None
         done = self._travelled(done)

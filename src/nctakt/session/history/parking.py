@@ -14,10 +14,13 @@ from collections.abc import Sequence
 MAX_PARKED = 32
 
 #: Work between two parked controllers while a session goes forward, in microseconds.
-SPARSE_US = 60_000.0
+SPARSE_US = 45_000.0
 
 #: Work from the nearest parked controller to a moment that somebody has gone back to.
 DENSE_US = 5_000.0
+
+#: What a copy of a controller takes in all: to make it, its first ticks, its end.
+COPY_US = 6_000.0
 
 #: From this share of the whole work on, gaps are no longer wider where they are farther away.
 EVEN_SHARE = 10.0
@@ -44,15 +47,15 @@ def surplus(parked: Sequence[float], present: float, capacity: int = MAX_PARKED)
     return sorted(given_up)
 
 
-def approach(start: float, target: float) -> list[float]:
+def approach(start: float, target: float, nearest: float = 4.0 * DENSE_US) -> list[float]:
     """Return where to park on the way from ``start`` to ``target``.
 
     Half of what is left each time, so that going back again from there is cheap; on a short way
-    once, since each copy takes its time as well. Nearer than ``DENSE_US`` there is none.
+    once, since each copy takes its time as well; no more once at most ``nearest`` is left.
     """
     places = []
     left = target - start
-    while left > 4.0 * DENSE_US:
+    while left > nearest:
         left /= 2.0 if left > SPARSE_US else 4.0
         places.append(target - left)
     return places

@@ -29,7 +29,7 @@ from nctakt.session.history.comparing import BranchDifference, fork_of
 from nctakt.session.history.comparing import first_difference as differing
 from nctakt.session.history.confirmed import Confirmed
 from nctakt.session.history.parked import Parked, ParkedControllers
-from nctakt.session.history.parking import DENSE_US, SPARSE_US, approach, first_gap
+from nctakt.session.history.parking import COPY_US, DENSE_US, SPARSE_US, approach, first_gap
 from nctakt.session.history.record import (
     BranchRecord,
     PastMark,
@@ -321,7 +321,7 @@ class Timeline:
         if is_front and self._setup.plcs:
             with contextlib.suppress(Failure):  # one that is gone is left behind
                 self._park()  # what holds a file open shows now
-        before_us = self.branch.work_at(self.tick)
+        before_us, copies = self.branch.work_at(self.tick), self._workshop.copies
         self._confirmed.enter(target.number)
         engine = self._on_the_way(target, tick)
         begin_us = target.work_at(engine.tick)
@@ -340,7 +340,8 @@ class Timeline:
         present_us = target.work_at(tick)
         self._parked.keep_candidate(present_us)
         self._live, self.branch, self._fault = engine, target, None
-        self._refine(present_us - begin_us, is_step=abs(present_us - before_us) < SPARSE_US)
+        spent_us = present_us - begin_us + COPY_US * (self._workshop.copies - copies)
+        self._refine(spent_us, is_step=abs(present_us - before_us) < SPARSE_US)
         return done
 
     def _leave(self, *, is_front: bool) -> None:
@@ -404,24 +405,31 @@ class Timeline:
     def _approach(self, engine: RemoteEngine, branch: Branch, tick: int) -> StepResult:
         """Run a controller up to a tick; park on the way where that is dear."""
         first = engine.tick
-        for work_us in approach(branch.work_at(first), branch.work_at(tick)):
+        ways = (SPARSE_US,) if self._refines else ()  # what is missing nearer is parked later
+        for work_us in approach(branch.work_at(first), branch.work_at(tick), *ways):
             mark = branch.mark_before_work(work_us)
             if self._can_copy and mark is not None and engine.tick < mark.tick < tick:
                 self._rerun(engine, branch, mark.tick, first=first)
                 self._parked.add(Parked(branch, mark.tick, mark.work_us, engine.copy()))
         near = self._near(branch, engine.tick, tick)
-        if near and engine.tick < near[0] < tick:
+        work_us = branch.work_at(near[0]) if near else 0.0
+        is_far = work_us - branch.work_at(engine.tick) > COPY_US
+        if is_far and engine.tick < near[0] < tick:
             self._rerun(engine, branch, near[0], first=first, near=near)
-            work_us = branch.work_at(near[0])
             self._parked.candidate = Parked(branch, near[0], work_us, engine.copy())
         since = tick - ARRIVAL_TICKS
         done = self._rerun(engine, branch, tick, first=first, since=since, near=near)
         self._parked.thin_out(branch.work_at(tick))
         return done
 
+    @property
+    def _refines(self) -> bool:
+        """Whether controllers are parked, and ticks known, for those who go back step by step."""
+        return self._can_copy and not self._setup.plcs
+
     def _near(self, branch: Branch, first: int, tick: int) -> list[int]:
         """Return ``tick`` and those after ``first`` to which somebody goes back from there."""
-        if not self._can_copy or self._setup.plcs:
+        if not self._refines:
             return []
         if tick in self._confirmed:
             return [tick]
@@ -437,7 +445,7 @@ class Timeline:
         Where somebody goes step by step this takes ``REFINED_US`` at most, with the work that the
         step itself has been.
         """
-        if not self._can_copy or self._setup.plcs:
+        if not self._refines:
             return
         while spent_us < REFINED_US or not is_step:
             present_us = self.branch.work_at(self.tick)
@@ -575,9 +583,12 @@ class Timeline:
             done = engine.run(following.end, events=False, marks=asked, since=engine.tick)
             self._compared(self.branch, done, [following], asked)
 
-    def previous(self, stops: Sequence[StopAt]) -> int | None:
+    def previous(
+        self, stops: Sequence[StopAt], known: Sequence[Evidence] | None = None
+    ) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 
+        ``known``: what the live controller has said of each of them, if it has been asked.
         The record shows where there were events and writes. For other stops the past is run again,
         from the latest parked controller to the earliest: where they depend on a recorded signal,
         only up to the ticks in which it can have been.
@@ -588,7 +599,7 @@ class Timeline:
         self._refuse_without_past()
         self._poll()
         others: list[tuple[StopAt, int, Necessary | None]] = []
-        evidence: list[Evidence] = self.live.ask("evidence", stops)
+        evidence = self.live.ask("evidence", stops) if known is None else known
         for stop, (requested, needed) in zip(stops, evidence, strict=True):
             if requested is None:
                 others.append((replace(stop, count=_NEVER), end, needed))

@@ -115,6 +115,7 @@ class RemoteEngine:
                 _, (descriptor,), *_ = socket.recv_fds(own, 1, 1, socket.MSG_CMSG_CLOEXEC)
         except (OSError, ValueError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
+        self._workshop.copies += 1
         return RemoteEngine(Connection(descriptor), process, self._workshop, self.tick)
 
     def run(
@@ -165,10 +166,12 @@ class RemoteEngine:
 class ProcessPool:
     """Opens controllers in processes of their own; ``close`` ends them all.
 
-    ``asked``: the one that has been asked something and has not answered yet.
+    ``asked``: the one that has been asked something and has not answered yet. ``copies``: how many
+    copies have been made.
     """
 
     def __init__(self) -> None:
+        self.copies = 0
         self.asked: RemoteEngine | None = None
         self._key = secrets.token_bytes(KEY_SIZE)
         self._listener = Listener(authkey=self._key)

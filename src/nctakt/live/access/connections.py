@@ -49,7 +49,8 @@ def protocol(refused: Refused) -> type[asyncio.Protocol]:
         def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
             """Begin; a connection beyond the limit ends at once."""
             super().connection_made(transport)
-            self.ws_protocol_class = socket_protocol(self.ws_protocol_class, refused)
+            library: Any = self.ws_protocol_class
+            self.ws_protocol_class = socket_protocol(library, refused)
             if len(self.connections) > MAX_CONNECTIONS:
                 self._end(_TOO_MANY)
             else:
@@ -111,15 +112,15 @@ class FrameCount:
         """Take bytes that follow; return whether the frames in them are as many as may be."""
         self._left = min(FRAME_BURST, self._left + (now_s - self._since_s) * FRAME_RATE)
         self._since_s = now_s
-        place = 0
-        while place < len(data):
+        offset = 0
+        while offset < len(data):
             if self._rest:
-                skipped = min(self._rest, len(data) - place)
+                skipped = min(self._rest, len(data) - offset)
                 self._rest -= skipped
-                place += skipped
+                offset += skipped
                 continue
-            self._head.append(data[place])
-            place += 1
+            self._head.append(data[offset])
+            offset += 1
             self._end_head()
         return self._left >= 0.0
 
@@ -152,10 +153,10 @@ def socket_protocol(library: Any, refused: Refused) -> Any:
                 self._frames = FrameCount()
                 super().data_received(data)
                 return
-            for place in range(0, len(data), _PIECE):
+            for offset in range(0, len(data), _PIECE):
                 if self.transport.is_closing():
                     return
-                piece = data[place : place + _PIECE]
+                piece = data[offset : offset + _PIECE]
                 if not self._frames.take(piece, time.monotonic()):
                     refused(self.client[0] if self.client else "", _FRAMES)
                     self.transport.abort()

@@ -584,11 +584,11 @@ class Timeline:
             self._compared(self.branch, done, [following], asked)
 
     def previous(
-        self, stops: Sequence[StopAt], known: Sequence[Evidence] | None = None
+        self, stops: Sequence[StopAt], answers: Sequence[Evidence] | None = None
     ) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 
-        ``known``: what the live controller has said of each of them, if it has been asked.
+        ``answers``: what the live controller has said of each of them, if it has been asked.
         The record shows where there were events and writes. For other stops the past is run again,
         from the latest parked controller to the earliest: where they depend on a recorded signal,
         only up to the ticks in which it can have been.
@@ -599,7 +599,7 @@ class Timeline:
         self._refuse_without_past()
         self._poll()
         others: list[tuple[StopAt, int, Necessary | None]] = []
-        evidence = self.live.ask("evidence", stops) if known is None else known
+        evidence = self.live.ask("evidence", stops) if answers is None else answers
         for stop, (requested, needed) in zip(stops, evidence, strict=True):
             if requested is None:
                 others.append((replace(stop, count=_NEVER), end, needed))

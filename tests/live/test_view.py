@@ -6,7 +6,7 @@ import time
 from pathlib import Path
 
 import pytest
-from support.insides import audience_of, processes_of
+from support.insides import audience_of, kill_controller
 
 from nctakt import NcText, Session
 from nctakt.base.diagnostics import Span
@@ -392,9 +392,7 @@ def test_a_report_is_of_its_moment() -> None:
 def test_a_controller_that_is_lost_is_told_once() -> None:
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
-        (process,) = processes_of(shared.session)
-        process.kill()
-        process.wait()
+        kill_controller(shared.session)
         end_s = time.monotonic() + 60
         for _ in range(20):
             with pytest.raises(Failure, match="901153"):

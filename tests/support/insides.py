@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import queue
+import signal
 from collections.abc import Callable, Iterable, Sequence
-from subprocess import Popen
 from typing import TYPE_CHECKING, Any
 
 from nctakt.run.controller import Controller
@@ -44,9 +45,14 @@ def lose_controller(session: Session) -> None:
     core_of(session).timeline.live._connection.close()
 
 
-def processes_of(session: Session) -> Sequence[Popen[bytes]]:
-    """The processes in which the controllers of a session live."""
-    return core_of(session).timeline._workshop._processes
+def process_of(session: Session) -> int:
+    """The number of the process in which the controller of a session lives."""
+    return core_of(session).timeline.live.process
+
+
+def kill_controller(session: Session) -> None:
+    """Kill the process in which the controller of a session lives."""
+    os.kill(process_of(session), signal.SIGKILL)
 
 
 class Audience:

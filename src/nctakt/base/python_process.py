@@ -20,6 +20,9 @@ _WARNINGS = "PYTHONWARNINGS"
 
 _SEARCH_PATH = "PYTHONPATH"
 
+#: How variables of the environment begin that Python, its libraries and nctakt read at their start.
+_READ_AT_START = ("PYTHON", "NCTAKT_", "LC_", "LANG", "LD_")
+
 
 def python_command(module: str, *words: str) -> list[str]:
     """Return the command that starts a module of nctakt."""
@@ -36,6 +39,12 @@ def python_environment() -> dict[str, str]:
     named = [str(Path(entry).absolute()) for entry in entries if entry]
     search = os.pathsep.join([str(Path(__file__).parents[2]), *named])
     return {**os.environ, _SEARCH_PATH: search}
+
+
+def at_start() -> tuple[object, ...]:
+    """Return what decides how such a command begins: the interpreter, what is read at its start."""
+    read = {name: value for name, value in os.environ.items() if name.startswith(_READ_AT_START)}
+    return sys.executable, read
 
 
 def start_resource_tracker() -> None:

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import gc
+import io
 import os
 import pickle
 import signal
@@ -103,6 +104,9 @@ class Worker:
                     raise TypeError(setup)
                 self._engine = Engine(setup)
                 return DONE, self._engine.description
+            if request == "begin":
+                self._begin(*words)
+                return DONE, None
             if request == "copy":
                 self._copy()
                 return None
@@ -112,6 +116,23 @@ class Worker:
             return REFUSED, failure.diagnostics
         except Exception:  # noqa: BLE001 - the session shows it as an internal error
             return BROKEN, traceback.format_exc()
+
+    def _begin(self, environment: dict[str, str]) -> None:
+        """Take over working directory, standard output and error, and environment of a session."""
+        assert self._connection is not None
+        with socket.fromfd(self._connection.fileno(), socket.AF_UNIX, socket.SOCK_STREAM) as own:
+            _, given, *_ = socket.recv_fds(own, 1, 3, socket.MSG_CMSG_CLOEXEC)
+        folder, *streams = given
+        os.fchdir(folder)
+        for number, stream in enumerate(streams, start=1):
+            os.dup2(stream, number)
+        for descriptor in given:
+            os.close(descriptor)
+        if isinstance(sys.stdout, io.TextIOWrapper):
+            sys.stdout.reconfigure(line_buffering=sys.stdout.isatty())
+        os.environ.clear()
+        os.environ.update(environment)
+        self._is_copy = False  # it is the first process of its controller
 
     def _copy(self) -> None:
         """Copy this process; the session gets the copy's number and its end of a connection."""

@@ -6,9 +6,11 @@ In: a ``Setup``. Out: ``RemoteEngine`` objects, each a controller in a process o
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import os
 import secrets
+import select
 import signal
 import socket
 import subprocess
@@ -21,7 +23,7 @@ from typing import Any, cast
 
 from nctakt.base import interrupts
 from nctakt.base.failure import Failure
-from nctakt.base.python_process import python_command, python_environment
+from nctakt.base.python_process import at_start, python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
 from nctakt.run.access.inputs import Input
@@ -38,6 +40,9 @@ END_S = 5.0
 
 #: How often a process that has not reported yet is looked at, in seconds.
 _LOOK_S = 0.1
+
+#: The descriptors of standard output and error.
+_PRINTED = (1, 2)
 
 #: The name of a connection that only wakes; those of processes are numbers.
 _NOBODY = "nobody"
@@ -105,8 +110,8 @@ class RemoteEngine:
             if not self.is_apart:
                 self._workshop.asked = None
 
-    def copy(self) -> RemoteEngine:
-        """Return a copy at the same tick, in a process of its own."""
+    def copy(self, workshop: ProcessPool | None = None) -> RemoteEngine:
+        """Return a copy at the same tick, in a process of its own; it belongs to ``workshop``."""
         process = cast("int", self.ask("copy"))
         try:
             with socket.fromfd(
@@ -116,7 +121,25 @@ class RemoteEngine:
         except (OSError, ValueError) as error:
             raise Failure(diagnostic(CONTROLLER_LOST, reason=str(error) or "EOF")) from error
         self._workshop.copies += 1
-        return RemoteEngine(Connection(descriptor), process, self._workshop, self.tick)
+        return RemoteEngine(Connection(descriptor), process, workshop or self._workshop, self.tick)
+
+    def begin(self) -> None:
+        """Give a copy of the prototype what a new process has from this one.
+
+        That is: the working directory, where it prints, and the environment.
+        """
+        self.order("begin", python_environment())
+        with self._watched(), contextlib.ExitStack() as ends:
+            given = [os.open(".", os.O_PATH | os.O_DIRECTORY)]
+            for stream in _PRINTED:
+                try:
+                    given.append(os.dup(stream))
+                except OSError:  # it is closed
+                    given.append(os.open(os.devnull, os.O_WRONLY))
+            for descriptor in given:
+                ends.callback(os.close, descriptor)
+            own = socket.fromfd(self._connection.fileno(), socket.AF_UNIX, socket.SOCK_STREAM)
+            socket.send_fds(ends.enter_context(own), [b"0"], given)
 
     def run(
         self,
@@ -178,6 +201,7 @@ class ProcessPool:
         self._count = 0
         self._waiting: dict[str, Connection[Any, Any]] = {}
         self._processes: list[subprocess.Popen[bytes]] = []
+        self._copies: list[int] = []
 
     def next_name(self) -> str:
         """Return the name of the next process."""
@@ -186,6 +210,22 @@ class ProcessPool:
 
     def open(self, setup: Setup) -> tuple[RemoteEngine, Description]:
         """Return a new controller before its first tick; raises ``Failure`` with its mistakes."""
+        engine = self._from_prototype() if self.can_copy else self.start()
+        try:
+            return engine, cast("Description", engine.ask("open", setup))
+        except Failure:
+            engine.close()
+            raise
+
+    def _from_prototype(self) -> RemoteEngine:
+        """Return a process for a controller: one that has imported what a new one would."""
+        engine = _PROTOTYPE.copy(self)
+        with contextlib.suppress(OSError):  # it has ended, which the next request tells
+            self._copies.append(os.pidfd_open(engine.process))
+        return engine
+
+    def start(self) -> RemoteEngine:
+        """Return a new process for a controller, which imports what it needs."""
         name = self.next_name()
         address = self._listener.address
         with interrupts.kept_back():
@@ -199,12 +239,7 @@ class ProcessPool:
         with contextlib.suppress(OSError):
             process.stdin.write(self._key)
             process.stdin.close()
-        engine = RemoteEngine(self.accept(name, process), process.pid, self, 0)
-        try:
-            return engine, cast("Description", engine.ask("open", setup))
-        except Failure:
-            engine.close()
-            raise
+        return RemoteEngine(self.accept(name, process), process.pid, self, 0)
 
     def accept(
         self, name: str, process: subprocess.Popen[bytes] | None = None
@@ -258,6 +293,13 @@ class ProcessPool:
             with contextlib.suppress(OSError):  # it has ended just now
                 os.kill(asked.process, getattr(signal, "SIGKILL", signal.SIGTERM))
 
+    def kill(self) -> None:
+        """Let no more processes in, and kill the first ones."""
+        self._listener.close()
+        for process in self._processes:
+            process.kill()
+            process.wait()
+
     def close(self) -> None:
         """Let no more processes in, and wait for the first ones; the others end by themselves.
 
@@ -272,3 +314,73 @@ class ProcessPool:
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+        for copy in self._copies:
+            waiting = select.poll()
+            waiting.register(copy, select.POLLIN)
+            if not waiting.poll(END_S * 1000):
+                signal.pidfd_send_signal(copy, signal.SIGKILL)
+            os.close(copy)
+        self._copies.clear()
+
+
+class Prototype:
+    """A process that has imported nctakt and holds no controller: those of sessions are its copies.
+
+    A copy takes milliseconds; to start Python and to import takes half a second of a processor. It
+    starts with the first session, and ends with this process.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._engine: RemoteEngine | None = None
+        self._pool: ProcessPool | None = None
+        self._at_start: tuple[object, ...] = ()
+        atexit.register(self.end)
+        if can_fork():
+            os.register_at_fork(after_in_child=self._leave)
+
+    def copy(self, pool: ProcessPool) -> RemoteEngine:
+        """Return a copy that belongs to ``pool``, as a process that is started now would be."""
+        with self._lock:
+            now = at_start()
+            if self._engine is None or now != self._at_start:
+                self._engine = self._renewed(now)
+            try:
+                copy = self._engine.copy(pool)
+            except Failure:  # somebody has killed it
+                self._engine = self._renewed(now)
+                copy = self._engine.copy(pool)
+            except BaseException:  # an interrupt: its answer would be taken for that to the next
+                self.end()
+                raise
+        copy.begin()
+        return copy
+
+    def _renewed(self, now: tuple[object, ...]) -> RemoteEngine:
+        """Return a new one, started as ``now`` says; raises ``Failure`` (901153) if it ends."""
+        self.end()
+        pool = ProcessPool()
+        try:
+            engine = pool.start()
+        except Failure:
+            pool.kill()
+            raise
+        self._pool, self._at_start = pool, now
+        return engine
+
+    def end(self) -> None:
+        """Kill it: it has nothing that could be lost."""
+        if self._engine is not None and self._pool is not None:
+            self._engine.close()
+            self._pool.kill()
+        self._engine = self._pool = None
+
+    def _leave(self) -> None:
+        """Leave it to the process of which this one is a copy."""
+        self._lock = threading.Lock()
+        if self._engine is not None:
+            self._engine.close()
+        self._engine = None
+
+
+_PROTOTYPE = Prototype()

@@ -8,8 +8,8 @@ without a run; and what has become of each test after a run in virtual time.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields
-from functools import cached_property
+from dataclasses import fields, is_dataclass
+from functools import cache, cached_property
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass, field
@@ -47,6 +47,8 @@ OTHER_TESTS = "tests with computed names"
 _FAILED = Text("an assertion failed", "eine Zusicherung ist nicht erfüllt")
 _WHEN = Text("at {time}, tick {tick}", "bei {time}, Takt {tick}")
 
+#: What a syntax tree is made of.
+_TREE = (Node, list)
 #: Ticks between two looks at whether the suites have ended.
 _TICKS_AT_ONCE = 200
 #: The library keeps what a run finds under this name.
@@ -242,24 +244,39 @@ def _calls(called: Callable) -> Iterator[Call]:
         if isinstance(node, Call):
             yield node
         if isinstance(node, Node):
-            # What the checker has written into a call is in its arguments, too.
-            parts = [one.name for one in fields(node) if one.name not in ("bound", "operands")]
-            waiting += [getattr(node, name) for name in reversed(parts)]
+            parts = [getattr(node, name) for name in _parts_of(type(node))]
+            waiting += [part for part in parts if isinstance(part, _TREE)]
         elif isinstance(node, list):
             waiting += reversed(node)
+
+
+@cache
+def _parts_of(kind: type[Node]) -> list[str]:
+    """Return where nodes of a kind may have further ones, the last of the text first.
+
+    What the checker has written into a call is in its arguments, too.
+    """
+    assert is_dataclass(kind)
+    found = [one.name for one in fields(kind)]
+    return [name for name in reversed(found) if name not in ("bound", "operands", "type")]
 
 
 class SuiteRun:
     """A run of all suites of a project on a machine, in virtual time."""
 
     def __init__(
-        self, plc: StructuredPlc, machine: Machine, until: TimeLike | None, language: Language
+        self,
+        plc: StructuredPlc,
+        suites: list[Suite],
+        machine: Machine,
+        until: TimeLike | None,
+        language: Language,
     ) -> None:
         self._plc = plc
         self._language: Language = language
         self._until = read_time(DEFAULT_UNTIL if until is None else until)
         self._controller = Controller(machine)
-        self._suites = {one.address: one for one in suites_of(plc.program)}
+        self._suites = {one.address: one for one in suites}
         self._numbers: dict[int, Suite] = {}
         self._fault: Diagnostic | None = None
 
@@ -487,7 +504,12 @@ def run_suites(
     machine: Machine,
     until: TimeLike | None = None,
     language: Language = "en",
+    suites: list[Suite] | None = None,
 ) -> SuiteResults:
-    """Run the suites of a PLC on a machine; raises ``Failure`` for what cannot begin."""
+    """Run the suites of a PLC on a machine; raises ``Failure`` for what cannot begin.
+
+    ``suites``: what ``suites_of`` has found, if that is known.
+    """
     kind = SuiteRun if _has_own_results(plc.program) else SourcesRun
-    return kind(plc, machine, until, language).results()
+    own = suites_of(plc.program) if suites is None else suites
+    return kind(plc, own, machine, until, language).results()

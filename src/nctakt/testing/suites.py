@@ -47,7 +47,8 @@ class SuiteFile(pytest.File):
         except Failure as failure:
             raise self.CollectError(rendered(failure.diagnostics)) from failure
         self._found: SuiteResults | None = None
-        for suite in suites_of(self._plc.program):
+        self._suites = suites_of(self._plc.program)
+        for suite in self._suites:
             yield SuiteNode.from_parent(self, name=suite.path, suite=suite)
 
     def _load(self) -> tuple[StructuredPlc, RunSettings]:
@@ -56,17 +57,26 @@ class SuiteFile(pytest.File):
         return load_suites(self.path, own), settings
 
     def results(self) -> SuiteResults:
-        """Return what has become of all tests; the first call runs them."""
+        """Return what has become of all tests; the first call runs them, and lets go of the PLC.
+
+        pytest looks for garbage several times at its end, in all that is still there.
+        """
         if self._found is None:
-            machine = load_machine(self._settings.machine)
-            session = session_coverage(self.config)
-            if session is not None:
-                self._plc.count_branches()
-            self._found = run_suites(self._plc, machine, self._settings.until, language_of_tests())
-            counted = self._plc.coverage()
-            if session is not None and counted is not None:
-                session.add(replace(counted, runs=1))
+            self._found = self._run()
+            del self._plc, self._suites
         return self._found
+
+    def _run(self) -> SuiteResults:
+        machine = load_machine(self._settings.machine)
+        session = session_coverage(self.config)
+        if session is not None:
+            self._plc.count_branches()
+        until, language = self._settings.until, language_of_tests()
+        found = run_suites(self._plc, machine, until, language, self._suites)
+        counted = self._plc.coverage()
+        if session is not None and counted is not None:
+            session.add(replace(counted, runs=1))
+        return found
 
 
 class SuiteNode(pytest.Collector):

@@ -12,8 +12,7 @@ from pathlib import Path
 
 import pytest
 from support.changed_lists import machine_with
-from support.plc_rig import EACH_TICK, loaded, values_in_main
-from support.plc_text import pou_file
+from support.plc_rig import EACH_TICK, loaded, nc_axis, values_in_main
 
 from nctakt.base.failure import Failure
 from nctakt.hli.variables_memory import describe
@@ -389,14 +388,6 @@ fbStop(Axis := axLoader, Execute := n >= 105);
 fbPosition(Axis := axLoader, Enable := TRUE);
 IF fbStop.Done AND nDone = 0 THEN nDone := n; END_IF
 n := n + 1;"""
-NC_PROJECT = """<Project xmlns="http://schemas.microsoft.com/developer/msbuild/2003">
-<ItemGroup><Compile Include="MAIN.TcPOU"/><Compile Include="T.TcTTO"/></ItemGroup>
-<ItemGroup><PlaceholderReference Include="Tc2_Standard"/><PlaceholderReference Include="Tc2_MC2"/>
-</ItemGroup></Project>"""
-NC_TASK = """<TcPlcObject><Task Name="T"><CycleTime>1000</CycleTime><Priority>20</Priority>
-<PouCall><Name>MAIN</Name></PouCall></Task></TcPlcObject>"""
-
-
 BUFFERED_AXIS = """PROGRAM MAIN
 VAR
     axLoader : AXIS_REF;
@@ -415,20 +406,12 @@ IF fbBack.Done AND nBack = 0 THEN nBack := n; END_IF
 n := n + 1;"""
 
 
-def nc_axis(folder: Path, variables: str = NC_AXIS, body: str = NC_BODY) -> Path:
-    """A project whose axes are those of Tc2_MC2, in mm and mm/s."""
-    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
-    (folder / "T.TcTTO").write_text(NC_TASK, "utf-8")
-    (folder / "Cell.plcproj").write_text(NC_PROJECT, "utf-8")
-    return folder / "Cell.plcproj"
-
-
 def test_a_stop_aborts_a_motion_of_the_other_library(tmp_path: Path) -> None:
     """ST-741 … 744: braking from 100 mm/s at 4000 mm/s² takes 25 increments after cycle 105.
 
     The motion stands at 8.75 in cycle 105; braking adds 100² / (2 · 4000) = 1.25: 10 in cycle 130.
     """
-    plc = load_structured(nc_axis(tmp_path), {"MAIN.axLoader": "A"})
+    plc = load_structured(nc_axis(tmp_path, NC_AXIS, NC_BODY), {"MAIN.axLoader": "A"})
     a = list(run_nc(plc, "N10 G04 1\nM30", 140, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"])
     assert [round(a[tick], 6) for tick in (105, 130, 139)] == [8.75, 10.0, 10.0]
     names = ("nDone", "fbMove.CommandAborted", "fbStop.Busy", "fbPosition.Position")
@@ -532,7 +515,7 @@ def test_expectations_name_items_of_enumerations(tmp_path: Path) -> None:
 
 def test_the_project_file_names_axes(tmp_path: Path) -> None:
     """ST-742: the table [plc] axes says which axis a variable means."""
-    file = nc_axis(tmp_path)
+    file = nc_axis(tmp_path, NC_AXIS, NC_BODY)
     table = '[plc]\nfile = "Cell.plcproj"\naxes = {"MAIN.axLoader" = "A"}\n'
     (tmp_path / "nctakt.toml").write_text(table, "utf-8")
     done = run_nc(load_structured(file), "N10 G04 1\nM30", 20, ["A.ACS.ACT_POS"])
@@ -541,7 +524,7 @@ def test_the_project_file_names_axes(tmp_path: Path) -> None:
 
 def test_an_axis_of_no_name_is_refused(tmp_path: Path) -> None:
     """ST-742: neither the variable nor the table names an axis of the machine."""
-    plc = load_structured(nc_axis(tmp_path))
+    plc = load_structured(nc_axis(tmp_path, NC_AXIS, NC_BODY))
     with pytest.raises(PlcError, match="axLoader"):
         run_nc(plc, "M30", 1, [])
 

@@ -252,14 +252,17 @@ m := Tc2_MC2.E_EncoderReferenceMode.ENCODERREFERENCEMODE_SOFTDRIVELATCHNEG;"""
 
 
 def test_what_the_nc_fills_on_the_machine_is_told(tmp_path: Path) -> None:
-    """902968: of Tc2_MC2 an AXIS_REF has its number alone, and MC_ReadStatus the states."""
+    """902968, ST-742: members of NcToPlc and Status that stay empty, and no others."""
     (tmp_path / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "Tc2_MC2"), "utf-8")
     variables = (
         "PROGRAM MAIN\nVAR a : AXIS_REF; s : MC_ReadStatus; r : LREAL; b : BOOL; n : UDINT; END_VAR"
     )
-    body = """r := a.NcToPlc.ActAcc;
+    body = """n := a.NcToPlc.DcTimeStamp;
 b := a.Status.OpMode.Modulo;
 n := a.NcToPlc.AxisId;
+r := a.NcToPlc.ActPos + a.NcToPlc.ActVelo;
+b := a.NcToPlc.StateDWord.2 OR a.Status.Moving;
+n := a.ADS.Port;
 s(Axis := a, Enable := TRUE, Accelerating => b, StandStill => b);
 b := s.Status.CmdBuffered;"""
     (tmp_path / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
@@ -267,8 +270,8 @@ b := s.Status.CmdBuffered;"""
     found = [one for one in json.loads(done.stdout)["diagnostics"] if one["id"] == 902968]
     told = [" ".join(one["text"].split(" ")[:3]) for one in found]
     assert told == [
-        "NcToPlc of AXIS_REF",
-        "Status of AXIS_REF",
-        "Accelerating of MC_ReadStatus",
-        "Status of MC_ReadStatus",
+        "DcTimeStamp of NCTOPLC_AXIS_REF",
+        "OpMode of ST_AxisStatus",
+        "ADS of AXIS_REF",
+        "CmdBuffered of ST_AxisStatus",
     ]

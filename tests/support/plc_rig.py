@@ -9,6 +9,7 @@ from pathlib import Path
 from nctakt.plc.structured_text import StructuredPlc, load_structured
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
+from support.plc_text import pou_file
 
 #: A task of 1 ms, the tick of the demo machine, that calls MAIN.
 EACH_TICK = """
@@ -41,3 +42,20 @@ def run(
 def values_in_main(plc: StructuredPlc, *names: str) -> list[object]:
     """The values of variables of MAIN."""
     return [plc.read(f"MAIN.{name}") for name in names]
+
+
+#: A project with a task of 1 ms whose axes are those of Tc2_MC2.
+NC_PROJECT = """<Project xmlns="http://schemas.microsoft.com/developer/msbuild/2003">
+<ItemGroup><Compile Include="MAIN.TcPOU"/><Compile Include="T.TcTTO"/></ItemGroup>
+<ItemGroup><PlaceholderReference Include="Tc2_Standard"/><PlaceholderReference Include="Tc2_MC2"/>
+</ItemGroup></Project>"""
+NC_TASK = """<TcPlcObject><Task Name="T"><CycleTime>1000</CycleTime><Priority>20</Priority>
+<PouCall><Name>MAIN</Name></PouCall></Task></TcPlcObject>"""
+
+
+def nc_axis(folder: Path, variables: str, body: str) -> Path:
+    """A project whose axes are those of Tc2_MC2, in mm and mm/s."""
+    (folder / "MAIN.TcPOU").write_text(pou_file("MAIN", variables, body), "utf-8")
+    (folder / "T.TcTTO").write_text(NC_TASK, "utf-8")
+    (folder / "Cell.plcproj").write_text(NC_PROJECT, "utf-8")
+    return folder / "Cell.plcproj"

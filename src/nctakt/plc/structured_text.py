@@ -261,10 +261,10 @@ class StructuredPlc(RealtimePlc):
         self._overrun_tasks = set()
         self._interface = interface
         cnc = connect(machine, interface, context, memory)
-        context.outside = self._outside(machine, interface)
+        context.outside = outside = self._outside(machine, interface)
         if self._numbers is not None:
             context.keep_counts(self._numbers.size)
-        self._bind_axes(machine)
+        self._bind_axes(machine, outside)
         number = len(self.program.tasks)
         self._fill_in(f"{_SYSTEM}._AppInfo", ProjectName=self.program.name, TaskCnt=number)
         tasks = PlcTask()
@@ -346,11 +346,13 @@ class StructuredPlc(RealtimePlc):
         """Return where a statement is, by its number in events."""
         return _span(self.program, start)
 
-    def _bind_axes(self, machine: AssembledMachine) -> None:
+    def _bind_axes(self, machine: AssembledMachine, outside: Connection) -> None:
         """Give each AXIS_REF its axis; raises ``PlcError`` for those without one (ST-742)."""
         found, missing = bound_axes(self.program, machine.configuration, self.axes)
         if missing:
             raise PlcError(*missing)
+        if found:
+            outside.watch(1e6 / machine.configuration.cycle_time_us)
         for one in found:
             variable = find_variable(self.program, one.number_path)
             if variable is not None:
@@ -644,7 +646,8 @@ class StructuredPlc(RealtimePlc):
 
 def _body_of(task: Task, translated: Translation) -> Step:
     """Return what a task runs in each cycle: its programs in their order."""
-    return steps_in_order([translated.bodies[pou.name.lower()] for pou in task.programs])
+    bodies = [translated.bodies[pou.name.lower()] for pou in task.programs]
+    return steps_in_order([translated.before, *bodies])
 
 
 def _labels(sought: Type) -> tuple[tuple[int, str], ...]:

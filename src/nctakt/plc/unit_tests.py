@@ -8,8 +8,7 @@ without a run; and what has become of each test after a run in virtual time.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import fields, is_dataclass
-from functools import cache, cached_property
+from functools import cached_property
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass, field
@@ -49,6 +48,7 @@ _WHEN = Text("at {time}, tick {tick}", "bei {time}, Takt {tick}")
 
 #: What a syntax tree is made of.
 _TREE = (Node, list)
+_PARTS: dict[type, list[str]] = {}
 #: Ticks between two looks at whether the suites have ended.
 _TICKS_AT_ONCE = 200
 #: The library keeps what a run finds under this name.
@@ -244,21 +244,22 @@ def _calls(called: Callable) -> Iterator[Call]:
         if isinstance(node, Call):
             yield node
         if isinstance(node, Node):
-            parts = [getattr(node, name) for name in _parts_of(type(node))]
+            parts = [getattr(node, name) for name in _parts_of(node)]
             waiting += [part for part in parts if isinstance(part, _TREE)]
         elif isinstance(node, list):
             waiting += reversed(node)
 
 
-@cache
-def _parts_of(kind: type[Node]) -> list[str]:
-    """Return where nodes of a kind may have further ones, the last of the text first.
+def _parts_of(node: Node) -> list[str]:
+    """Return where nodes of this kind may have further ones, the last of the text first.
 
     What the checker has written into a call is in its arguments, too.
     """
-    assert is_dataclass(kind)
-    found = [one.name for one in fields(kind)]
-    return [name for name in reversed(found) if name not in ("bound", "operands", "type")]
+    kind = type(node)
+    if kind not in _PARTS:
+        names = [*getattr(node, "__dataclass_fields__", ())]
+        _PARTS[kind] = [one for one in reversed(names) if one not in ("bound", "operands", "type")]
+    return _PARTS[kind]
 
 
 class SuiteRun:

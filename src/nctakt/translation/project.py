@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping
 from nctakt.base.dataclass import dataclass
 from nctakt.kernel.st.calls import Call as CallNode
 from nctakt.kernel.st.calls import Callee, Routine, callee_of
-from nctakt.kernel.st.steps import Evaluate, Step, StepPair, steps_in_order
+from nctakt.kernel.st.steps import Evaluate, Step, StepPair, Uncounted, steps_in_order
 from nctakt.kernel.st.wholes import WholeConstant
 from nctakt.st.program import Program
 from nctakt.st.types import (
@@ -27,6 +27,7 @@ from nctakt.st.types import (
     Type,
     Variable,
 )
+from nctakt.st.vocabulary.libraries import AXIS_REFERENCE, WRITTEN_BY_NC
 from nctakt.translation.body import CannotRunError
 from nctakt.translation.ending import exits_of
 from nctakt.translation.initial_values import Images, put_scalar
@@ -37,6 +38,7 @@ from nctakt.translation.observing.noting import NoteRows
 from nctakt.translation.observing.probing import Probes
 from nctakt.translation.observing.units import methods_of
 from nctakt.translation.reflection import InstancePaths
+from nctakt.translation.variables import instances_of
 
 
 @dataclass(slots=True, eq=False)
@@ -51,6 +53,7 @@ class Translation:
     start: Step
     end: Step  # after the last cycle
     bodies: dict[str, Step]  # of the programs of the tasks, by their names in lower case
+    before: Step  # what the NC writes before each cycle of a task
     refused: list[CannotRunError]
     roots: set[str]
 
@@ -67,12 +70,14 @@ def translate(
     ``notes``: what is noted of its own code, ``probes``: those of its own statements.
     """
     project = _Project(program, counted or {}, notes, probes)
-    start, end = project.start(), project.end()
+    start, end, before = project.start(), project.end(), project.before_cycles()
     bodies = {
         pou.name.lower(): project.body_of(pou) for task in program.tasks for pou in task.programs
     }
     project.complete()
-    return Translation(program, project.layout, start, end, bodies, project.refused, project.roots)
+    return Translation(
+        program, project.layout, start, end, bodies, before, project.refused, project.roots
+    )
 
 
 class _Project:
@@ -247,6 +252,20 @@ class _Project:
 
     def _put(self, offset: int, image: bytes) -> None:
         self.layout.data[offset : offset + len(image)] = image
+
+    def before_cycles(self) -> Step:
+        """Return what the NC writes into the references of its axes before each cycle (ST-742)."""
+        found = (one for one in self.program.blocks if one.name == AXIS_REFERENCE and one.library)
+        block = next(found, None)
+        method = None if block is None else block.methods.get(WRITTEN_BY_NC)
+        if block is None or method is None:
+            return Step()
+        routine, shared = self.routine(method), self.shared_bytes(method)
+        calls: list[Step] = [
+            Evaluate(CallNode(routine, WholeConstant(at), shared, Step(), Step(), False, 0), 0, 0)
+            for _, at, _ in instances_of(self.program, block)
+        ]
+        return Uncounted(steps_in_order(calls)) if calls else Step()
 
     def _put_paths(self) -> None:
         """Put the paths of instances into the variables that ask for them (ST-621)."""

@@ -110,7 +110,8 @@ NOT_A_STATEMENT = -1
     AXIS_INDEX,
     AXIS_HOMES,
     AXIS_IS_HOMED,
-) = range(11)
+    AXIS_SHOWN_STATE,
+) = range(12)
 #: What code measures of an axis: command position, actual position, target.
 AXIS_MEASURES = 3
 #: The limits of an axis, numbers after those.
@@ -121,6 +122,24 @@ AXIS_MEASURES = 3
     AXIS_ACCELERATION_LIMIT,
     AXIS_JERK_LIMIT,
 ) = range(3, 8)
+#: Lag, actual and commanded speed, actual and commanded acceleration, numbers after those.
+(
+    AXIS_LAG,
+    AXIS_ACTUAL_SPEED,
+    AXIS_SET_SPEED,
+    AXIS_ACTUAL_ACCELERATION,
+    AXIS_SET_ACCELERATION,
+) = range(8, 13)
+#: What is noted of an axis in each tick.
+(
+    NOTED_ACTUAL_SPEED,
+    NOTED_SET_SPEED,
+    NOTED_ACTUAL_ACCELERATION,
+    NOTED_SET_ACCELERATION,
+    NOTED_ACTUAL,
+    NOTED_COMMAND,
+    AXIS_NOTES,
+) = range(7)
 
 #: How an element of the interface shows a value: scaled, where it is a number or is not, by a table
 #: of numbers.

@@ -44,8 +44,11 @@ class Outside:
         return 0
 
     def measure(self, what: int, axis: int) -> float:
-        """Return a position or speed of an axis."""
+        """Return a position, speed or acceleration of an axis."""
         return 0.0
+
+    def follow(self) -> None:
+        """Note how the axes move, after what they do in a tick."""
 
 
 class Connection(Outside):
@@ -54,6 +57,7 @@ class Connection(Outside):
     ``pointers``: rows of address of the variable and value. ``numbers``: logical number of each
     axis; ``measures``: ``kinds.AXIS_MEASURES`` cells for each axis of the machine's ``cells``.
     ``refused`` are the messages for a value that no axis takes, and for an axis without a release.
+    Speeds are noted from ``watch`` on.
     """
 
     def __init__(
@@ -92,6 +96,49 @@ class Connection(Outside):
             self.pointer_at[i] = at
             self.pointer_value[i] = value
         self.wrong_value, self.not_released = refused
+        self.ticks_per_s = 0.0
+        self.notes = memoryview(bytearray(8 * kinds.AXIS_NOTES * self.count + 8)).cast("d")
+
+    def watch(self, ticks_per_s: float) -> None:
+        """Note speeds and accelerations of the axes from the next tick on."""
+        self.ticks_per_s = ticks_per_s
+        for i in range(self.count):
+            self.note(i)
+            for k in range(kinds.NOTED_ACTUAL):
+                self.notes[kinds.AXIS_NOTES * i + k] = 0.0
+
+    def follow(self) -> None:
+        if self.ticks_per_s > 0.0:
+            for i in range(self.count):
+                self.note(i)
+
+    def note(self, axis: int) -> None:
+        """Note positions, speeds and accelerations of an axis.
+
+        A position that is given to an axis is no motion: one at rest, or farther than it can go.
+        """
+        at = kinds.AXIS_NOTES * axis
+        command = self.single_axes.axes.command[axis]
+        actual = self.single_axes.axes.actual_position(axis)
+        before = self.notes[at + kinds.NOTED_ACTUAL]
+        actual_v = self.single_axes.axes.distance(axis, before, actual) * self.ticks_per_s
+        before = self.notes[at + kinds.NOTED_COMMAND]
+        command_v = self.single_axes.axes.distance(axis, before, command) * self.ticks_per_s
+        limit_v = 1.01 * self.single_axes.limit_v[axis]
+        if command_v != 0.0 and self.single_axes.state(axis) == codes.STANDSTILL:
+            actual_v = 0.0
+            command_v = 0.0
+        elif limit_v > 0.0 and (command_v > limit_v or command_v < 0.0 - limit_v):
+            actual_v = self.notes[at + kinds.NOTED_ACTUAL_SPEED]
+            command_v = self.notes[at + kinds.NOTED_SET_SPEED]
+        change_v = actual_v - self.notes[at + kinds.NOTED_ACTUAL_SPEED]
+        self.notes[at + kinds.NOTED_ACTUAL_ACCELERATION] = change_v * self.ticks_per_s
+        change_v = command_v - self.notes[at + kinds.NOTED_SET_SPEED]
+        self.notes[at + kinds.NOTED_SET_ACCELERATION] = change_v * self.ticks_per_s
+        self.notes[at + kinds.NOTED_ACTUAL_SPEED] = actual_v
+        self.notes[at + kinds.NOTED_SET_SPEED] = command_v
+        self.notes[at + kinds.NOTED_ACTUAL] = actual
+        self.notes[at + kinds.NOTED_COMMAND] = command
 
     def open(self, memory: memoryview) -> None:
         for i in range(self.pointer_count):
@@ -156,15 +203,28 @@ class Connection(Outside):
             return fault if fault >= 0 else 0 - fault
         if what == kinds.AXIS_STATE:
             return self.single_axes.state(axis)
+        if what == kinds.AXIS_SHOWN_STATE:
+            return self.shown_state(axis)
         if what == kinds.AXIS_HOMES:
             return 1 if self.single_axes.is_homing[axis] else 0
         if what == kinds.AXIS_IS_HOMED:
             return self.single_axes.homing.is_homed[axis]
         return self.is_powered[axis]
 
+    def shown_state(self, axis: int) -> int:
+        """The PLCopen state; one at rest that MC_Stop keeps is Stopping (ST-744)."""
+        state = self.single_axes.state(axis)
+        return codes.STOPPING if self.is_locked[axis] and state == codes.STANDSTILL else state
+
     def measure(self, what: int, axis: int) -> float:
-        if axis < 0 or axis >= self.count or what < 0 or what > kinds.AXIS_JERK_LIMIT:
+        if axis < 0 or axis >= self.count or what < 0 or what > kinds.AXIS_SET_ACCELERATION:
             return 0.0
+        if what > kinds.AXIS_LAG:
+            return self.notes[kinds.AXIS_NOTES * axis + what - kinds.AXIS_ACTUAL_SPEED]
+        if what == kinds.AXIS_LAG:
+            command = self.single_axes.axes.command[axis]
+            actual = self.single_axes.axes.actual_position(axis)
+            return self.single_axes.axes.distance(axis, actual, command)
         if what >= kinds.AXIS_MEASURES:
             return self.limit(what, axis)
         return self.cells[self.measures[axis * kinds.AXIS_MEASURES + what]]

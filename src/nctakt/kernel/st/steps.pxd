@@ -15,6 +15,11 @@ cdef class StepPair(Step):
     @cython.locals(end=int)
     cdef int run(self, PlcContext context) noexcept nogil
 
+cdef class Uncounted(Step):
+    cdef Step body
+    @cython.locals(steps=cython.longlong, end=int)
+    cdef int run(self, PlcContext context) noexcept nogil
+
 cdef class StepBlock(Step):
     cdef Step first
     cdef Step second

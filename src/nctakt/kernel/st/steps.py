@@ -44,6 +44,19 @@ class StepPair(Step):
         return self.second.run(context)
 
 
+class Uncounted(Step):
+    """Steps that cost the PLC nothing: what others do in its memory."""
+
+    def __init__(self, body: Step) -> None:
+        self.body = body
+
+    def run(self, context: PlcContext) -> int:
+        steps = context.steps
+        end = self.body.run(context)
+        context.steps = steps
+        return end
+
+
 class StepBlock(Step):
     """Four statements in order."""
 

@@ -225,6 +225,7 @@ class PlcTasks(PlcSide):
         """Run the tasks that are due in a tick."""
         begin = (tick - self.first_tick) * self.tick_ns
         self.cnc.follow(tick)
+        self.context.outside.follow()
         if self.context.fault == 0:
             self.latch_inputs(begin)
             if self.tasks.is_due(begin + self.tick_ns):

@@ -564,8 +564,8 @@ NOT_FILLED_HERE = warning(
     902968,
     en="{name} of {owner} stays empty: the NC that fills it on the machine is not simulated",
     de="{name} von {owner} bleibt leer: die NC, die es an der Maschine füllt, fehlt hier",
-    remedy_en="MC_ReadActualPosition and other outputs of MC_ReadStatus have the axis's values.",
-    remedy_de="MC_ReadActualPosition und andere Ausgänge von MC_ReadStatus haben die Werte der "
-    "Achse.",
+    remedy_en="Use positions, speeds and states of NcToPlc, Status or the MC_Read blocks.",
+    remedy_de="Positionen, Geschwindigkeiten und Zustände von NcToPlc, Status oder den "
+    "MC_Read-Bausteinen verwenden.",
     owner=_OWNER,
 )

@@ -321,9 +321,6 @@ class CallChecker(ExpressionChecker):
             return None
         found = by_name.get(argument.name.lower())
         if found is not None and (found.section is Section.OUTPUT) is argument.is_output:
-            if isinstance(target, Pou):
-                key = argument.name.lower()
-                self.check_filled(target, key, argument.start, argument.start + len(argument.name))
             return found
         if argument.is_output and target.result is not None:
             if argument.name.lower() == target.result.name.lower():

@@ -131,7 +131,7 @@ from nctakt.st.vocabulary.elementary import (
     string,
     wider,
 )
-from nctakt.st.vocabulary.libraries import NC_AXES, NOT_FILLED
+from nctakt.st.vocabulary.libraries import FILLED, NC_AXES
 
 _COMPARISONS = frozenset(
     (
@@ -170,8 +170,6 @@ _WARNINGS = {
 }
 #: Bits of the largest whole number.
 _MAX_BITS = 64
-#: The number of an axis, which an AXIS_REF has here, too.
-_AXIS_NUMBER = "axisid"
 
 
 class ExpressionChecker:
@@ -184,8 +182,6 @@ class ExpressionChecker:
         self.scope = Scope()
         self.foreign_libraries: list[str] = []
         self._known_names: KnownNames | None = None
-        #: Of ``Axis.NcToPlc.AxisId`` what is before the number.
-        self._has_number: Expression | None = None
         self._reported_foreign: set[str] = set()
         #: Names of libraries without sources are reported in each unit, not once for the project.
         self.reports_in_each_unit = False
@@ -463,8 +459,6 @@ class ExpressionChecker:
             constant = qualifier.variables.get(key)
             if constant is not None and (constant.is_constant or constant.section is Section.STAT):
                 return self._qualified(node, qualifier, qualifier.name, constant, {})
-        if key == _AXIS_NUMBER:
-            self._has_number = node.base
         kind = self.operand(node.base)
         if kind is None:
             return None
@@ -472,17 +466,21 @@ class ExpressionChecker:
         if target is None:
             return self._bit_by_name(node, kind)
         node.target = target
-        if isinstance(kind, BlockType) and node is not self._has_number:
-            self.check_filled(kind.pou, key, node.end - len(node.name), node.end)
+        if isinstance(kind, BlockType | StructType):
+            self.check_filled(kind, key, node.end - len(node.name), node.end)
         self._check_access(node, target)
         return self._value_of(node, target)
 
-    def check_filled(self, owner: Pou, key: str, start: int, end: int) -> None:
+    def check_filled(self, owner: BlockType | StructType, key: str, start: int, end: int) -> None:
         """Warn of what the NC fills on the machine, and nothing here."""
-        if owner.library == NC_AXES and not self.scope.library:
-            known = owner.members.get(key)
-            if known is not None and key in NOT_FILLED.get(owner.name, ()):
-                self.reporter.report(NOT_FILLED_HERE, start, end, name=known.name, owner=owner.name)
+        filled = FILLED.get(owner.name)
+        space = self.names.libraries.get(NC_AXES.lower())
+        if filled is None or key in filled or space is None or self.scope.library:
+            return
+        own = owner.pou if isinstance(owner, BlockType) else owner
+        known, declared = own.members.get(key), space.declared.get(own.name.lower())
+        if known is not None and declared is not None and declared.target is own:
+            self.reporter.report(NOT_FILLED_HERE, start, end, name=known.name, owner=owner.name)
 
     def _qualified(
         self, node: Member, qualifier: Target, name: str, found: Target | None, known: object

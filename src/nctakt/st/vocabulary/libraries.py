@@ -21,10 +21,21 @@ SYSTEM = "System"
 #: The CNC's interface, and its blocks for single axes.
 CNC_INTERFACE, CNC_AXES, NC_AXES = "Tc2_CncHli", "McpPLCopenP1", "Tc2_MC2"
 TEST_LIBRARY = "TcUnit"
-#: Outputs of ``NC_AXES`` that the NC fills on the machine, and nothing here, by their blocks.
-NOT_FILLED = {
-    "AXIS_REF": frozenset(("nctoplc", "ads", "status", "driveaddress")),
-    "MC_ReadStatus": frozenset(("constantvelocity", "accelerating", "decelerating", "status")),
+#: The block of ``NC_AXES`` that stands for an axis, and its method that runs before each cycle.
+AXIS_REFERENCE, WRITTEN_BY_NC = "AXIS_REF", "__fromnc"
+#: Members of what the NC fills on the machine that are filled here, too (ST-742).
+FILLED = {
+    AXIS_REFERENCE: frozenset(("plctonc", "nctoplc", "status")),
+    "NCTOPLC_AXIS_REF": frozenset(
+        "statedword errorcode axisid actpos actvelo posdiff setpos setvelo setacc targetpos "
+        "actacc".split()
+    ),
+    "ST_AxisStatus": frozenset(
+        "cyclecounter motionstate error errorid errorstop disabled stopping standstill "
+        "discretemotion continuousmotion synchronizedmotion homing constantvelocity accelerating "
+        "decelerating operational controlloopclosed hasjob homed homingbusy moving "
+        "positivedirection negativedirection notmoving".split()
+    ),
 }
 #: The library of the types that others share; its only one here is that of the system.
 BASE_TYPES = "IBaseLibrary"

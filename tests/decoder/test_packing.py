@@ -3,8 +3,17 @@
 
 from __future__ import annotations
 
+import ast
+import importlib
+import pkgutil
+import sys
+from collections.abc import Iterator
+from dataclasses import is_dataclass
+from pathlib import Path
+
 import pytest
 
+import nctakt.decoder
 from nctakt.decoder.state.queued import commands
 from nctakt.decoder.state.queued.axis_commands import (
     EndOscillation,
@@ -15,7 +24,7 @@ from nctakt.decoder.state.queued.axis_commands import (
     SetSoftwareLimits,
 )
 from nctakt.decoder.state.queued.commands import Command
-from nctakt.decoder.state.queued.packing import pack
+from nctakt.decoder.state.queued.packing import has_own_arguments, pack
 from nctakt.decoder.state.queued.probe_commands import Touch, TouchEnd
 from nctakt.decoder.state.queued.spindle_commands import (
     AwaitSpindle,
@@ -156,13 +165,13 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
     (
         commands.UserErrorValue,
-        {"code": 11, "content": 12.0, "is_text": False},
+        {"code": 11, "value": 12.0},
         rows.USER_VALUE,
         {rows.VALUE_KEYWORD: 11, rows.VALUE_NUMBER: 12},
     ),
     (
-        commands.UserErrorValue,
-        {"code": 11, "content": 12.0, "is_text": True},
+        commands.UserErrorText,
+        {"code": 11, "text": 12},
         rows.USER_TEXT,
         {rows.USER_TEXT_KEYWORD: 11, rows.USER_TEXT_NUMBER: 12},
     ),
@@ -420,17 +429,6 @@ CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     ),
 ]
 
-#: Commands that never stand in the queue: segments are prepared in it, others wait in the decoder.
-_NOT_QUEUED = {
-    Command,
-    commands.Segment,
-    commands.DecoderWait,
-    commands.DecoderSignal,
-    commands.AwaitTools,
-    commands.NextTick,
-    commands.Pause,
-}
-
 
 @pytest.mark.parametrize(
     ("command", "arguments", "kind", "columns"),
@@ -446,20 +444,60 @@ def test_arguments_stand_in_their_columns(
     assert {column: row[column] for column in expected} == expected
 
 
-def test_each_command_is_packed() -> None:
-    """Each that stands in the queue as a row."""
-    declared = {
-        one for one in vars(commands).values() if isinstance(one, type) and issubclass(one, Command)
-    }
-    declared |= {Touch, TouchEnd, Home, MoveAlone, Refer, SetSoftwareLimits, SingleStep}
-    declared |= {Oscillate, EndOscillation}
-    declared |= {
-        SpindleJob,
-        AwaitSpindle,
-        CuttingSpeed,
-        SpindleAxis,
-        SpindleLimits,
-        SetToolLife,
-        ToolLifeFactors,
-    }
-    assert {case[0] for case in CASES} == declared - _NOT_QUEUED
+def command_types() -> list[type[Command]]:
+    """All commands of the decoder, from all of its modules."""
+    for module in pkgutil.walk_packages(nctakt.decoder.__path__, "nctakt.decoder."):
+        importlib.import_module(module.name)
+    # A dataclass with slots is made anew: what it was made of is a subclass, too.
+    found = {one.__qualname__: one for one in every_subclass(Command) if is_dataclass(one)}
+    return [found[name] for name in sorted(found)]
+
+
+def every_subclass(kind: type[Command]) -> Iterator[type[Command]]:
+    """The classes derived from a command, and those derived from them."""
+    for derived in kind.__subclasses__():
+        if derived is getattr(sys.modules[derived.__module__], derived.__name__, None):
+            yield derived
+        yield from every_subclass(derived)
+
+
+QUEUED = [one for one in command_types() if one.packed_as not in (0, rows.SEGMENT)]
+
+
+@pytest.mark.parametrize("command", QUEUED, ids=lambda one: one.__name__)
+def test_the_fields_of_a_command_are_the_columns_of_its_kind(command: type[Command]) -> None:
+    """One column for each field; a command with other arguments has a case above."""
+    if has_own_arguments(command):
+        assert any(issubclass(command, case[0]) for case in CASES)
+        return
+    columns = rows.COMMANDS[command.packed_as].columns
+    fields = list(command.__match_args__)[2:]
+    values = dict(zip(fields, range(11, 11 + len(fields)), strict=True))
+    row = pack(command(SOURCE, NUMBER, **values), REFERENCE)
+    assert row == [command.packed_as, SOURCE, NUMBER, *values.values()]
+    assert len(fields) == len(columns)
+
+
+def test_each_kind_is_packed_from_a_command() -> None:
+    """Nothing is declared that no command of the decoder becomes."""
+    assert {one.packed_as for one in QUEUED} == {*rows.COMMANDS} - {rows.SEGMENT}
+
+
+def test_a_name_of_several_kinds_is_one_column() -> None:
+    """``IS_ANSWERED`` and the like: a second declaration would change the first."""
+    places: dict[str, set[int]] = {}
+    for node in ast.walk(ast.parse(Path(rows.__file__).read_text("utf-8"))):
+        if isinstance(node, ast.Assign) and ast.unparse(node.value).startswith("_command("):
+            assert isinstance(node.targets[0], ast.Tuple)
+            for place, target in enumerate(node.targets[0].elts):
+                places.setdefault(ast.unparse(target), set()).add(place)
+    assert len(places) > len(rows.COMMANDS)
+    assert [name for name, found in places.items() if len(found) > 1] == []
+
+
+@pytest.mark.parametrize("kind", rows.COMMANDS)
+def test_predicates_are_those_of_the_record(kind: int) -> None:
+    """What compiled code has in line comes from the same sets."""
+    record = rows.COMMANDS[kind]
+    assert rows.is_timed(kind) == record.is_timed
+    assert rows.is_transparent(kind) == record.is_transparent

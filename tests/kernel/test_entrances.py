@@ -222,7 +222,7 @@ def test_a_command_longer_than_a_row_is_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    "kind", [0, rows.SEGMENT, rows.SPINDLE_AXIS + 1, -1, math.nan, math.inf, None]
+    "kind", [0, rows.SEGMENT, max(rows.COMMANDS) + 1, -1, math.nan, math.inf, None]
 )
 def test_a_command_of_no_kind_is_refused(kind: int) -> None:
     """None of them would be taken, or it would be taken for another one."""

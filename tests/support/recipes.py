@@ -305,6 +305,57 @@ HASH_COMMAND = Recipe(
     ),
 )
 
+QUEUE_COMMAND = Recipe(
+    "A command of the queue: 5 files",
+    (
+        Edit(
+            "src/nctakt/kernel/rows.py",
+            "(\n"
+            "    EXAMPLE,  # an example\n"
+            "    EXAMPLE_AXIS,\n"
+            "    EXAMPLE_VALUE,\n"
+            ") = _command(HOLDS_AXIS, HOLDS_NUMBER, transparent=True)\n",
+            "\n#: The kinds that take or may take time.\n",
+        ),
+        Edit(
+            "src/nctakt/decoder/state/queued/commands.py",
+            "@dataclass(frozen=True, slots=True)\n"
+            "class Example(Command):\n"
+            '    """An example."""\n\n'
+            "    packed_as = rows.EXAMPLE\n\n"
+            "    axis: int\n"
+            "    value: float\n\n\n",
+            "@dataclass(frozen=True, slots=True)\nclass EmptyBlock(",
+        ),
+        Edit("src/nctakt/decoder/flow/hash_commands.py", "    Example,\n", "    Flush,\n    Pos"),
+        Edit(
+            "src/nctakt/decoder/flow/hash_commands.py",
+            "        yield Example(self._environment.source_id(command.span), number, 1, 7.0)\n\n",
+            "    def _take_positions(",
+        ),
+        Edit(
+            "src/nctakt/kernel/tick/command_execution.py",
+            "        elif kind == rows.EXAMPLE:\n"
+            "            count = self.first_cell + cells.CHANNEL_LOOP_COUNT\n"
+            "            self.cells[count] = self.queue.rows[row + rows.EXAMPLE_VALUE]\n",
+            "        elif kind == rows.LOOP_BEGIN:\n",
+        ),
+        Edit(
+            "tests/decisions/test_example_in_queue.py",
+            "from support.decided import left\n\n\n"
+            "def test_it():\n"
+            '    program = "G01 X10 F6000\\n#BACKWARD STORAGE CLEAR\\nX20\\nM30"\n'
+            '    assert left(program, "V.RTG.LOOP.COUNT") == 7\n',
+        ),
+    ),
+    (
+        "tests/decoder/test_packing.py",
+        "tests/kernel/test_entrances.py",
+        "tests/decisions/test_example_in_queue.py",
+    ),
+    ("scripts/constants",),
+)
+
 SHOWN_ELEMENT = Recipe(
     "A value that the interface shows: 2 files",
     (
@@ -334,6 +385,7 @@ RECIPES = (
     G_FUNCTION,
     HASH_COMMAND,
     VARIABLE,
+    QUEUE_COMMAND,
     SHOWN_ELEMENT,
     MESSAGE,
     CHANNEL_PARAMETER,

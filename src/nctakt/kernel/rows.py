@@ -8,6 +8,10 @@ are mm (degrees where only rotary axes move), ``/s``, ``/s²`` and ``/s³`` thei
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
+from nctakt.kernel import codes
+
 # --- commands of the queue ------------------------------------------------------------------------
 
 #: The first columns of each command; what a kind needs comes from ``ARGUMENTS`` on.
@@ -18,237 +22,345 @@ from __future__ import annotations
     ARGUMENTS,
 ) = range(4)
 
-#: Kinds of commands, in ``KIND``; 0 is none.
+
+#: What a column of a command holds; ``tick/command_bounds.py`` has the bounds of each.
 (
-    SEGMENT,  # the path moves; its columns are below
+    HOLDS_NUMBER,  # without bounds
+    HOLDS_CELL,  # of the memory
+    HOLDS_SLOT,  # of the cycle manager
+    HOLDS_TIMER,
+    HOLDS_SPINDLE,  # index in the channel
+    HOLDS_MEMBER,  # index of an axis in the channel
+    HOLDS_AXIS,  # number in the machine
+    HOLDS_AXIS_OR_NONE,  # the same, -1: none
+    HOLDS_AXIS_FROM_1,  # the same plus 1, 0: none
+    HOLDS_OFFSET,  # ``codes.ZERO_OFFSET`` …
+    HOLDS_MAP,  # number of a map
+) = range(11)
+
+
+class CommandRecord(NamedTuple):
+    """What the queue knows of a kind of command.
+
+    ``columns``: what those of its arguments hold, from ``ARGUMENTS`` on. ``min_length``: that of
+    its row. ``is_timed``: it takes or may take time. ``is_transparent``: the path passes it between
+    two blocks without a stop.
+    """
+
+    columns: tuple[int, ...]
+    min_length: int
+    is_timed: bool
+    is_transparent: bool
+
+
+#: What the queue knows of each kind.
+COMMANDS: dict[int, CommandRecord] = {}
+
+
+def _command(
+    *columns: int,
+    timed: bool = False,
+    transparent: bool = False,
+    needs: int | None = None,
+) -> list[int]:
+    """Declare a kind of command; return its number, from 1 on, and the columns of its arguments.
+
+    ``needs``: the number of arguments that each row of it has, all columns where nothing is said.
+    """
+    kind = len(COMMANDS) + 1
+    min_length = ARGUMENTS + (len(columns) if needs is None else needs)
+    COMMANDS[kind] = CommandRecord(columns, min_length, timed, transparent)
+    return [kind, *range(ARGUMENTS, ARGUMENTS + len(columns))]
+
+
+# Each kind of command with the columns of its arguments, 0 is none; new kinds come last. A column
+# that several kinds have is the same in all of them.
+(SEGMENT,) = _command(timed=True, transparent=True)  # the path moves; its columns are below
+(
     DWELL,  # the path is at rest
-    DEFINE_CYCLE,  # a realtime cycle is defined, and started
-    CONTROL_CYCLE,  # START, HOLD, CONTINUE, ABORT ACTION, DELETE
-    TECHNOLOGY,  # an M, H or T function goes to the PLC
-    AWAIT_ACKNOWLEDGE,  # waits until the PLC has acknowledged the function
-    WRITE_VARIABLE,  # a number goes into a cell
-    WRITE_TEXT,  # part of a character string goes into its cells
-    MESSAGE,  # #MSG
-    FLUSH,  # waits until the path is at rest
-    READ,  # waits until the path is at rest, and answers with the value of a cell
-    POSITIONS,  # waits until the path and some axes are at rest: a position request
-    PROGRAM_END,  # M30
-    GIVE_UP,  # the channel stops with an error of the decoder
-    USER_ERROR,  # #ERROR; its values follow as commands of their own
-    USER_VALUE,  # a number that is reported with an #ERROR
-    USER_TEXT,  # a text that is reported with an #ERROR
-    USER_STOP,  # the #ERROR before stops the channel
-    SPINDLE,  # a job for a spindle
-    AWAIT_SPINDLE,  # waits until a spindle's job is done
-    BLOCK_MARK,  # a block begins
-    WAIT_MARK,  # why the next command empties the channel
-    TIMER,  # #TIMER … SYN
-    SET_OFFSET,  # another value of an offset of an axis
-    SET_ORIGIN,  # the origin of the program's coordinate system on an axis
-    SET_TURN,  # the rotation of the program's coordinate system
-    SET_TRANSFORMATION,  # the transformation that is active from here on
-    PROGRAM_STOP,  # M00, M01
-    FREEZE,  # a variable became a constant of the realtime cycle before it
-    LOOP_BEGIN,  # #RT WHILE
-    LOOP_PASS,  # the end of each pass
-    LOOP_END,  # #RT ENDWHILE
-    FIXED_STOP,  # an axis is monitored for a fixed stop from here on, or no longer
-    FIXED_STOP_END,  # the block that moves to a fixed stop is over
-    MEASURE,  # the next motion looks for an edge
-    MEASURE_END,  # the motion that looks for an edge is over
-    CLEAR_HISTORY,  # #BACKWARD STORAGE CLEAR
-    EMPTY_BLOCK,  # a block whose motion or dwell takes no tick
-    SIGNAL,  # #SIGNAL SYN
-    AWAIT_SIGNAL,  # #WAIT SYN
-    REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
-    MODAL_MARK,  # other functions are in force from here on
-    CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
-    SPINDLE_LIMITS,  # a spindle gets those of its tool when it starts from standstill
-    TOUCH,  # the next motion measures with a touch probe (G100)
-    TOUCH_END,  # the motion that measures is over
-    HOME,  # an axis begins to move to its zero pulse (G74)
-    REFER,  # the position where an axis is
-    SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
-    SINGLE_STEP,  # #SINGLE STEP
-    COUPLE,  # an axis follows another one from here on, or no longer
-    FEED_FORWARD,  # another share of the command speed bypasses a position control
-    TOOL_LIFE,  # of the tool on the path: ``codes.LIFE_SENT`` …
-    MOVE_ALONE,  # an axis moves beside the path (INDP_SYN, INDP_ASYN)
-    OSCILLATE,  # an axis moves to and fro beside the path (OSC ON)
-    END_OSCILLATION,  # OSC OFF
-    SPINDLE_AXIS,  # a spindle gives its axis, or takes it again (S[PUTAX], S[CALLAX])
-) = range(1, 58)
-
-#: The kinds that take or may take time.
-TIMED_KINDS = frozenset(
-    (
-        SEGMENT,
-        DWELL,
-        AWAIT_ACKNOWLEDGE,
-        FLUSH,
-        READ,
-        POSITIONS,
-        PROGRAM_END,
-        GIVE_UP,
-        USER_STOP,
-        AWAIT_SPINDLE,
-        PROGRAM_STOP,
-        LOOP_END,
-        FIXED_STOP_END,
-        MEASURE_END,
-        AWAIT_SIGNAL,
-    )
-)
-
-
-def _arguments(count: int) -> range:
-    return range(ARGUMENTS, ARGUMENTS + count)
-
-
-# Columns of single kinds.
-(DWELL_TICKS,) = _arguments(1)
-CYCLE_SLOT, CYCLE_STARTS = _arguments(2)  # slot of the cycle manager; 1: started at once
+    DWELL_TICKS,
+) = _command(HOLDS_NUMBER, timed=True)
 (
+    DEFINE_CYCLE,  # a realtime cycle is defined, and started
+    CYCLE_SLOT,
+    CYCLE_STARTS,  # 1: started at once
+) = _command(HOLDS_SLOT, HOLDS_NUMBER, transparent=True)
+(
+    CONTROL_CYCLE,  # START, HOLD, CONTINUE, ABORT ACTION, DELETE
     CONTROL_ACTION,  # ``codes.CONTROL_START`` …
     CONTROL_IDENTITY,  # the cycle's programmed ID
-) = _arguments(2)
+) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
+    TECHNOLOGY,  # an M, H or T function goes to the PLC
     TECHNOLOGY_FUNCTION,  # its code (``hli/function_codes.py``)
     TECHNOLOGY_TICKS,  # how long the function takes
     TECHNOLOGY_HAS_VALUE,
     TECHNOLOGY_VALUE,
     TECHNOLOGY_LEAD,  # mm or s that it goes out before the path comes to it, 0: not before
     TECHNOLOGY_LEAD_KIND,  # ``codes.LEAD_DISTANCE`` …
-) = _arguments(6)
-(AWAITED_FUNCTION,) = _arguments(1)  # as ``TECHNOLOGY_FUNCTION``
+) = _command(*6 * (HOLDS_NUMBER,), transparent=True)
 (
+    AWAIT_ACKNOWLEDGE,  # waits until the PLC has acknowledged the function
+    AWAITED_FUNCTION,  # as ``TECHNOLOGY_FUNCTION``
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    WRITE_VARIABLE,  # a number goes into a cell
     VARIABLE_CELL,
     VARIABLE_VALUE,
     VARIABLE_IS_REPORTED,  # 1: the write is an event
-) = _arguments(3)
+) = _command(HOLDS_CELL, HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
+    WRITE_TEXT,  # part of a character string goes into its cells
     TEXT_CELL,  # first cell of the string
     TEXT_FIRST,  # byte of the string where the characters go
     TEXT_COUNT,  # number of characters
     TEXT_ZEROS,  # number of zeros after them
     TEXT_CHARACTERS,  # the first character; the others follow
-) = _arguments(5)
-(MESSAGE_TEXT,) = _arguments(1)  # number of the text
+) = _command(*5 * (HOLDS_NUMBER,), needs=4, transparent=True)
 (
-    IS_ANSWERED,  # FLUSH, READ, POSITIONS, LOOP_END: 1: the decoder waits
-    READ_CELL,  # READ
-) = _arguments(2)
+    MESSAGE,  # #MSG
+    MESSAGE_TEXT,  # number of the text
+) = _command(HOLDS_NUMBER, transparent=True)
 (
+    FLUSH,  # waits until the path is at rest
+    IS_ANSWERED,  # 1: the decoder waits
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    READ,  # waits until the path is at rest, and answers with the value of a cell
+    IS_ANSWERED,
+    READ_CELL,
+) = _command(HOLDS_NUMBER, HOLDS_CELL, timed=True)
+(
+    POSITIONS,  # waits until the path and some axes are at rest: a position request
+    IS_ANSWERED,
     POSITIONS_COUNT,  # number of the axes that have to be at rest, too
     POSITIONS_AXES,  # the first of their numbers in the machine; the others follow
-) = range(READ_CELL, READ_CELL + 2)
-(PROGRAM_NUMBER,) = _arguments(1)  # PROGRAM_END
-(GIVE_UP_MESSAGE,) = _arguments(1)  # number of the message
+) = _command(*3 * (HOLDS_NUMBER,), needs=2, timed=True)
 (
+    PROGRAM_END,  # M30
+    PROGRAM_NUMBER,
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    GIVE_UP,  # the channel stops with an error of the decoder
+    GIVE_UP_MESSAGE,  # number of the message
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    USER_ERROR,  # #ERROR; its values follow as commands of their own
     ERROR_IDENTITY,
     ERROR_REACTION,  # RC
-) = _arguments(2)
+) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
+    USER_VALUE,  # a number that is reported with an #ERROR
     VALUE_KEYWORD,  # index of the keyword in ``nc/check/user_errors.py``
     VALUE_NUMBER,
-) = _arguments(2)
+) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
+    USER_TEXT,  # a text that is reported with an #ERROR
     USER_TEXT_KEYWORD,  # as ``VALUE_KEYWORD``
     USER_TEXT_NUMBER,  # number of the text
-) = _arguments(2)
-(STOP_REACTION,) = _arguments(1)  # USER_STOP: RC
+) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
-    JOB_SPINDLE,  # index of the spindle in the channel; of AWAIT_SPINDLE, too
+    USER_STOP,  # the #ERROR before stops the channel
+    STOP_REACTION,  # RC
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    SPINDLE,  # a job for a spindle
+    JOB_SPINDLE,
     JOB_FUNCTION,  # 3, 4, 5 or 19
     JOB_SPEED,  # degrees/s
     JOB_POSITION,  # degrees
     JOB_DIRECTION,  # 1, -1; 0: the shorter way
     JOB_TICKS,  # how long the default PLC takes
     JOB_IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G167)
-) = _arguments(7)
+) = _command(HOLDS_SPINDLE, *6 * (HOLDS_NUMBER,), transparent=True)
 (
-    CUTTING_SPINDLE,  # index of the spindle in the channel
-    CUTTING_SURFACE,  # mm/s that the surface has at the tool; 0: off
-    CUTTING_AXIS,  # number of the face axis in the machine
-    CUTTING_CENTRE,  # mm: where that axis has the radius 0
-    CUTTING_LIMIT,  # highest speed, degrees/s; 0: none but that of the spindle
-) = _arguments(5)
-# SPINDLE_LIMITS: index in the channel, least and highest speed, degrees/s; degrees/s², /s³; 0: none
-LIMITED_SPINDLE, LIMITED_LOW, LIMITED_HIGH, LIMITED_ACCELERATION = _arguments(4)
-LIMITED_JERK, LIMITED_BY_GEAR = range(LIMITED_ACCELERATION + 1, LIMITED_ACCELERATION + 3)
-GIVING_SPINDLE, GIVES_AXIS = _arguments(2)  # SPINDLE_AXIS: index in the channel; 1: gives
+    AWAIT_SPINDLE,  # waits until a spindle's job is done
+    JOB_SPINDLE,
+) = _command(HOLDS_SPINDLE, timed=True)
 (
-    MARK_TICK,  # BLOCK_MARK: tick in which the block was decoded
+    BLOCK_MARK,  # a block begins
+    MARK_TICK,  # tick in which the block was decoded
     MARK_CALLS,  # number of the open calls (``run/realtime/event_registry.py``)
     MARK_DEPTH,  # how many programs are open, from 1
-) = _arguments(3)
-(MODAL_NUMBER,) = _arguments(1)  # MODAL_MARK: number of what is in force
+) = _command(*3 * (HOLDS_NUMBER,), transparent=True)
 (
+    WAIT_MARK,  # why the next command empties the channel
     WAIT_REASON,  # ``decoder/state/queued/commands.py``
     WAIT_CELL,  # the variable, 0 for none
-) = _arguments(2)
-STEP_IS_LOCKED, STEP_RESOLUTION = _arguments(2)  # SINGLE_STEP: 1: disabled; -1: not changed
-TIMER_NUMBER, TIMER_ACTION = _arguments(2)  # ``codes.TIMER_START`` …
-# TOOL_LIFE: ``codes.LIFE_SENT`` …, the tool's text and number; seconds and mm, or factors
-LIFE_ACTION, LIFE_TOOL, LIFE_BASIC, LIFE_TIME, LIFE_DISTANCE = _arguments(5)
+) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
-    OFFSET_AXIS,  # number in the machine
+    TIMER,  # #TIMER … SYN
+    TIMER_NUMBER,
+    TIMER_ACTION,  # ``codes.TIMER_START`` …
+) = _command(HOLDS_TIMER, HOLDS_NUMBER, transparent=True)
+(
+    SET_OFFSET,  # another value of an offset of an axis
+    OFFSET_AXIS,
     OFFSET_KIND,  # ``codes.ZERO_OFFSET`` …
     OFFSET_VALUE,  # mm, degrees
-) = _arguments(3)
+) = _command(HOLDS_AXIS, HOLDS_OFFSET, HOLDS_NUMBER, transparent=True)
 (
-    ORIGIN_AXIS,  # number in the machine
+    SET_ORIGIN,  # the origin of the program's coordinate system on an axis
+    ORIGIN_AXIS,
     ORIGIN_VALUE,  # mm, degrees
-) = _arguments(2)
+) = _command(HOLDS_AXIS, HOLDS_NUMBER, transparent=True)
 (
-    TURN_FIRST,  # number of the first axis in the machine
-    TURN_SECOND,  # of the second one, plus 1; 0: nothing is turned
-    TURN_THIRD,  # of the third one, plus 1
+    SET_TURN,  # the rotation of the program's coordinate system
+    TURN_FIRST,  # first axis
+    TURN_SECOND,  # 0: nothing is turned
+    TURN_THIRD,
     TURN_MATRIX,  # the first of nine numbers, row by row
-) = _arguments(4)
+) = _command(
+    HOLDS_AXIS, HOLDS_AXIS_FROM_1, HOLDS_AXIS_FROM_1, HOLDS_NUMBER, needs=1, transparent=True
+)
 (
+    SET_TRANSFORMATION,  # the transformation that is active from here on
     TRANSFORMATION_NUMBER,  # of its map; 0: none
     TRANSFORMATION_OF_SEGMENTS,  # the map of the segments after it; 0: they are those of the axes
-) = _arguments(2)
-(STOP_IS_OPTIONAL,) = _arguments(1)  # PROGRAM_STOP: M01
+) = _command(HOLDS_MAP, HOLDS_MAP)
 (
+    PROGRAM_STOP,  # M00, M01
+    STOP_IS_OPTIONAL,  # M01
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    FREEZE,  # a variable became a constant of the realtime cycle before it
     FROZEN_CYCLE,  # serial of the cycle
     FROZEN_NAME,  # number of the variable's text
     FROZEN_VALUE,
-) = _arguments(3)
+) = _command(*3 * (HOLDS_NUMBER,), transparent=True)
+(LOOP_BEGIN,) = _command()  # #RT WHILE
+(LOOP_PASS,) = _command(transparent=True)  # the end of each pass
 (
-    FIXED_STOP_AXIS,  # index of the axis in the channel
+    LOOP_END,  # #RT ENDWHILE
+    IS_ANSWERED,
+) = _command(HOLDS_NUMBER, timed=True)
+(
+    FIXED_STOP,  # an axis is monitored for a fixed stop from here on, or no longer
+    FIXED_STOP_AXIS,
     FIXED_STOP_IS_ON,
     FIXED_STOP_LIMIT,  # mm, degrees between command and actual position
     FIXED_STOP_TICKS,  # how long it has to be exceeded
     FIXED_STOP_FROM,  # share of the block's length from which the axis is monitored
     FIXED_STOP_TO,  # and up to which
     FIXED_STOP_IS_NEEDED,  # 1: an axis that finds no stop is an error
-) = _arguments(7)
+) = _command(HOLDS_MEMBER, *6 * (HOLDS_NUMBER,))
+(FIXED_STOP_END,) = _command(timed=True)  # the block that moves to a fixed stop is over
 (
+    MEASURE,  # the next motion looks for an edge
     MEASURE_FUNCTION,  # as ``TECHNOLOGY_FUNCTION``
     MEASURE_TICKS,  # how long the function takes
     MEASURE_RESIDUAL,  # mm from the edge to where the function goes out
     MEASURE_HAS_VALUE,
     MEASURE_VALUE,
-) = _arguments(5)
+) = _command(*5 * (HOLDS_NUMBER,))
+(MEASURE_END,) = _command(timed=True)  # the motion that looks for an edge is over
+(CLEAR_HISTORY,) = _command(transparent=True)  # #BACKWARD STORAGE CLEAR
+(EMPTY_BLOCK,) = _command(transparent=True)  # a block whose motion or dwell takes no tick
 (
+    SIGNAL,  # #SIGNAL SYN
+    SIGNAL_NUMBER,
+    SIGNAL_RECEIVERS,  # mask of channels (``tick/signals.py``), 0: all
+    SIGNAL_COUNT,  # how often it is taken, ``codes.ENDLESS_SIGNAL``
+    SIGNAL_MASK,  # which of its values are given
+    SIGNAL_FIRST_VALUE,
+    *_OTHER_VALUES,
+) = _command(*(4 + codes.SIGNAL_VALUES) * (HOLDS_NUMBER,), transparent=True)
+(
+    AWAIT_SIGNAL,  # #WAIT SYN
+    AWAITED_SIGNAL,
+    AWAITED_SENDERS,  # mask of channels, 0: a broadcast
+    AWAITED_OVERTAKES,  # 1: out of the order of its sender
+) = _command(*3 * (HOLDS_NUMBER,), timed=True)
+(
+    REMOVE_SIGNAL,  # #SIGNAL REMOVE SYN
+    REMOVED_LOW,
+    REMOVED_HIGH,
+    REMOVED_RECEIVERS,  # mask of channels, 0: broadcasts
+    REMOVED_IS_RANGE,  # 1: all signals with these numbers, 0: the oldest
+) = _command(*4 * (HOLDS_NUMBER,), transparent=True)
+(
+    MODAL_MARK,  # other functions are in force from here on
+    MODAL_NUMBER,  # of what is in force
+) = _command(HOLDS_NUMBER, transparent=True)
+(
+    CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
+    CUTTING_SPINDLE,
+    CUTTING_SURFACE,  # mm/s that the surface has at the tool; 0: off
+    CUTTING_AXIS,  # the face axis
+    CUTTING_CENTRE,  # mm: where that axis has the radius 0
+    CUTTING_LIMIT,  # highest speed, degrees/s; 0: none but that of the spindle
+) = _command(HOLDS_SPINDLE, HOLDS_NUMBER, HOLDS_AXIS, HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
+(
+    SPINDLE_LIMITS,  # a spindle gets those of its tool when it starts from standstill; 0: none
+    LIMITED_SPINDLE,
+    LIMITED_LOW,  # least speed, degrees/s
+    LIMITED_HIGH,  # highest speed
+    LIMITED_ACCELERATION,  # degrees/s²
+    LIMITED_JERK,  # degrees/s³
+    LIMITED_BY_GEAR,  # gear step whose limits they are, 0: those of the tool
+) = _command(HOLDS_SPINDLE, *5 * (HOLDS_NUMBER,), transparent=True)
+(
+    TOUCH,  # the next motion measures with a touch probe (G100)
     TOUCH_PART,  # share of the block's length where the simulated probe touches; below 0: nowhere
     TOUCH_TICKS,  # ticks until it does, below 0: it does not
     TOUCH_LEVEL,  # value of HLI.PROBE that is the signal; or ``codes.FIXED_STOP_SIGNAL``
     TOUCH_CONTINUES,  # 1: the motion continues to its target after the signal (G106)
     TOUCH_IS_NEEDED,  # 1: a signal that does not come is an error
     TOUCH_MAY_BE_PRESSED,  # 1: a probe that is pressed at the start ends the block there
-) = _arguments(6)
+) = _command(*6 * (HOLDS_NUMBER,))
+(TOUCH_END,) = _command()  # the motion that measures is over
 (
-    HOMED_AXIS,  # number in the machine
-    HOMING_DISTANCE,  # mm, degrees; REFER: the position
+    HOME,  # an axis begins to move to its zero pulse (G74)
+    HOMED_AXIS,
+    HOMING_DISTANCE,  # mm, degrees
     HOMING_SPEED,
-) = _arguments(3)
-# MOVE_ALONE: number in the machine; mm, degrees; mm/s, degrees/s; 1: VALUE is a distance
-ALONE_AXIS, ALONE_VALUE, ALONE_SPEED, ALONE_IS_RELATIVE = _arguments(4)
+) = _command(HOLDS_AXIS, HOLDS_NUMBER, HOLDS_NUMBER)
 (
-    SWUNG_AXIS,  # number in the machine
+    REFER,  # the position where an axis is
+    HOMED_AXIS,
+    HOMING_DISTANCE,  # the position
+) = _command(HOLDS_AXIS, HOLDS_NUMBER)
+(
+    SOFTWARE_LIMITS,  # others for the independent motions of an axis (G98, G99)
+    LIMITED_AXIS,
+    LIMIT_LOW,  # mm, degrees
+    LIMIT_HIGH,
+) = _command(HOLDS_AXIS, HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
+(
+    SINGLE_STEP,  # #SINGLE STEP
+    STEP_IS_LOCKED,  # 1: disabled
+    STEP_RESOLUTION,  # -1: not changed
+) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
+(
+    COUPLE,  # an axis follows another one from here on, or no longer
+    COUPLED_AXIS,
+    COUPLED_TO,
+    COUPLED_BY,  # the factor
+    COUPLED_WITHIN,  # mm or degrees between actual positions, 0: any
+) = _command(HOLDS_AXIS, HOLDS_AXIS_OR_NONE, HOLDS_NUMBER, HOLDS_NUMBER)
+(
+    FEED_FORWARD,  # another share of the command speed bypasses a position control
+    FED_AXIS,
+    FED_SHARE,
+) = _command(HOLDS_AXIS, HOLDS_NUMBER)
+(
+    TOOL_LIFE,  # of the tool on the path
+    LIFE_ACTION,  # ``codes.LIFE_SENT`` …
+    LIFE_TOOL,  # number of the text of the tool's ID
+    LIFE_BASIC,  # the tool's number
+    LIFE_TIME,  # seconds, or a factor
+    LIFE_DISTANCE,  # mm, or a factor
+) = _command(*5 * (HOLDS_NUMBER,), transparent=True)
+(
+    MOVE_ALONE,  # an axis moves beside the path (INDP_SYN, INDP_ASYN)
+    ALONE_AXIS,
+    ALONE_VALUE,  # mm, degrees
+    ALONE_SPEED,  # mm/s, degrees/s
+    ALONE_IS_RELATIVE,  # 1: the value is a distance
+) = _command(HOLDS_AXIS, *3 * (HOLDS_NUMBER,))
+(
+    OSCILLATE,  # an axis moves to and fro beside the path (OSC ON)
+    SWUNG_AXIS,
     SWING_FIRST,  # mm, degrees
     SWING_SECOND,
     SWING_STROKE,  # the way from the first position to the second, with its sign
@@ -256,30 +368,35 @@ ALONE_AXIS, ALONE_VALUE, ALONE_SPEED, ALONE_IS_RELATIVE = _arguments(4)
     SWING_FIRST_TICKS,  # how long the axis waits there
     SWING_SECOND_TICKS,
     SWING_COUNT,  # how often the axis comes to the second position; -1: until it is ended
-) = _arguments(8)
-ENDED_AXIS, ENDED_HOW, ENDED_SPEED = _arguments(3)  # ``codes.FINISHES`` …; mm/s of ``RETURNS``
-LIMITED_AXIS, LIMIT_LOW, LIMIT_HIGH = _arguments(3)  # number in the machine; mm, degrees
-# COUPLE: numbers in the machine, no master: -1; mm or degrees of actual positions, 0: any
-COUPLED_AXIS, COUPLED_TO, COUPLED_BY, COUPLED_WITHIN = _arguments(4)
-FED_AXIS, FED_SHARE = _arguments(2)  # FEED_FORWARD: number in the machine
+) = _command(HOLDS_AXIS, *7 * (HOLDS_NUMBER,))
 (
-    SIGNAL_NUMBER,
-    SIGNAL_RECEIVERS,  # mask of channels (``tick/signals.py``), 0: all
-    SIGNAL_COUNT,  # how often it is taken, ``codes.ENDLESS_SIGNAL``
-    SIGNAL_MASK,  # which of its values are given
-    SIGNAL_FIRST_VALUE,  # the others follow
-) = _arguments(5)
+    END_OSCILLATION,  # OSC OFF
+    ENDED_AXIS,
+    ENDED_HOW,  # ``codes.FINISHES`` …
+    ENDED_SPEED,  # mm/s of ``RETURNS``
+) = _command(HOLDS_AXIS, HOLDS_NUMBER, HOLDS_NUMBER)
 (
-    AWAITED_SIGNAL,
-    AWAITED_SENDERS,  # mask of channels, 0: a broadcast
-    AWAITED_OVERTAKES,  # 1: out of the order of its sender
-) = _arguments(3)
-(
-    REMOVED_LOW,
-    REMOVED_HIGH,
-    REMOVED_RECEIVERS,  # mask of channels, 0: broadcasts
-    REMOVED_IS_RANGE,  # 1: all signals with these numbers, 0: the oldest
-) = _arguments(4)
+    SPINDLE_AXIS,  # a spindle gives its axis, or takes it again (S[PUTAX], S[CALLAX])
+    GIVING_SPINDLE,
+    GIVES_AXIS,  # 1: gives
+) = _command(HOLDS_SPINDLE, HOLDS_NUMBER)
+
+#: The kinds that take or may take time.
+TIMED_KINDS = frozenset(kind for kind, record in COMMANDS.items() if record.is_timed)
+
+#: The kinds that the path passes without a stop.
+TRANSPARENT_KINDS = frozenset(kind for kind, record in COMMANDS.items() if record.is_transparent)
+
+
+def is_timed(kind: int) -> bool:
+    """Return whether a command of this kind takes or may take time; compiled: C in line."""
+    return kind in TIMED_KINDS
+
+
+def is_transparent(kind: int) -> bool:
+    """Return whether the path passes a command of this kind; compiled: C in line."""
+    return kind in TRANSPARENT_KINDS
+
 
 # --- segments of the path -------------------------------------------------------------------------
 

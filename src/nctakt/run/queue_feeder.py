@@ -22,10 +22,9 @@ from nctakt.decoder.state.program_variables import Scopes
 from nctakt.decoder.state.queued import commands
 from nctakt.decoder.state.queued.commands import PAUSE, Answer, Command
 from nctakt.decoder.state.queued.limit_commands import SetLimits
-from nctakt.decoder.state.queued.packing import pack
+from nctakt.decoder.state.queued.packing import pack, takes_time
 from nctakt.decoder.state.queued.probe_commands import MeasurementRequest
 from nctakt.decoder.state.queued.start_block import StartBlock
-from nctakt.kernel import rows
 from nctakt.kernel.tick.channel import LOW_WATER
 from nctakt.messages import diagnostic
 from nctakt.messages.files import TEXT_CHANGED
@@ -331,5 +330,5 @@ class QueueFeeder:
             self._channel.queue.end_loop(row)
         else:
             self._channel.put(row)
-        if row[rows.KIND] in rows.TIMED_KINDS:
+        if takes_time(command):
             self._decoder.pass_time(command)

@@ -17,6 +17,7 @@ from nctakt.decoder.state.queued.commands import (
     Command,
     UserErrorReport,
     UserErrorStop,
+    UserErrorText,
     UserErrorValue,
 )
 from nctakt.decoder.values.variables import Values
@@ -73,9 +74,10 @@ def user_error(
     source = values.environment.source_id(statement.span)
     yield UserErrorReport(source, number, identity, reaction)
     for code, value in contents:
-        is_text = isinstance(value, str)
-        content = values.environment.text_id(value) if isinstance(value, str) else value
-        yield UserErrorValue(source, number, code, content, is_text)
+        if isinstance(value, str):
+            yield UserErrorText(source, number, code, values.environment.text_id(value))
+        else:
+            yield UserErrorValue(source, number, code, value)
     if reaction > 0:
         yield UserErrorStop(source, number, reaction)
 

@@ -387,7 +387,7 @@ class Channel:
                     self.publish_block()
                 if not self.path.step_carried(self.override(), is_stopping):
                     return
-            elif not self.queue.is_transparent(kind):
+            elif not rows.is_transparent(kind):
                 return
             position += 1
 

@@ -75,7 +75,6 @@ cdef class CommandQueue:
     @cython.locals(before=Py_ssize_t, thread=double, limits_jerk=bint)
     cdef int has_same_slope(self, Py_ssize_t number, Py_ssize_t row) noexcept nogil
     cdef Py_ssize_t next_row(self) except -1
-    cdef int is_transparent(self, int kind) noexcept nogil
     @cython.locals(
         count=Py_ssize_t, length=double, needed=double, position=Py_ssize_t, row=Py_ssize_t
     )

@@ -69,9 +69,9 @@ class CommandQueue:
                 self.look_ahead.limits.transformed.start_at(axes, self.path.members)
             self.transformation = int(command[rows.TRANSFORMATION_OF_SEGMENTS])
             self.look_ahead.limits.transformed.transform(self.transformation)
-        if kind in rows.TIMED_KINDS:
+        if rows.is_timed(kind):
             self.timed_count += 1
-        if not self.is_transparent(kind):
+        if not rows.is_transparent(kind):
             self.last_segment = -1
         self.note_early(row)
         if self.loop_body.is_open:
@@ -384,7 +384,7 @@ class CommandQueue:
             if kind == rows.SEGMENT:
                 is_joined = self.rows[row + rows.PREDECESSOR] > 0.0
                 return position if is_joined else codes.STANDS_BETWEEN
-            if not self.is_transparent(kind):
+            if not rows.is_transparent(kind):
                 return codes.STANDS_BETWEEN
             position += 1
         return codes.END_OF_QUEUE
@@ -397,42 +397,6 @@ class CommandQueue:
         bounds.check_range(number, self.head, self.tail - 1, "segment")
         row = number % self.capacity * self.width
         return self.look_ahead.feed_entry_speed(self.rows, row, self.rows[row + rows.END_SPEED])
-
-    def is_transparent(self, kind: int) -> int:
-        """Return whether the path passes a command of this kind without a stop."""
-        if kind in (
-            rows.SEGMENT,
-            rows.DEFINE_CYCLE,
-            rows.CONTROL_CYCLE,
-            rows.TECHNOLOGY,
-            rows.WRITE_VARIABLE,
-            rows.WRITE_TEXT,
-            rows.MESSAGE,
-            rows.USER_ERROR,
-            rows.USER_VALUE,
-            rows.USER_TEXT,
-            rows.SPINDLE,
-            rows.BLOCK_MARK,
-            rows.WAIT_MARK,
-            rows.MODAL_MARK,
-            rows.TIMER,
-            rows.SET_OFFSET,
-            rows.SET_ORIGIN,
-            rows.SET_TURN,
-            rows.SOFTWARE_LIMITS,
-            rows.SINGLE_STEP,
-            rows.TOOL_LIFE,
-            rows.FREEZE,
-            rows.LOOP_PASS,
-            rows.CLEAR_HISTORY,
-            rows.EMPTY_BLOCK,
-            rows.CUTTING_SPEED,
-            rows.SPINDLE_LIMITS,
-            rows.SIGNAL,
-            rows.REMOVE_SIGNAL,
-        ):
-            return 1
-        return 0
 
     def needs_pass(self) -> int:
         """Return whether a path that passes the loop's end needs another pass by now.

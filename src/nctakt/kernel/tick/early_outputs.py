@@ -59,7 +59,7 @@ class EarlyOutputs:
                 if not self.is_due(row) or not self.issue(tick, row):
                     is_open = 0
                     closed_d = self.way_d
-            elif not self.queue.is_transparent(kind) and kind != rows.AWAIT_ACKNOWLEDGE:
+            elif not rows.is_transparent(kind) and kind != rows.AWAIT_ACKNOWLEDGE:
                 is_open = 0
                 closed_d = -1.0
             position += 1

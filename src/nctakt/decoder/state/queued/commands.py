@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """What goes down the queue to the realtime part: plain data, no text, no names.
 
-``packing.py`` turns them into rows of the queue. A command that ``waits`` is answered through the
-decoder's ``yield``: with the value that was read, or the axes' positions.
+``packing.py`` turns them into rows of the queue, whose kinds and columns ``kernel/rows.py``
+declares. A command that ``waits`` is answered through the decoder's ``yield``: with the value that
+was read, or the axes' positions.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from nctakt.base.dataclass import dataclass
@@ -18,12 +20,18 @@ from nctakt.kernel.cycles.cycles import RealtimeCycle
 @dataclass(frozen=True, slots=True)
 class Command:
     """``source`` is the place (``base/source_ids.py``), ``number`` the N word of its block, 0
-    without. ``packed_as``: the kind of the row whose arguments are the fields in their order; 0 of
-    a command that ``packing.py`` packs otherwise or that has no row."""
+    without. ``packed_as``: the kind of its row, 0 of a command that has none."""
 
     packed_as = 0
     source: int
     number: int
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        """Return the arguments of its row, where they are not just the fields in their order.
+
+        The parameter is the slot of a cycle, the number of a text or program, or a tick.
+        """
+        raise AssertionError(self)
 
 
 class Tilt(NamedTuple):
@@ -49,6 +57,8 @@ class Segment(Command):
     ``curve``: the inner control points of a cubic, all axes of the first, then of the second.
     ``tilt``: the motion is in the plane of a tilted system, with start, target and arc.
     """
+
+    packed_as = rows.SEGMENT
 
     start: tuple[float, ...]
     target: tuple[float, ...]
@@ -86,11 +96,16 @@ class LoadCycle(Command):
     motions go on when it ends (MOVE_CONT).
     """
 
+    packed_as = rows.DEFINE_CYCLE
+
     cycle: RealtimeCycle
     identity: int
     scope: int
     definition_only: bool
     moves_on: bool = False
+
+    def arguments(self, reference: int) -> Sequence[float]:
+        return reference, not self.definition_only
 
 
 #: Actions of ``CycleControl`` by the words of the language.
@@ -121,11 +136,18 @@ class TechnologyOutput(Command):
     before its place it goes out, mm or s as ``lead_kind`` says (``codes.LEAD_DISTANCE`` …).
     """
 
+    packed_as = rows.TECHNOLOGY
+
     function: int
     ticks: int
     value: int | None = None
     lead: float = 0.0
     lead_kind: int = 0
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        has_value = self.value is not None
+        value = self.value or 0
+        return self.function, self.ticks, has_value, value, self.lead, self.lead_kind
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,10 +180,15 @@ class WriteText(Command):
     The characters ``data`` go into the variable from byte ``first`` on, then come ``zeros``.
     """
 
+    packed_as = rows.WRITE_TEXT
+
     cell: int
     first: int
     data: bytes
     zeros: int
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return self.cell, self.first, len(self.data), self.zeros, *self.data
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,10 +199,15 @@ class UserMessage(Command):
     ``file``: the file that the program has named for it, empty without one.
     """
 
+    packed_as = rows.MESSAGE
+
     text: str
     exclusive: bool = False
     unbroken: bool = False
     file: str = ""
+
+    def arguments(self, reference: int) -> Sequence[float]:
+        return (reference,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,8 +241,16 @@ class SetTurn(Command):
     ``matrix``: row by row, from its coordinates to those of the axes; empty: it is not turned.
     """
 
+    packed_as = rows.SET_TURN
+
     axes: tuple[int, int, int]
     matrix: tuple[float, ...]
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        first, second, third = self.axes
+        if not self.matrix:
+            return (first,)
+        return first, second + 1, third + 1, *self.matrix
 
 
 @dataclass(frozen=True, slots=True)
@@ -230,9 +270,14 @@ class Freeze(Command):
     A text is part of ``name``, and ``value`` is not a number.
     """
 
+    packed_as = rows.FREEZE
+
     serial: int
     name: str
     value: float
+
+    def arguments(self, reference: int) -> Sequence[float]:
+        return self.serial, reference, self.value
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,11 +292,22 @@ class UserErrorReport(Command):
 
 @dataclass(frozen=True, slots=True)
 class UserErrorValue(Command):
-    """A value of the ``#ERROR`` before it; ``content``: the value, or the number of a text."""
+    """A number of the ``#ERROR`` before it; ``code``: index of its keyword."""
+
+    packed_as = rows.USER_VALUE
 
     code: int
-    content: float
-    is_text: bool
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class UserErrorText(Command):
+    """A text of the ``#ERROR`` before it, by its number; ``code``: index of its keyword."""
+
+    packed_as = rows.USER_TEXT
+
+    code: int
+    text: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -267,16 +323,26 @@ class UserErrorStop(Command):
 class Flush(Command):
     """The path comes to rest before what follows is taken; ``waits``: the decoder, too (RC-005)."""
 
+    packed_as = rows.FLUSH
+
     waits: bool
     reason: int = 0
     cell: int = 0
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return (self.waits,)
 
 
 @dataclass(frozen=True, slots=True)
 class ReadRealtime(Command):
     """The decoder waits for the value of a cell when the path is at rest (RC-308)."""
 
+    packed_as = rows.READ
+
     cell: int
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return True, self.cell
 
 
 @dataclass(frozen=True, slots=True)
@@ -286,12 +352,22 @@ class PositionRequest(Command):
     ``axes``: numbers in the machine.
     """
 
+    packed_as = rows.POSITIONS
+
     axes: tuple[int, ...] = ()
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return True, len(self.axes), *self.axes
 
 
 @dataclass(frozen=True, slots=True)
 class ProgramEnd(Command):
     """M30."""
+
+    packed_as = rows.PROGRAM_END
+
+    def arguments(self, reference: int) -> Sequence[float]:
+        return (reference,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -320,8 +396,13 @@ class BlockMark(Command):
     programs.
     """
 
+    packed_as = rows.BLOCK_MARK
+
     calls: int
     depth: int
+
+    def arguments(self, reference: int) -> Sequence[float]:
+        return reference, self.calls, self.depth
 
 
 #: Why the channel is emptied: ``#FLUSH``, a synchronous read, a position request, a V.RT* write.
@@ -366,6 +447,11 @@ class LoopPass(Command):
 class LoopEnd(Command):
     """``#RT ENDWHILE``: the decoder goes on when the loop is left."""
 
+    packed_as = rows.LOOP_END
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return (True,)
+
 
 @dataclass(frozen=True, slots=True)
 class FixedStop(Command):
@@ -397,10 +483,16 @@ class FixedStopEnd(Command):
 class Measure(Command):
     """The next motion looks for an edge; ``function`` goes out ``residual`` mm after that."""
 
+    packed_as = rows.MEASURE
+
     function: int
     ticks: int
     residual: float
     value: int | None = None
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        has_value = self.value is not None
+        return self.function, self.ticks, self.residual, has_value, self.value or 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -441,11 +533,16 @@ class SendSignal(Command):
     given.
     """
 
+    packed_as = rows.SIGNAL
+
     signal: int
     receivers: int
     count: int
     mask: int
     values: tuple[float, ...]
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return self.signal, self.receivers, self.count, self.mask, *self.values
 
 
 @dataclass(frozen=True, slots=True)

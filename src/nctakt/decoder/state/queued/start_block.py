@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.decoder.state.queued.commands import Command
+from nctakt.kernel import rows
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,8 +19,13 @@ class SingleStep(Command):
     ``None``: as before, and whether it is disabled counts.
     """
 
+    packed_as = rows.SINGLE_STEP
+
     is_disabled: bool = False
     resolution: int | None = None
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return self.is_disabled, -1 if self.resolution is None else self.resolution
 
 
 @dataclass(frozen=True, slots=True)

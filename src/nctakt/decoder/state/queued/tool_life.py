@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command
-from nctakt.kernel import rows
+from nctakt.kernel import codes, rows
 
 #: Time or distance of ``#TOOL LIFE DEF`` that stays as it is.
 UNCHANGED = -1.0
@@ -32,5 +34,10 @@ class SetToolLife(Command):
 class ToolLifeFactors(Command):
     """Other factors of the tool life from here on (V.TLM)."""
 
+    packed_as = rows.TOOL_LIFE
+
     time: float
     distance: float
+
+    def arguments(self, _reference: int) -> Sequence[float]:
+        return codes.LIFE_FACTORS, 0, 0, self.time, self.distance

@@ -248,9 +248,9 @@ G_FUNCTION = Recipe(
             '        plain(ABSOLUTE, "absolute dimensions"',
         ),
         Edit(
-            "src/nctakt/decoder/blocks/block_decoder.py",
-            "                state.absolute = function in (ABSOLUTE, 119)\n",
-            "                state.absolute = function == ABSOLUTE\n",
+            "src/nctakt/decoder/blocks/modal_functions.py",
+            "        self._state.absolute = function in (ABSOLUTE, 119)\n",
+            "        self._state.absolute = function == ABSOLUTE\n",
             replaces=True,
         ),
         Edit(

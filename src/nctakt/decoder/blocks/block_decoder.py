@@ -24,13 +24,12 @@ from nctakt.decoder.blocks.axes.moved_axes import MovedAxes
 from nctakt.decoder.blocks.axes.oscillations import Oscillations
 from nctakt.decoder.blocks.axes.spindles import SpindleWords, is_revolutions
 from nctakt.decoder.blocks.block_content import BlockContent
-from nctakt.decoder.blocks.diameters import tell_effect
-from nctakt.decoder.blocks.edge_banding import seek_edge, switch_edge_banding
+from nctakt.decoder.blocks.edge_banding import seek_edge
 from nctakt.decoder.blocks.frames.frame_commands import FrameCommands
 from nctakt.decoder.blocks.frames.orientation import Orientation
-from nctakt.decoder.blocks.frames.rotating_planes import check_function
 from nctakt.decoder.blocks.in_force_marks import InForceMarks
 from nctakt.decoder.blocks.measuring import Measuring
+from nctakt.decoder.blocks.modal_functions import ModalFunctions
 from nctakt.decoder.blocks.path.contour_lines import ContourLines, FirstLine
 from nctakt.decoder.blocks.path.corners import changes_contour
 from nctakt.decoder.blocks.path.dynamic_weights import DynamicWeighting
@@ -65,21 +64,17 @@ from nctakt.messages.programs.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.messages.programs.decoder import INVALID_DWELL_TIME
 from nctakt.messages.programs.offsets import UNKNOWN_ZERO_OFFSET
 from nctakt.nc import tree
-from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
-    ABSOLUTE,
     ANY_ARCS,
     ARC_RADIUS,
     AXIS_VALUES,
     AXIS_WEIGHTS,
     COMPENSATIONS,
     CONTOURING_ONCE,
-    DIAMETER_ON,
     DWELL,
     EXACT_STOP_ONCE,
     FEED_PER_MINUTE,
     FEED_RAMPS,
-    INCH,
     INSERTIONS,
     INTERRUPTIBLE,
     LINE,
@@ -98,7 +93,6 @@ from nctakt.nc.vocabulary.functions import (
     TAPPING_FUNCTIONS,
     THREADS,
     WEIGHTS,
-    group_of,
 )
 from nctakt.nc.vocabulary.single_axes.axis_brackets import OSC, form_of
 from nctakt.nc.vocabulary.spindle_commands import SpindleCommand, split
@@ -130,6 +124,7 @@ class BlockDecoder:
         self.ramps = FeedRamps(values, feed_rate)
         self.weighting = DynamicWeighting(values, feed_rate)
         self.frame = FrameCommands(values)
+        self._modal = ModalFunctions(values, self.frame, self.ramps, self.path.splines)
         self.targets = Targets(values, self.path)
         self._lines = ContourLines(values, self.targets, self.path)
         self.technology = TechnologyOutputs()
@@ -364,7 +359,7 @@ class BlockDecoder:
             self._state.note(function)
             if self.in_force is not None:
                 self.in_force.note(function)
-            self._modal(function, span)
+            self._modal.execute(function, span)
             content.zero_group = ZERO_GROUPS.get(function, content.zero_group)
         content.is_reference = REFERENCE_OFFSET in numbers
         content.path.once = ONE_BLOCK.intersection(numbers)
@@ -404,30 +399,6 @@ class BlockDecoder:
                 relative = not self._state.absolute
                 yield from offsets.add_zero(axis, shift, relative, source, number)
             content.axes.clear()
-
-    def _modal(self, function: int, span: Span) -> None:
-        state = self._state
-        match group_of(function):
-            case Group.UNIT:
-                state.inch = function == INCH
-            case Group.DIMENSION:
-                state.absolute = function == ABSOLUTE
-            case Group.CORNER_DECELERATION:
-                self.ramps.switch(function, span)
-            case Group.EDGE_BANDING:
-                switch_edge_banding(self._values, function, span)
-            case group:
-                check_function(self._values, function, span)
-                if function == DIAMETER_ON:
-                    tell_effect(self._values, span)
-                if group is Group.PLANE:
-                    self.frame.leave_plane(function, span)
-                if state.path.compensation.is_active:
-                    if group is Group.PLANE:
-                        self.path.keep_plane(function, span)
-                    elif group is Group.APPROACH:
-                        self.path.keep_selection(function, span)
-                self.path.modal(function)
 
     def _word(
         self,

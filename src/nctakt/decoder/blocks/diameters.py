@@ -3,9 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.base.diagnostics import Span
 from nctakt.decoder.values.variables import Values
-from nctakt.messages.path.cutting import DIAMETERS_WITHOUT_EFFECT
 
 
 def radius_of(values: Values, axis: int, value: float, *, is_absolute: bool) -> float:
@@ -16,10 +14,3 @@ def radius_of(values: Values, axis: int, value: float, *, is_absolute: bool) -> 
     listed = values.environment.axes[axis]
     is_diameter = listed.absolute_diameters if is_absolute else listed.relative_diameters
     return 0.5 * value if listed.is_face and is_diameter else value
-
-
-def tell_effect(values: Values, span: Span) -> None:
-    """Tell that G51 has no effect where the lists of all face axes say so."""
-    face = [axis for axis in values.environment.axes if axis.is_face]
-    if face and not any(axis.absolute_diameters or axis.relative_diameters for axis in face):
-        values.warn(DIAMETERS_WITHOUT_EFFECT, span, axis=face[0].name)

@@ -46,9 +46,7 @@ from nctakt.messages.path.motion import (
     PLANE_AXIS_MISSING,
 )
 from nctakt.messages.path.tools import (
-    G238_DURING_COMPENSATION,
     NO_RADIUS_TO_COMPENSATE,
-    PLANE_CHANGE_DURING_COMPENSATION,
     TANGENTIAL_WITH_G238,
 )
 from nctakt.messages.path.transformations import (
@@ -59,29 +57,16 @@ from nctakt.messages.path.transformations import (
 )
 from nctakt.messages.programs.decoder import TARGET_OUTSIDE_LIMITS
 from nctakt.nc import tree
-from nctakt.nc.vocabulary.function_rows import Group
 from nctakt.nc.vocabulary.functions import (
-    ABSOLUTE_CENTRE,
     APPROACH_INNER_CORNER,
     ARC_CLOCKWISE,
     ARC_IN_SPACE,
     ARCS,
-    CIRCULAR_TRANSITIONS,
     COMPENSATION_LEFT,
-    COMPENSATION_OFF,
-    CONTOUR_FEED,
-    CONTOURING_ON,
     CONTOURING_ONCE,
-    DEPART_WITHOUT_MOTION,
-    DIAMETER_ON,
-    EXACT_STOP_ON,
     EXACT_STOP_ONCE,
-    FEED_FORWARD_ON,
-    MASKING_ON,
     NO_OVERRIDE,
-    THREAD_CUTTING,
     THREADS,
-    group_of,
 )
 
 #: Words of a centre, one for each of the first three axes.
@@ -125,43 +110,6 @@ class PathMotion:
         self._state = values.state
         self.span: Span
 
-    def modal(self, function: int) -> None:
-        """Process a modal G function of the path."""
-        path = self._state.path
-        match group_of(function):
-            case Group.MOTION:
-                self._state.motion = function
-                if function != THREAD_CUTTING:
-                    self._state.thread.offset = 0.0
-            case Group.PLANE:
-                path.plane = function
-            case Group.DIAMETER:
-                path.has_diameters = function == DIAMETER_ON
-            case Group.FEED:
-                self._state.feed.feed_mode = function
-            case Group.ARC_CENTRE:
-                path.absolute_centre = function == ABSOLUTE_CENTRE
-            case Group.CONTOURING:
-                path.contouring = function == CONTOURING_ON
-            case Group.EXACT_STOP:
-                path.exact_stop = function == EXACT_STOP_ON
-            case Group.COMPENSATION if function == COMPENSATION_OFF:
-                self._end_compensation()
-            case Group.TRANSITION:
-                path.compensation.by_arc = function == CIRCULAR_TRANSITIONS
-            case Group.APPROACH:
-                path.compensation.mode = function
-                if path.compensation.is_left:
-                    self._end_compensation()
-            case Group.SPLINE:
-                self.splines.switch(function)
-            case Group.MASKING:
-                path.compensation.masks = function == MASKING_ON
-            case Group.FEED_FORWARD:
-                self._state.feed_forward.switch(is_on=function == FEED_FORWARD_ON)
-            case Group.FEED_ADAPTATION:
-                path.compensation.adapts_feed = function == CONTOUR_FEED
-
     def word(self, word: tree.Word, value: float) -> bool:
         """Process F, R, S.OFFSET and words of chamfers; return false for any other word."""
         match word.name:
@@ -174,31 +122,6 @@ class PathMotion:
             case _:
                 return self.corners.word(word.name, word.span, value)
         return True
-
-    def _end_compensation(self) -> None:
-        """Process G40; after G239 the program continues from the tool's position."""
-        compensation = self._state.path.compensation
-        compensation.side = 0
-        if compensation.has_left_path and compensation.approach == DEPART_WITHOUT_MOTION:
-            path, positions = self._state.path, self._state.positions
-            end = dict(zip(path.plane_axes, compensation.end, strict=True))
-            self._state.positions = tilted_motions.moved_in_plane(
-                positions, end, self._environment, path.plane
-            )
-
-    def keep_plane(self, function: int, span: Span) -> None:
-        """Raise ``DecodeError`` for a change of plane during compensation."""
-        path = self._state.path
-        if function != path.plane:
-            self._values.fail(
-                PLANE_CHANGE_DURING_COMPENSATION, span, word=f"G{function}", plane=path.plane
-            )
-
-    def keep_selection(self, function: int, span: Span) -> None:
-        """Raise ``DecodeError`` for a change to or from G238 during compensation."""
-        mode = self._state.path.compensation.mode
-        if function != mode and APPROACH_INNER_CORNER in (function, mode):
-            self._values.fail(G238_DURING_COMPENSATION, span, word=f"G{function}")
 
     def go_tangentially(self, span: Span) -> None:
         """Process G05, which G238 ignores."""

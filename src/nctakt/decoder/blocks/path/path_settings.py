@@ -7,7 +7,7 @@ In: checked commands. Out: changes of the modal state, and limits for the segmen
 from __future__ import annotations
 
 import math
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.whole_numbers import is_whole
@@ -64,32 +64,37 @@ class PathSettings:
         self._targets = blocks.targets
         self._environment = values.environment
         self._state = values.state
+        self._decoders = self._table()
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
         """Execute one of these commands."""
-        match command.words[0].name:
-            case "ROTATION":
-                yield from self._frame.rotation(command, number)
-            case "CORNER":
-                yield from self._ramps.corner(command, number)
-            case "DYNAMIC":
-                yield from self._weighting.switch(command, number)
-            case "SCALE":
-                self._frame.end_scaling(command)
-            case "OVERRIDE":
-                yield from self._feed_rate.override(keywords(command), number)
-            case "TURN":
-                yield from self._threads.settings(keywords(command), number)
-            case "SLOPE":
-                self._select_slope(self._named_slope(keywords(command)))
-            case "SET":
-                yield from self._old_slope(command, number)
-            case "HSC":
-                yield from self._hsc(command, number)
-            case "VECTOR":
-                yield from self._vector_limit(command, number)
-            case _:
-                yield from self._contour_mode(command, number)
+        yield from self._decoders[command.words[0].name](command, number)
+
+    def _table(self) -> dict[str, Callable[[tree.HashCommand, int], Iterable[Command]]]:
+        """Return the functions that decode commands, by their first words."""
+        return {
+            "CONTOUR": self._contour_mode,
+            "CORNER": self._ramps.corner,
+            "DYNAMIC": self._weighting.switch,
+            "HSC": self._hsc,
+            "OVERRIDE": self._override,
+            "ROTATION": self._frame.rotation,
+            "SCALE": self._end_scaling,
+            "SET": self._old_slope,
+            "SLOPE": self._slope,
+            "TURN": self._turn,
+            "VECTOR": self._vector_limit,
+        }
+
+    def _override(self, command: tree.HashCommand, number: int) -> Iterable[Command]:
+        return self._feed_rate.override(keywords(command), number)
+
+    def _end_scaling(self, command: tree.HashCommand, _number: int) -> Iterable[Command]:
+        self._frame.end_scaling(command)
+        return ()
+
+    def _turn(self, command: tree.HashCommand, number: int) -> Iterable[Command]:
+        return self._threads.settings(keywords(command), number)
 
     # --- contouring -----------------------------------------------------------------------------
 
@@ -184,6 +189,11 @@ class PathSettings:
             yield self._limits(span, number)
 
     # --- slope ----------------------------------------------------------------------------------
+
+    def _slope(self, command: tree.HashCommand, _number: int) -> Iterable[Command]:
+        """Execute ``#SLOPE``."""
+        self._select_slope(self._named_slope(keywords(command)))
+        return ()
 
     def _select_slope(self, kind: int) -> None:
         """Select a slope by its number; all but STEP limit the jerk."""

@@ -48,7 +48,7 @@ class SplineWords:
         elif name in VECTORS:
             self._vector = name
 
-    def switch(self, function: int) -> None:
+    def switch(self, function: int, _span: Span) -> None:
         """Keep G150 or G151."""
         self.has_words = True
         self._switch = function == SPLINE_ON

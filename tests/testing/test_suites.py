@@ -57,6 +57,12 @@ def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFi
     assert cases["right"].get("time") == "0.020"
 
 
+def test_a_report_is_told_by_its_name(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """And not by that of the file that it is written to at first."""
+    assert main(["test", "part.nc", "--junit", "report.xml", *WORDS]) == 0
+    assert f"generated xml file: {folder / 'report.xml'} -" in capsys.readouterr().out
+
+
 @pytest.mark.nightly
 def test_tests_are_chosen(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """By words of their names; nothing chosen (902961) or found (902541) is wrong usage."""

@@ -158,7 +158,10 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
 
         def write(report: Path) -> None:
             nonlocal code
-            code = int(pytest.main([*plugins, *words, f"--junitxml={report}", *paths]))
+            from nctakt.testing.report_name import ReportName  # noqa: PLC0415 - imports pytest
+
+            own = [ReportName(report, Path(junit))]
+            code = int(pytest.main([*plugins, *words, f"--junitxml={report}", *paths], own))
 
         with OutputFile(junit, "--junit", access) as output:
             output.fill(write)

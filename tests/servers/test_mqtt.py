@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 import shutil
 import socket
@@ -390,6 +391,35 @@ def test_requests_beyond_a_number_are_dropped_and_told() -> None:
     inputs, reasons = with_a_broker(then, is_told)
     assert inputs == []
     assert f"more than {MAX_WAITING} requests wait" in reasons
+
+
+@pytest.mark.parametrize("kind", ["held", "long"])
+def test_a_broker_cannot_fill_the_memory(kind: str) -> None:
+    """Messages that it never releases, a packet of 256 MB: the connection ends; then one acts.
+
+    Before, each of 65,535 messages was kept, and the long packet took a gigabyte.
+    """
+    connections: list[int] = []
+    topic = len(b"cell/write").to_bytes(2, "big") + b"cell/write"
+
+    async def then(writer: asyncio.StreamWriter) -> None:
+        connections.append(0)
+        if len(connections) > 1:
+            writer.write(message(b"cell/press", b'{"key": "hold"}'))
+            return
+        if kind == "long":
+            writer.write(b"\x30\xff\xff\xff\x7f" + topic)
+        with contextlib.suppress(OSError):
+            for number in range(1, 4000):
+                text = number.to_bytes(2, "big") + bytes(60_000)
+                writer.write(packet(0x34, topic + text) if kind == "held" else bytes(60_000))
+                await writer.drain()
+                connections[0] += 60_000
+
+    inputs, _ = with_a_broker(then, lambda session, _: bool(session.tape()))
+    assert inputs == [("HLI.FEED_HOLD", 1.0)]
+    assert len(connections) == 2
+    assert connections[0] < 64 << 20  # what the system holds between both
 
 
 def test_a_broker_that_hangs_is_left_in_time() -> None:

@@ -111,3 +111,11 @@ def test_a_function_that_nobody_acknowledges_is_told(opened: Any) -> None:
     ((channel, entry),) = session.waiting()
     session.acknowledge(channel, entry)
     assert session.run().run_state == "ended"
+
+
+def test_a_run_that_is_over_waits_for_nothing() -> None:
+    """To run on at its end gives no advice to start a program."""
+    with Session(NcText("part.nc", "G01 X1 F6000\nM30")) as session:
+        for _ in range(3):
+            done = session.run()
+            assert (done.run_state, done.diagnostics, done.is_resting) == ("ended", (), False)

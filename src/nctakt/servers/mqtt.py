@@ -46,6 +46,12 @@ _RATE_S = 0.1
 #: The shortest and the longest time until the next attempt to connect, in seconds.
 _FIRST_RETRY_S, _LAST_RETRY_S = 1.0, 30.0
 
+#: How long a connection has to last for the next attempt to come soon again, in seconds.
+_STEADY_S = 30.0
+
+#: Bytes of a packet of a broker at most, and those that are read at once.
+_MAX_PACKET, _PART = 16 << 20, 1 << 16
+
 #: How long each of the two farewells to a broker may take, in seconds: it may hang.
 _FAREWELL_S = 1.0
 
@@ -118,6 +124,7 @@ class MqttEndpoint:
         )
         # else a topic that is no UTF-8 ends its loop, whose socket stays open and busy forever
         client._client.suppress_exceptions = True
+        _bound(client._client)
         return client
 
     async def _connected(self) -> aiomqtt.Client:
@@ -138,11 +145,13 @@ class MqttEndpoint:
         """Serve one connection after another until the endpoint closes."""
         retry_s = _FIRST_RETRY_S
         is_connected = True
+        loop = asyncio.get_running_loop()
+        begin_s = loop.time()
         while True:
             try:
                 if not is_connected:
                     client = await self._connected()
-                    is_connected, retry_s = True, _FIRST_RETRY_S
+                    is_connected, begin_s = True, loop.time()
                 self._host.log.note("connected", endpoint=_DOOR, client=self._broker.host)
                 # in a task of its own: in Python before 3.13 a group that fails while it waits for
                 # its tasks leaves the task around it cancelled
@@ -154,6 +163,8 @@ class MqttEndpoint:
             finally:
                 if is_connected:
                     is_connected = False
+                    if loop.time() - begin_s >= _STEADY_S:
+                        retry_s = _FIRST_RETRY_S
                     with contextlib.suppress(*lost):
                         await client.__aexit__(None, None, None)
             _end_if_cancelled()
@@ -284,6 +295,22 @@ class _Unreadable(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Take a record of the library."""
         self._log.refuse(_DOOR, self._broker, "a message that cannot be read")
+
+
+def _bound(library: Any) -> None:
+    """Let the library end the connection of a broker that would fill its memory.
+
+    It takes packets of any length, and keeps a message that is to come exactly once until the
+    broker releases it; no one has subscribed to those.
+    """
+    receive = library._sock_recv
+
+    def received(size: int) -> bytes:
+        if size > _MAX_PACKET or library._in_messages:
+            raise ConnectionError("the broker sends what nobody has asked for")
+        return cast("bytes", receive(min(size, _PART)))
+
+    library._sock_recv = received
 
 
 def _end_if_cancelled() -> None:

@@ -360,7 +360,9 @@ class Engine:
         if since is not None:
             self._happened.begin(since)
         # Before the first tick no program has begun.
-        resting = rest(self._machine, self._loop, stops) if rests and first else ()
+        resting: tuple[Diagnostic, ...] = ()
+        if rests and first and self._run.state is None:
+            resting = rest(self._machine, self._loop, stops)
         if resting:
             return self._slice(first, [], events=True, resting=resting)
         found: list[Mark] = []

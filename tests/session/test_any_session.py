@@ -51,7 +51,8 @@ CYCLE = """\
 #RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.E.VALUE > 0.5
     V.E.COUNT += 1
-  $ELSEIF V.RTA.ACS.ACT_POS.X > 0.5
+  $ENDIF
+  $IF V.RTA.ACS.ACT_POS.X > 0.5
     V.E.COUNT += 2
   $ENDIF
 #RT CYCLE END
@@ -99,6 +100,7 @@ class AnySession(RuleBasedStateMachine):
         self.setup = Setup({1: [self.paths[number]]}, options={"stays": stays})
         self.core = SessionCore(self.setup)
         self.there.step(500)
+        assert self.there.tick == 500, "a program with mistakes, which does not run, shows nothing"
 
     @rule(ticks=st.integers(1, 2500))
     def step(self, ticks: int) -> None:

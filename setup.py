@@ -301,6 +301,11 @@ class BuildExtensions(build_ext):
         """Replace the sources of the extensions with their C files, and make those that are old."""
         # A build needs Cython; a look at the version does not.
         from Cython import __version__ as version  # noqa: PLC0415
+        from Cython.Compiler import Options  # noqa: PLC0415
+
+        # All arrays have one dimension, which is the most of them less one. Left at 8, each array
+        # in an object or a call has 208 bytes instead of 64. Set before what reads it is imported.
+        Options.buffer_max_dims = 2
         from Cython.Build import cythonize  # noqa: PLC0415
 
         write_state_source()

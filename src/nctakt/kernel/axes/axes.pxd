@@ -65,9 +65,8 @@ cdef class Axes:
     cdef double distance(self, Py_ssize_t i, double begin, double end) noexcept nogil
     @cython.locals(i=Py_ssize_t)
     cdef void begin_tick(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t, actual=double)
+    @cython.locals(i=Py_ssize_t, command=double, actual=double, is_shown=bint)
     cdef void publish(self) noexcept nogil
-    cdef int is_shown(self, Py_ssize_t i, double actual) noexcept nogil
     @cython.locals(cell=Py_ssize_t, distance_to_go=double, shift=double)
     cdef void publish_axis(
         self, Py_ssize_t i, double command, double actual, double target

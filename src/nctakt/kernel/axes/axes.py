@@ -161,12 +161,16 @@ class Axes:
             return
         self.has_moved = False
         for i in range(self.count):
-            actual = self.actual_position(i)
-            if self.is_shifted or not self.is_shown(i, actual):
-                self.shown_command[i] = self.command[i]
+            command = self.command[i]
+            actual = command - self.lag_d[i]
+            if self.has_stops:
+                actual = self.actual_position(i)
+            is_shown = command == self.shown_command[i] and actual == self.shown_actual[i]
+            if self.is_shifted or not is_shown or self.target[i] != self.shown_target[i]:
+                self.shown_command[i] = command
                 self.shown_actual[i] = actual
                 self.shown_target[i] = self.target[i]
-                self.publish_axis(i, self.command[i], actual, self.target[i])
+                self.publish_axis(i, command, actual, self.target[i])
         self.is_shifted = False
         if self.transformations.active_count > 0:
             for i in range(self.count):
@@ -176,12 +180,6 @@ class Axes:
             for i in range(self.count):
                 if self.turns.second[i] > 0:
                     self.publish_turned(i)
-
-    def is_shown(self, i: int, actual: float) -> int:
-        """Return whether the cells of an axis hold its positions."""
-        if self.command[i] != self.shown_command[i] or actual != self.shown_actual[i]:
-            return 0
-        return 1 if self.target[i] == self.shown_target[i] else 0
 
     def publish_axis(self, i: int, command: float, actual: float, target: float) -> None:
         """Write the positions of an axis in all systems, of a modulo axis within its range."""

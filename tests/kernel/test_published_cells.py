@@ -6,6 +6,8 @@ The tick knows cells by number, the table by name; only a run shows that both me
 
 from __future__ import annotations
 
+import random
+
 from support.insides import machine_of
 from support.kernel_rig import DEMO
 
@@ -101,6 +103,36 @@ def test_overrides_of_cycles_are_a_hundred_again_in_each_tick() -> None:
     controller.step(1)
     assert controller.read("V.RTG.OVERRIDE.VEL.CYCLE") == 100
     assert controller.read("V.RTA.OVERRIDE.VEL.CYCLE.Y") == 100
+
+
+def test_overrides_of_axes_follow_in_the_tick_of_each_change() -> None:
+    """Whatever changes, operator, cycle or release, TOTAL of an axis is that of the tick (RC-305).
+
+    Most ticks change nothing, some change more than one.
+    """
+    controller = Controller(DEMO)
+    machine = machine_of(controller)
+    text = PROGRAM.replace("CYCLE.Y = 33", "CYCLE.Y = V.E.COUNT").replace("X30", "X3000")
+    controller.start(NcText("p.nc", text.replace("  V.RTG.OVERRIDE.VEL.CYCLE = 51\n", "")))
+    chance = random.Random(305)
+    operator_pct, cycle_pct, is_locked = 100.0, 100, False
+    seen = set()
+    for _ in range(600):
+        if chance.random() < 0.2:
+            operator_pct = chance.choice((0.0, 12.5, 50.0, 100.0))
+        if chance.random() < 0.2:
+            cycle_pct = chance.choice((0, 20, 100, 100))
+        if chance.random() < 0.1:
+            is_locked = not is_locked
+            machine.lock_axis(1, is_locked)
+        machine.channels[0].panel.put(cells.PANEL_OVERRIDE, operator_pct)
+        controller.write("V.E.COUNT", cycle_pct)
+        controller.step(1)
+        x_pct, y_pct = round(operator_pct), round(operator_pct * cycle_pct / 100.0)
+        assert controller.read("V.RTA.OVERRIDE.VEL.TOTAL.X") == x_pct
+        assert controller.read("V.RTA.OVERRIDE.VEL.TOTAL.Y") == (0 if is_locked else y_pct)
+        seen.add((x_pct, y_pct, is_locked))
+    assert len(seen) > 15
 
 
 def test_every_name_has_a_cell_of_its_own() -> None:

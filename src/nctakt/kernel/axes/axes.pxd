@@ -34,6 +34,7 @@ cdef class Axes:
     cdef double[::1] plc_factor
     cdef long long[::1] locked
     cdef readonly long long locked_count
+    cdef long long override_version
     cdef long long[::1] ignores_hold
     cdef bint has_stops
     cdef double[::1] stop_low

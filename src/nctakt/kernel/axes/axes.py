@@ -21,7 +21,8 @@ it. The cells of an axis are written where its positions are others than those s
 (MO-13); ``independent_pct`` is the override of the latter (RC-305), ``plc_factor`` what a PLC
 multiplies it by (MC_SetOverride). ``on_path``, ``independent``, ``command`` and
 ``target`` have one element more, for places of a channel without an axis (``path_axes.py``).
-So has ``locked``: the axes that a PLC does not release, which brake and stay at rest.
+So has ``locked``: the axes that a PLC does not release, which brake and stay at rest. Whoever
+changes what the override of an axis depends on raises ``override_version``.
 """
 
 from __future__ import annotations
@@ -71,6 +72,7 @@ class Axes:
             self.plc_factor[i] = 1.0
         self.locked = memoryview(bytearray(8 * (count + 1))).cast("q")
         self.locked_count = 0
+        self.override_version = 0
         self.has_stops = False
         self.stop_low = memoryview(bytearray(8 * count)).cast("d")
         self.stop_high = memoryview(bytearray(8 * count)).cast("d")
@@ -392,6 +394,7 @@ class Axes:
         check_index(index, self.count, "axis")
         self.locked_count += (1 if is_locked else 0) - self.locked[index]
         self.locked[index] = 1 if is_locked else 0
+        self.override_version += 1
 
     def is_locked(self, index: int) -> bool:
         """Return whether the PLC has taken an axis its releases."""
@@ -409,6 +412,7 @@ class Axes:
         self.ignores_hold[index] = ignores_hold
         self.override_mode[index] = mode
         self.max_override_pct[index] = max_pct
+        self.override_version += 1
 
     def refer(self, axis: int, position: float) -> None:
         """Declare the axis' present place to be this position (G74); nothing moves."""

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: MIT
 # C types of path_axes.py.
 cimport cython
-from nctakt.kernel cimport codes, rows
+from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.path cimport geometry
 from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.kinematics.maps cimport KinematicMaps
 
 cdef class PathAxes:
     cdef Axes axes
+    cdef double shown_pct
+    cdef int shown_hold
+    cdef long long shown_version
     cdef readonly Py_ssize_t count
     cdef readonly Py_ssize_t room
     cdef long long[::1] members
@@ -67,7 +70,9 @@ cdef class PathAxes:
     cdef void release(self) noexcept nogil
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
     cdef void show_standstill(self) noexcept nogil
-    @cython.locals(i=Py_ssize_t)
+    @cython.locals(i=Py_ssize_t, axis=Py_ssize_t, cell=Py_ssize_t, cycle_pct=double)
+    cdef int has_no_cycle_override(self) noexcept nogil
+    @cython.locals(i=Py_ssize_t, is_shown=bint)
     cdef void publish_overrides(self, double operator_pct, int is_held) noexcept nogil
     @cython.locals(i=Py_ssize_t, k=Py_ssize_t)
     cdef void put_axes(self, Py_ssize_t column) noexcept nogil

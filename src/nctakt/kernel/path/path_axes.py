@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.kernel import codes, rows
+from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.path import geometry
@@ -17,11 +17,15 @@ class PathAxes:
 
     ``maps``: the transformations; ``standing``: the axes at one end of a transformed segment.
     ``row``: where the row of the current segment begins in ``history_rows``; ``direction``: 1
-    forward over it, -1 backward. ``moved``: the axes that the path has.
+    forward over it, -1 backward. ``moved``: the axes that the path has. ``shown_…``: what the
+    overrides were published by last, no version where a realtime cycle had set one.
     """
 
     def __init__(self, axes: Axes, members: list[int], room: int) -> None:
         self.axes = axes
+        self.shown_pct = 0.0
+        self.shown_hold = 0
+        self.shown_version = -1
         self.room = max(1, room, len(members))
         self.count = 0
         self.members = memoryview(bytearray(8 * self.room)).cast("q")
@@ -51,6 +55,7 @@ class PathAxes:
         self.count = len(members)
         for i, axis in enumerate(members):
             self.members[i] = axis
+        self.shown_version = -1
 
     def own_axes(self) -> list[int]:
         """Return the axes at the places of the channel, as ``set_axes`` takes them."""
@@ -189,10 +194,33 @@ class PathAxes:
             self.axes.on_path[self.members[self.moved[k]]] = 0
 
     def publish_overrides(self, operator_pct: float, is_held: int) -> None:
-        """Publish TOTAL of the members' independent motions (RC-305); ``is_held``: feed hold."""
+        """Publish TOTAL of the members' independent motions (RC-305); ``is_held``: feed hold.
+
+        Mostly it depends on what it did in the tick before, and the cells show it already.
+        """
+        is_shown = self.axes.override_version == self.shown_version
+        is_shown = is_shown and operator_pct == self.shown_pct and is_held == self.shown_hold
+        if is_shown and self.has_no_cycle_override():
+            return
         for i in range(self.count):
-            if not self.is_place_free(i):
+            if self.members[i] != self.axes.count:
                 self.axes.publish_override(self.members[i], operator_pct, is_held)
+        self.shown_pct = operator_pct
+        self.shown_hold = is_held
+        self.shown_version = -1
+        if self.has_no_cycle_override():
+            self.shown_version = self.axes.override_version
+
+    def has_no_cycle_override(self) -> int:
+        """Return whether no realtime cycle has set the override of a member in this tick."""
+        for i in range(self.count):
+            axis = self.members[i]
+            if axis != self.axes.count:
+                cell = self.axes.first_cell + axis * cells.AXIS_CELLS
+                cycle_pct = self.axes.cells[cell + cells.AXIS_OVERRIDE_VEL_CYCLE]
+                if cycle_pct < 100.0 or cycle_pct > 100.0:
+                    return 0
+        return 1
 
     def show_standstill(self) -> None:
         """Show the axes of an ended segment at a standstill, unless they move on their own."""

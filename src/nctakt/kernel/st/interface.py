@@ -362,6 +362,7 @@ class AxisReleases:
                 axis = self.places[i * kinds.RELEASE_WIDTH]
                 self.axes.locked_count += is_locked - self.axes.locked[axis]
                 self.axes.locked[axis] = is_locked
+                self.axes.override_version += 1
                 self.is_locked[i] = is_locked
 
 

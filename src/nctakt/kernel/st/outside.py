@@ -178,6 +178,7 @@ class Connection(Outside):
         if axis < 0 or axis >= self.count or not (factor >= 0.0 and factor <= 1.0):
             return 0
         self.single_axes.axes.plc_factor[axis] = factor
+        self.single_axes.axes.override_version += 1
         return 1
 
     def look(self, what: int, axis: int, owner: int) -> int:

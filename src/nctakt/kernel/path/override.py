@@ -15,7 +15,8 @@ from nctakt.kernel.cycles.context import Context
 class Overrides:
     """The override of one channel with the operator's and the CYCLE part of this tick, in percent.
 
-    ``total_pct``: all parts together, of the segment that was asked for last.
+    ``total_pct``: all parts together, of the segment that was asked for last. ``is_settled``: the
+    parts are those of a tick.
     """
 
     def __init__(self, context: Context) -> None:
@@ -23,7 +24,17 @@ class Overrides:
         self.max_pct = 100.0
         self.operator_pct = 100.0
         self.cycle_pct = 100.0
+        self.is_settled = False
         self.total_pct = 100.0
+
+    def have_changed(self, operator_pct: float, cycle_pct: float) -> int:
+        """Take the parts of this tick; return whether they are not those of the tick before."""
+        if self.is_settled and operator_pct == self.operator_pct and cycle_pct == self.cycle_pct:
+            return 0
+        self.operator_pct = operator_pct
+        self.cycle_pct = cycle_pct
+        self.is_settled = True
+        return 1
 
     def parts(self, ignores_override: int) -> float:
         """The parts of this tick together, in percent, with or without the operator's (G166)."""

@@ -301,11 +301,10 @@ class Channel:
 
         ``total_pct``: operator's, programmed and CYCLE part.
         """
-        self.overrides.operator_pct = self.panel.override_pct
         cycle_pct = self.cells[self.first_cell + cells.CHANNEL_OVERRIDE_VEL_CYCLE]
-        self.overrides.cycle_pct = cycle_pct
-        self.path.common_factor = self.overrides.parts(0) / 100.0
-        self.path.unoverridden_factor = self.overrides.parts(1) / 100.0
+        if self.overrides.have_changed(self.panel.override_pct, cycle_pct):
+            self.path.common_factor = self.overrides.parts(0) / 100.0
+            self.path.unoverridden_factor = self.overrides.parts(1) / 100.0
         if self.path.is_active and not self.path.is_dwell:
             factor = self.overrides.factor(self.path.history_rows, self.path.row)
         else:

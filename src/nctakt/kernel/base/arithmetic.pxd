@@ -11,6 +11,7 @@ cpdef double divide(double left, double right) noexcept nogil
 cpdef double modulo(double left, double right) noexcept nogil
 @cython.locals(size=double)
 cpdef double power(double base, double exponent) noexcept nogil
+@cython.locals(whole=cython.longlong, below=double)
 cpdef double floor(double value) noexcept nogil
 cpdef double ceiling(double value) noexcept nogil
 cpdef double truncate(double value) noexcept nogil

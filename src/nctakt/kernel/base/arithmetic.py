@@ -54,7 +54,9 @@ def floor(value: float) -> float:
     """Largest integral number that is not above ``value``."""
     if value >= 4503599627370496.0 or value <= -4503599627370496.0 or value != value:
         return value
-    return math.floor(value) + 0.0
+    whole = int(value)
+    below = 1.0 * whole
+    return below - 1.0 if below > value else below
 
 
 def ceiling(value: float) -> float:

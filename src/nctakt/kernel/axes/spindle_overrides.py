@@ -20,6 +20,7 @@ class SpindleOverrides:
         size = 8 * max(1, count)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
+        self.count = count
         self.programmed_v = memoryview(bytearray(size)).cast("d")
         self.acted_pct = memoryview(bytearray(size)).cast("d")
         self.highest_pct = memoryview(bytearray(size)).cast("d")
@@ -46,9 +47,12 @@ class SpindleOverrides:
         """Return the override that the operator commands, within its bounds, in percent."""
         return min(max(self.cells[self.cell(spindle)], 0.0), self.highest_pct[spindle])
 
-    def has_changed(self, spindle: int) -> int:
-        """Return whether another override is commanded than the one that acts."""
-        return 1 if self.commanded(spindle) != self.acted_pct[spindle] else 0
+    def next_changed(self, spindle: int) -> int:
+        """Return the first spindle from this one on with another override than acts; -1: none."""
+        for other in range(spindle, self.count):
+            if self.commanded(other) != self.acted_pct[other]:
+                return other
+        return -1
 
     def take(self, spindle: int) -> int:
         """Let the commanded override act; return whether it changes the speed."""

@@ -425,10 +425,12 @@ class Spindles:
 
     def step(self, tick: int, acknowledges_itself: int) -> None:
         """Advance all turning spindles by a tick; run the default PLC if there is no other."""
-        for spindle in range(self.count):
+        spindle = self.overrides.next_changed(0)
+        while spindle >= 0:
             is_free = self.mode[spindle] != codes.COUPLED and self.limits.bound_a[spindle] == 0.0
-            if is_free and self.overrides.has_changed(spindle) and self.overrides.take(spindle):
+            if is_free and self.overrides.take(spindle):
                 self.follow_override(spindle, tick)
+            spindle = self.overrides.next_changed(spindle + 1)
         if self.cutting.active_count > 0:
             self.follow_axes(tick)
         if self.active_count == 0:

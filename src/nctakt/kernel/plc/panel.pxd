@@ -7,6 +7,8 @@ from nctakt.kernel cimport cells, codes
 cdef class Panel:
     cdef double[::1] cells
     cdef readonly Py_ssize_t first_cell
+    cdef long long[::1] words
+    cdef bint is_quiet
     cdef readonly double override_pct
     cdef readonly bint feed_hold
     cdef readonly bint single_block
@@ -30,7 +32,9 @@ cdef class Panel:
     cdef readonly bint is_watched
     cdef public long long silent_ticks
 
-    @cython.locals(cell=Py_ssize_t, is_backward=bint, is_single=bint)
+    @cython.locals(
+        cell=Py_ssize_t, key=Py_ssize_t, pressed=cython.longlong, is_backward=bint, is_single=bint
+    )
     cdef void latch(self) noexcept nogil
     @cython.locals(is_single=bint)
     cdef void lock_step(self, bint is_locked) noexcept nogil

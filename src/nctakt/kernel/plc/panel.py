@@ -22,6 +22,7 @@ class Panel:
     at multiples of this block number, 0: at all. ``start_taken`` and ``reset_taken`` tell Python
     what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick before.
     ``is_watched``: the PLC shows that it lives; ``silent_ticks``: since it did so last.
+    ``is_quiet``: the tick before has found nothing commanded but the override.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -39,6 +40,8 @@ class Panel:
         self.start_taken = False
         self.reset_taken = False
         self.silent_ticks = 0
+        self.is_quiet = False
+        self.words = memoryview(memory).cast("q")
         self.backward_motion = False
         self.cells[first_cell + cells.PANEL_OVERRIDE] = 100.0
         self.cells[first_cell + cells.PANEL_SEARCH_PASS] = 1.0
@@ -87,6 +90,12 @@ class Panel:
         """Latch the commands at the start of a tick."""
         cell = self.first_cell
         self.override_pct = max(self.cells[cell + cells.PANEL_OVERRIDE], 0.0)
+        pressed = 0
+        for key in range(cells.PANEL_FEED_HOLD, cells.PANEL_SEARCH_TYPE):
+            pressed |= self.words[cell + key]
+        if pressed == 0 and self.is_quiet:
+            return
+        self.is_quiet = pressed == 0
         self.feed_hold = self.cells[cell + cells.PANEL_FEED_HOLD] != 0.0
         is_single = self.cells[cell + cells.PANEL_SINGLE_BLOCK] != 0.0
         self.single_block = is_single and not self.is_step_locked

@@ -99,6 +99,7 @@ class StudyRunner:
         self._reactions = tuple(one for one in reactions if one is not None)
         controller = self._controller(RunInputs())
         self.cycle_time_us = controller.cycle_time_us
+        self._window_us = plan.window_us(self.cycle_time_us)
         self.signals = self._signals(controller)
         self.units = units_of(plan, lambda name: _unit(controller, name))
 
@@ -239,7 +240,7 @@ class StudyRunner:
 
     def injection(self, injected_us: int | None) -> Injection | None:
         """Return the injection at a time; ``None`` if its run is decided only at its end."""
-        window_us = self.plan.window_us(self.cycle_time_us)
+        window_us = self._window_us
         if injected_us is None or window_us is None:
             return None
         return Injection(

@@ -7,7 +7,8 @@ Parquet; the memory of a process over many runs; a loop over a reusable controll
 Goals: 2,800 runs/s and 10,000 injections/s per core, two cores 1.9 times one, Dask within 10 %,
 60 MB, memory flat, a loop of one's own 1.3 times a study. ``benchmarks.plc`` has runs with a PLC.
 ``python -m benchmarks.studies 1000000`` makes so many runs into a folder of parts instead,
-with one worker, and says what they and 10^9 take.
+with one worker, and says what they and 10^9 take. ``--rows 20`` only makes so many rows:
+instructions of a run are those of 60 less those of 20, by 40 (``valgrind --tool=callgrind``).
 """
 
 from __future__ import annotations
@@ -33,12 +34,14 @@ from nctakt.studies.workers.processes import rows_of_processes
 
 PROGRAM = Path(__file__).parent.parent / "examples" / "crossing.nc"
 RUNS = 600
+#: The ticks of the program, and how many more it has with a longer way.
+TICKS, LONG_WAY, MORE_TICKS = 1306, "X5000", 12000
 
 
-def crossing(count: int, after: str = "0 s") -> Study:
+def crossing(count: int, after: str = "0 s", program: Path = PROGRAM) -> Study:
     """The study of a value that the program counts on."""
     return Study(
-        program=str(PROGRAM),
+        program=str(program),
         vary=[{"variable": "V.E.COUNT", "from": 0, "to": count - 1, "step": 1}],
         measure={"crossed": "time of M100"},
         expect=["crossed < 1 s"],
@@ -69,6 +72,37 @@ def per_cpu_second(runner: StudyRunner, count: int) -> float:
     begin = time.process_time()
     make_runs(maker, tuple(range(count)))
     return count / (time.process_time() - begin)
+
+
+def share_of_ticks(short: Callable[[], object], long: Callable[[], object]) -> tuple[float, float]:
+    """How long a tick takes in seconds, and the share that ``TICKS`` have of the shorter run.
+
+    ``long`` makes the same run with ``MORE_TICKS`` more. Both are made in turn, since the machine
+    is not equally busy at all times.
+    """
+    taken: tuple[list[float], list[float]] = ([], [])
+    for _ in range(60):
+        for run, times in zip((short, long), taken, strict=True):
+            begin = time.process_time()
+            for _ in range(5):
+                run()
+            times.append((time.process_time() - begin) / 5)
+    short_s, long_s = (sorted(times)[len(times) // 4] for times in taken)
+    tick_s = (long_s - short_s) / MORE_TICKS
+    return tick_s, tick_s * TICKS / short_s
+
+
+def ticks_of_a_study() -> tuple[float, float]:
+    """Tick and share of ticks in runs of a study, as ``share_of_ticks``."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "part.nc"
+        path.write_text(PROGRAM.read_text("utf-8").replace("X500", LONG_WAY), "utf-8")
+        runners = crossing(100).runner, crossing(100, program=path).runner
+        for runner in runners:
+            for number in range(3):
+                runner.row(number)
+        short, long = ((lambda one=runner: one.row(7)) for runner in runners)
+        return share_of_ticks(short, long)
 
 
 def loop_per_cpu_second(count: int) -> float:
@@ -154,10 +188,16 @@ def main() -> int:
     if sys.argv[1:] and sys.argv[1].isdigit():
         at_length(int(sys.argv[1]))
         return 0
-    print(f"CPython {platform.python_version()}, {platform.machine()}")
     runner = crossing(100_000).runner
+    if sys.argv[1:2] == ["--rows"]:
+        for number in range(int(sys.argv[2])):
+            runner.row(number)
+        return 0
+    print(f"CPython {platform.python_version()}, {platform.machine()}")
     runs = per_cpu_second(runner, RUNS)
     print(f"runs per second of a core: {runs:.0f} (goal 2800)")
+    tick_s, share = ticks_of_a_study()
+    print(f"its {TICKS} ticks of {tick_s * 1e9:.0f} ns take {share:.0%} of a run")
     own = runs / loop_per_cpu_second(RUNS)
     print(f"a run of a reusable controller takes {own:.2f} times as long (goal 1.3)")
     each_tick = injections()

@@ -42,6 +42,7 @@ def test_the_future_ends_where_somebody_has_to_act(tmp_path: Path) -> None:
     with Session(NcText("part.nc", "G01 X1 F6000\nM7\nX2 M30"), acknowledges=False) as session:
         *_, future = session.future(X)
         assert future.reason == "wait"
+        assert [one.span.line for one in future.causes if one.span is not None] == [2]
         assert future.columns[0][-1] == 1.0
     plc = tmp_path / "cell.py"
     plc.write_text("class Cell:\n    def cycle(self, hli):\n        pass\n", "utf-8")

@@ -14,7 +14,9 @@ from functools import partial
 from typing import Any
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Language, Text
 from nctakt.base.failure import Failure
+from nctakt.live.texts import Texts
 from nctakt.live.track import marks_of
 from nctakt.live.view import rounded
 from nctakt.session.ahead import Future
@@ -25,6 +27,9 @@ _REST_S = 0.3
 
 #: How long browsers draw what is known while the rest is looked for, in seconds.
 _DISTANCE_S = 0.3
+
+#: The languages in which browsers may show why it ends.
+LANGUAGES: tuple[Language, ...] = ("en", "de")
 
 #: Ticks of a branch after which its future is looked for again: it reaches farther than that.
 _AGAIN_TICKS = 250_000
@@ -126,4 +131,16 @@ def drawn(future: Future, signals: Sequence[str], file: str) -> dict[str, Any]:
         "columns": [[rounded(value) for value in column] for column in future.columns],
         "marks": [mark for mark in marks_of(future.events, file) if mark[1] == "fired"],
         "reason": future.reason,
+        "causes": {language: _causes(future, language) for language in LANGUAGES},
     }
+
+
+def _causes(future: Future, language: Language) -> str:
+    """Return what the programs wait for, or the errors of the run, with their lines."""
+    texts = []
+    for one in future.causes:
+        awaited = one.values.get("awaited")
+        text = awaited.get(language) if isinstance(awaited, Text) else f"{one.id}"
+        line = one.span.line if one.span is not None else 0
+        texts.append(f"{text} ({Texts(language)['line']} {line})" if line else text)
+    return ", ".join(dict.fromkeys(texts))

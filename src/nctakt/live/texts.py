@@ -211,7 +211,8 @@ WORDS: dict[str, tuple[str, str]] = {
     "view_side": ("From the side", "Von der Seite"),
     "future_line": ("to come", "kommt noch"),
     "future_over": ("", ""),
-    "future_wait": ("then the program waits", "dann wartet das Programm"),
+    "future_error": ("ends with error {causes}", "endet mit Fehler {causes}"),
+    "future_wait": ("then waits for {causes}", "wartet dann auf {causes}"),
     "future_later": ("goes on after that", "geht danach weiter"),
     "future_unknown": (
         "What comes is not known: it depends on a PLC or a model outside.",

@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import Literal
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic, Severity
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.stops import StopAt
 from nctakt.trace.events import Event
@@ -33,13 +34,14 @@ class Future:
 
     ``reason``: why it ends where it does: the run is ``over``, all programs ``wait`` for somebody
     outside, or it goes on ``later``; ``unknown``: there is none to show, since it depends on
-    somebody outside.
+    somebody outside. ``causes``: what the programs wait for, or the errors of the run.
     """
 
     ticks: tuple[int, ...]
     columns: tuple[tuple[float, ...], ...]
     events: tuple[Event, ...]
     reason: Literal["over", "wait", "later", "unknown"]
+    causes: tuple[Diagnostic, ...] = ()
 
 
 UNKNOWN = Future((), (), (), "unknown")
@@ -50,6 +52,7 @@ def run_ahead(engine: RemoteEngine, signals: Sequence[str]) -> Iterator[Future]:
     ticks: list[int] = []
     rows: list[tuple[float, ...]] = []
     events: list[Event] = []
+    errors: list[Diagnostic] = []
     first, every, width = engine.tick, 1, len(signals)
     try:
         while True:
@@ -69,8 +72,10 @@ def run_ahead(engine: RemoteEngine, signals: Sequence[str]) -> Iterator[Future]:
                 reason = "over"
             elif done.is_resting:
                 reason = "wait"
+            errors += [one for one in done.diagnostics if one.severity is Severity.ERROR]
+            causes = tuple(done.diagnostics if reason == "wait" else errors)
             columns = tuple(zip(*rows, strict=True)) if rows else ((),) * width
-            yield Future(tuple(ticks), columns, tuple(events), reason)
+            yield Future(tuple(ticks), columns, tuple(events), reason, causes)
             if reason != "later" or done.tick >= first + MAX_AHEAD:
                 return
     finally:

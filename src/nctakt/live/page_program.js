@@ -61,6 +61,7 @@
       }, after);
     };
     const look = EditorView.updateListener.of((update) => {
+      if (update.docChanged) keepLater();
       if (!update.docChanged && !update.viewportChanged) return;
       tries = 0;
       askLines(isLong ? 20 : 60);
@@ -113,6 +114,30 @@
       }
       view.dispatch({ changes: { from: start, to: end, insert: text.slice(start, last) } });
     };
+
+    // --- drafts ----------------------------------------------------------------------------------
+    // What is written and not saved outlives the page: a browser that wakes up loads it anew.
+    const DRAFTS = "nctakt draft ";
+    let owner = null, keeping = 0;
+    const keep = () => {
+      clearTimeout(keeping);
+      keeping = 0;
+      if (!owner || isLong) return;
+      const text = view.state.doc.toString(), name = DRAFTS + owner.file;
+      try {
+        if (text === owner.begin) sessionStorage.removeItem(name);
+        else sessionStorage.setItem(name, JSON.stringify([owner.begin, text]));
+      } catch { sessionStorage.removeItem(name); } // it is longer than the browser keeps
+    };
+    const keepLater = () => { keeping ||= setTimeout(keep, 250); };
+    addEventListener("pagehide", keep);
+    const own = (file, begin) => {
+      if (keeping) keep();
+      owner = { file, begin };
+      keep();
+    };
+    const drafts = () => Object.entries(sessionStorage).filter(([name]) => name.startsWith(DRAFTS))
+      .map(([name, kept]) => [name.slice(DRAFTS.length), ...JSON.parse(kept)]);
 
     // --- marks -----------------------------------------------------------------------------------
     // Blocks, conditions with what stands beside them, stops, findings: by lines and columns.
@@ -288,13 +313,13 @@
       component().revealLine(line);
     };
     globalThis.nctaktEditor = {
-      replace, show, answer, go, explain, next,
+      replace, show, answer, go, explain, next, own,
       mark(found) { known = found; showMarks(); },
       get isLong() { return isLong; },
     };
     showMarks();
     askLines(0);
-    emitEvent("nctakt_ready", {});
+    emitEvent("nctakt_ready", { drafts: drafts() });
   };
 
   const begin = () => {

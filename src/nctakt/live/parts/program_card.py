@@ -241,10 +241,33 @@ class ProgramCard:
         """Let the browser's editor do something."""
         self._editor.client.run_javascript(f"nctaktEditor.{call}")
 
-    def _be_ready(self, _: Any) -> None:
-        """Begin to show: the browser's editor is there."""
+    def _be_ready(self, event: Any) -> None:
+        """Begin to show: the browser's editor is there, with what was not saved before."""
         self._is_ready, self._marks = True, None
+        words = event.args if isinstance(event.args, dict) else {}
+        drafts = words.get("drafts")
+        for draft in drafts if isinstance(drafts, list) else ():
+            self._take_draft(draft)
+        begin, text = self._drafts.get(self.document.file, (self._begin, self._value))
+        if text == self._value:
+            self._own()
+        else:
+            self._replace(_Change(self.document, begin, self._value, text))
         self.show(self._shared.snapshot)
+
+    def _take_draft(self, draft: object) -> None:
+        """Take a text that somebody has changed and not saved, if it is one of a program here."""
+        if not isinstance(draft, list) or not all(isinstance(one, str) for one in draft):
+            return
+        for document in (one for own in self._documents.values() for one in own):
+            if len(draft) == 3 and document.file == draft[0] and not document.is_long:
+                if draft[2] != document.text:
+                    self._drafts[document.file] = draft[1], draft[2]
+
+    def _own(self) -> None:
+        """Let the browser know from which text of which file its own is changed."""
+        if not self._is_long:
+            self._run(f"own({json.dumps(self.document.file)}, {json.dumps(self._begin)})")
 
     @property
     def is_checked(self) -> bool:
@@ -295,6 +318,7 @@ class ProgramCard:
         self._line = 0
         self._choice.set_value(self._key())
         self._show_length()
+        self._own()
         background_tasks.create(self._colours.wish((1, 1)))
         self.show(self._shared.snapshot)
 
@@ -480,7 +504,10 @@ class ProgramCard:
             self._begin = text  # from which further changes begin
             self._shared.reopen(self._shared.program)
 
-        if await self._commander.attempt(save_and_run):
+        is_done = await self._commander.attempt(save_and_run)
+        if self._begin is text:  # it is in the file, also where it does not run
+            self._own()
+        if is_done:
             self._marks = None
             ui.notify(self._texts["saved"], type="positive", timeout=2000)
             await self._play()

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 import os
 import tempfile
+import threading
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -82,6 +83,8 @@ class Document:
         self._other: tuple[int, int] | None = None
         self.text = ""
         self.lines: list[str] = []
+        self._checked: tuple[str, list[Diagnostic]] | None = None
+        self._checking = threading.Lock()
         self.read()
 
     def read(self) -> None:
@@ -122,8 +125,17 @@ class Document:
         return not Path(self.file).exists()
 
     def check(self, text: str) -> list[Diagnostic]:
-        """Return what the check finds in a text of the editor, with its notes."""
-        return self.checker.check(self.file, text)
+        """Return what the check finds in a text of the editor, with its notes.
+
+        The text that was read is checked once for all browsers.
+        """
+        if text is not self.text:
+            return self.checker.check(self.file, text)
+        with self._checking:
+            known = self._checked
+            if known is None or known[0] is not text:
+                self._checked = known = text, self.checker.check(self.file, text)
+        return known[1]
 
     def save(self, text: str, begin: str) -> None:
         """Write the editor's text, which was ``begin`` before it was changed.

@@ -8,7 +8,7 @@ stretches in detail.
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -31,7 +31,8 @@ _MODULES = {
 }
 
 
-#: Increments under way to a browser that has not drawn them yet.
+#: Increments under way to a browser that has not drawn them yet; one more tells that it goes on
+#: or stands.
 MAX_UNDER_WAY = 2
 
 #: Sides from which the path can be seen.
@@ -50,16 +51,25 @@ class PathView(Element, component="path.js", esm=_MODULES):
 
 
 class Drawings:
-    """Scope and path of one browser."""
+    """Scope and path of one browser.
 
-    def __init__(self, commander: Commander, limits: Mapping[str, Sequence[float | None]]) -> None:
+    ``go_on`` is called when it has drawn what was under way while the session stands.
+    """
+
+    def __init__(
+        self,
+        commander: Commander,
+        limits: Mapping[str, Sequence[float | None]],
+        go_on: Callable[[], None],
+    ) -> None:
         self._commander = commander
         self._limits = limits
+        self._go_on = go_on
         self._shared = commander.shared
         self._texts = commander.texts
         self._seen: dict[str, Seen] = {}
         self._sent: dict[str, Any] = {}
-        self._has_sent_log = False
+        self._has_sent_log = self._has_offered = False
         self._number = self._drawn = 0
         self._stretches = Newest(self._send_stretch)
         self._build_scope()
@@ -85,7 +95,7 @@ class Drawings:
                 Saving(self._commander)
                 self._signals = (
                     ui.select(
-                        view.choosable(self._shared.units),
+                        list(self._shared.scope),
                         multiple=True,
                         value=list(self._shared.scope),
                         on_change=self._choose,
@@ -97,6 +107,7 @@ class Drawings:
                     )
                     .classes("nc-signals")
                 )
+                self._signals.on("focus", self._offer_signals)
                 named(self._signals, texts["signals"])
             self._scope = Scope().props("data-testid=scope")
             self._scope.props["words"] = {
@@ -153,13 +164,20 @@ class Drawings:
 
     @property
     def are_behind(self) -> bool:
-        """Whether the browser has not drawn yet what was sent: it is busy, or asleep."""
-        return self._number - self._drawn >= MAX_UNDER_WAY
+        """Whether the browser has not drawn yet what was sent: it is busy, or asleep.
+
+        That the session goes on or stands is sent nevertheless, once.
+        """
+        is_urgent = self._sent.get("isPlaying") is not self._shared.snapshot.is_playing
+        return self._number - self._drawn >= MAX_UNDER_WAY + is_urgent
 
     def note_drawn(self, event: Any) -> None:
         """Take up to which increment a browser has drawn."""
         if isinstance(event.args, int) and self._drawn < event.args <= self._number:
+            was_behind = self.are_behind
             self._drawn = event.args
+            if was_behind and not self._shared.snapshot.is_playing:
+                self._go_on()
 
     def follow(self, texts: dict[str, str]) -> None:
         """Send what is new; ``texts``: those of the readings that have changed."""
@@ -181,8 +199,9 @@ class Drawings:
             "isPlaying": snapshot.is_playing,
             "bars": shared.explainer.bars(shared.moment, shared.file),
         }
-        now["future"] = shared.ahead.shown(shared.future_subject)
-        self._show_future(now["future"])
+        if self._drawn:  # first of all the present
+            now["future"] = shared.ahead.shown(shared.future_subject)
+        self._show_future(now.get("future"))
         for name, part in track.parts.items():
             found, self._seen[name] = part.news(self._seen.get(name, (0, 0)))
             if found is not None:
@@ -190,8 +209,8 @@ class Drawings:
         if shown is not track.shown:
             self._seen.clear()  # it has changed meanwhile: all of it at the next look
             return
-        if list(self._signals.value) != shared.scope:
-            self._signals.set_value(list(shared.scope))  # another browser has chosen
+        if list(self._signals.value) != shared.scope:  # another browser has chosen
+            self._show_signals()
         news |= {name: value for name, value in now.items() if self._sent.get(name) != value}
         self._sent = now
         if not self._has_sent_log:  # it never changes
@@ -213,18 +232,33 @@ class Drawings:
 
     def _show_future(self, future: dict[str, Any] | None) -> None:
         """Say why the path to come ends where it does, or that there is none to show."""
-        text = "" if future is None else self._texts[f"future_{future['reason']}"]
+        text = ""
+        if future is not None:
+            causes = future["causes"][self._texts.language]
+            name = "error" if causes and future["reason"] == "over" else future["reason"]
+            text = self._texts[f"future_{name}"].format(causes=causes)
         if self._future.text != text:
             self._future.set_text(text)
 
     def show_session(self) -> None:
         """Show the signals and axes of a session that is new."""
-        self._signals.set_options(view.choosable(self._shared.units))
-        self._signals.set_value(list(self._shared.scope))
+        self._show_signals()
         axes = list(self._shared.path_signals)
         if self._path.props["axes"] != axes:
             self._name_columns()
             self._path.update()
+
+    def _offer_signals(self) -> None:
+        """Offer all signals; before somebody looks for one, the browser has those shown only."""
+        if not self._has_offered:
+            self._has_offered = True
+            self._show_signals()
+
+    def _show_signals(self) -> None:
+        """Show which signals are chosen; they come first, so that the others keep their places."""
+        scope = self._shared.scope
+        others = view.choosable(self._shared.units) if self._has_offered else ()
+        self._signals.set_options(list(dict.fromkeys((*scope, *others))), value=list(scope))
 
     def _name_columns(self) -> None:
         """Let the path know the columns of its positions, and the limits of its axes."""

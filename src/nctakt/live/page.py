@@ -21,7 +21,7 @@ from nctakt.live.document import Document
 from nctakt.live.drawings import Drawings
 from nctakt.live.parts.commander import Commander
 from nctakt.live.parts.functions import Functions
-from nctakt.live.parts.help import build_help
+from nctakt.live.parts.help import Help
 from nctakt.live.parts.keys import KEYS, label_of
 from nctakt.live.parts.lists import NAMES, Lists
 from nctakt.live.parts.naming import explained, named
@@ -87,7 +87,7 @@ class Page:
         self._texts = texts
         self._commander = Commander(shared, texts, context.client)
         self._shown = -1
-        self._subject: tuple[object, ...] = ()
+        self._subject = self._subject_now()
         self._readings: dict[str, str] = {}
         self._bar: tuple[object, ...] = ()
         self._pen_shown: bool | None = None
@@ -95,7 +95,7 @@ class Page:
         self._looks = 0
         ui.add_css(_CSS)
         self._dark, self._is_dark = ui.dark_mode(None), False
-        self._help = build_help(texts)
+        self._help = Help(texts)
         self._build(documents, [one.file for one in documents.get(1, ())], has_plc, has_tour)
         keys = json.dumps({name: key.is_everywhere for name, key in KEYS.items()})
         words = {
@@ -150,7 +150,8 @@ class Page:
                 )
                 self._lists = Lists(self._commander, self._program.reveal)
             with ui.element("div").classes("nc-column nc-middle"):
-                self._drawings = Drawings(self._commander, self._program.document.checker.limits)
+                limits = self._program.document.checker.limits
+                self._drawings = Drawings(self._commander, limits, self._follow)
             with ui.element("div").classes("nc-column nc-right"):
                 self._panel = Panel(self._commander, programs, self._program.choose_program)
                 self._functions = Functions(self._commander, has_plc=has_plc)
@@ -201,13 +202,18 @@ class Page:
 
     # --- following ------------------------------------------------------------------------------
 
+    def _subject_now(self) -> tuple[object, ...]:
+        """Return what decides which signals and variables the page has."""
+        shared = self._shared
+        return shared.snapshot.serial, shared.channel, shared.file
+
     def _follow(self) -> None:
         """Show what is new, once the browser has drawn what was before."""
         if self._drawings.are_behind:
             return
         shared, snapshot = self._shared, self._shared.snapshot
         self._looks += 1
-        subject = (snapshot.serial, shared.channel, shared.file)
+        subject = self._subject_now()
         if subject != self._subject:
             self._subject = subject
             self._drawings.show_session()

@@ -85,7 +85,8 @@ def serve(
     """
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
-    from nctakt.live.access.connections import protocol  # noqa: PLC0415 - as above
+    from nctakt.live.access.compressing import Compression  # noqa: PLC0415 - as above
+    from nctakt.live.access.connections import protocol  # noqa: PLC0415
     from nctakt.live.page import Page  # noqa: PLC0415
 
     host, port = address
@@ -121,6 +122,8 @@ def serve(
         http=protocol(refused),
         ws_max_size=_MAX_MESSAGE,
         ws_per_message_deflate=False,  # a few bytes would become as many as a message may have
+        tailwind=False,  # the page has colours and places of its own: it would cost the first paint
+        gzip_middleware_factory=Compression,
     )
 
 

@@ -27,7 +27,7 @@ from nctakt.live.plc_files import PlcFiles
 from nctakt.live.plc_words import PlcWords
 from nctakt.live.run_log import RunLog
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
-from nctakt.live.view import LogRow, Snapshot
+from nctakt.live.view import LogRow, Snapshot, VariableRow
 from nctakt.session.listening import Frame, Listener
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
@@ -38,6 +38,9 @@ PAGE = "page"
 #: Frames a second that a session gives, and how long the thread waits for one.
 RATE_HZ = 20.0
 _WAIT_S = 0.2
+
+#: How long nothing is new before the past is looked at, so that it holds up nobody, in seconds.
+_REST_S = 0.1
 
 #: Rows of the curves that are taken from the past, and how many of its ticks are shown.
 SCOPE_ROWS, SCOPE_TICKS = 1000, 200_000
@@ -105,7 +108,8 @@ class SharedSession:
         self._wake = threading.Event()
         self._listener: Listener | None = None
         self.watchers: set[Callable[[], None]] = set()
-        self._is_closed = False
+        self._is_closed = self._has_rested = False
+        self._rows_of: tuple[object, Sequence[str], list[VariableRow]] | None = None
         self._serial = self._number = 0
         self.track = Track()
         self.explainer = Explainer(self._look_now)
@@ -169,6 +173,13 @@ class SharedSession:
         """What was found in lists and programs, and in the run up to here, each once."""
         found = [*self._refused, *self.log.diagnostics]
         return list({str(one): one for one in found}.values())
+
+    def variable_rows(self, types: Sequence[tuple[str, str]]) -> list[VariableRow]:
+        """Return the V.E variables, those of the program first: read once for all browsers."""
+        known = self._rows_of
+        if known is None or known[0] is not types or known[1] is not self.lines:
+            self._rows_of = known = types, self.lines, view.variable_rows(types, self.lines)
+        return known[2]
 
     @property
     def prefix(self) -> str:
@@ -261,7 +272,12 @@ class SharedSession:
         """
         with self.lock:
             moment, session = self.moment, self.session
-        report = self.explainer.report(moment, session)
+        self.busy += 1  # the past is looked at afterwards
+        try:
+            report = self.explainer.report(moment, session)
+        finally:
+            self.busy -= 1
+            self._look_now()
         if file:
             return why_plc_text(report, file, line, language)
         return why_text(report, line, language)
@@ -325,7 +341,8 @@ class SharedSession:
 
     def _take(self, session: Session, listener: Listener) -> None:
         """Take a frame, or what a command has changed; and the notices."""
-        frame = listener.take(0.0 if self._wake.is_set() else _WAIT_S)
+        wait_s = _WAIT_S if self._has_rested else _REST_S
+        frame = listener.take(0.0 if self._wake.is_set() else wait_s)
         was_woken = self._wake.is_set()
         if was_woken:
             self._wake.clear()
@@ -350,9 +367,12 @@ class SharedSession:
         if was_woken or (is_new and not self.snapshot.is_playing):
             for watcher in list(self.watchers):
                 watcher()
-        if is_new and not self.snapshot.is_playing:
+        if is_new:
+            self._has_rested = self.snapshot.is_playing
+        elif not self._has_rested and not self.busy:
+            self._has_rested = True
             self._look_back(session)
-        if frame is None and not was_woken and not notices and not session.is_playing:
+        elif not session.is_playing:
             time.sleep(0.01)
 
     def _names_of_stops(self, session: Session) -> str:

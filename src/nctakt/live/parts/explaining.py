@@ -30,7 +30,7 @@ Moment = tuple[int, int, int]
 
 
 class _GoneOnError(Exception):
-    """The session no longer stands where it is being explained."""
+    """The session no longer stands where it is being explained, or somebody asks for more."""
 
 
 class Explainer:
@@ -43,6 +43,7 @@ class Explainer:
         self._lanes: tuple[WhyReport | None, str, list[dict[str, Any]]] = (None, "", [])
         self._wish: tuple[Moment, Session] | None = None
         self._current: Moment | None = None
+        self._questions = 0
         self._changed = threading.Condition()
         self._is_closed = False
         self._thread = threading.Thread(target=self._work, name="nctakt why", daemon=True)
@@ -66,8 +67,22 @@ class Explainer:
             self._wish = self._current = None
             self._changed.notify_all()
 
-    def report(
-        self, moment: Moment, session: Session, meanwhile: Callable[[], None] = lambda: None
+    def report(self, moment: Moment, session: Session) -> WhyReport:
+        """Return the report of this place to somebody who waits for it; raises ``Failure``.
+
+        What is explained without being asked for gives way, and goes on afterwards.
+        """
+        with self._changed:
+            self._questions += 1
+        try:
+            return self._report_of(moment, session, lambda: None)
+        finally:
+            with self._changed:
+                self._questions -= 1
+                self._current = None
+
+    def _report_of(
+        self, moment: Moment, session: Session, meanwhile: Callable[[], None]
     ) -> WhyReport:
         """Return the report of this place, at once if it is there; raises ``Failure``.
 
@@ -120,7 +135,7 @@ class Explainer:
                 self._wish, self._current = None, wish[0]
             meanwhile = partial(self._check_rest, wish[0])
             try:
-                self.report(*wish, meanwhile)
+                self._report_of(*wish, meanwhile)
                 self._look_on(*wish, meanwhile)
             except _GoneOnError:
                 continue
@@ -128,8 +143,8 @@ class Explainer:
                 time.sleep(_REST_S)  # whoever clicks gets the reason
 
     def _check_rest(self, moment: Moment) -> None:
-        """Raise ``_GoneOnError`` if the session has gone on since it was to be explained."""
-        if self._current != moment or self._is_closed:
+        """Raise ``_GoneOnError`` if the session has gone on meanwhile, or somebody asks."""
+        if self._current != moment or self._questions or self._is_closed:
             raise _GoneOnError
 
     def _look_on(self, moment: Moment, session: Session, meanwhile: Callable[[], None]) -> None:

@@ -11,7 +11,6 @@ from typing import Any
 
 from nicegui import ui
 
-from nctakt.live import view
 from nctakt.live.document import Checker
 from nctakt.live.parts.commander import Commander
 from nctakt.live.parts.naming import card, named
@@ -32,7 +31,7 @@ class Variables:
         self._shared = commander.shared
         self._texts = commander.texts
         self._types = checker.types
-        self._rows = view.variable_rows(self._types, self._shared.lines)
+        self._rows = self._shared.variable_rows(self._types)
         self._fields: dict[str, Any] = {}
         self._sliders: dict[str, Any] = {}
         self._busy: set[str] = set()
@@ -51,7 +50,7 @@ class Variables:
 
     def show_session(self) -> None:
         """Show the variables that a new program names first."""
-        self._rows = view.variable_rows(self._types, self._shared.lines)
+        self._rows = self._shared.variable_rows(self._types)
         self._show_rows(self._search.value or "")
 
     def focus_search(self) -> None:

@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 from support.page_driving import BROWSER, chromium, opened, served
 
+from nctakt.live.document import MAX_EDITED_LINES
 from nctakt.live.drawings import MAX_UNDER_WAY, Drawings
 from nctakt.live.track import MAX_BLOCKS, MAX_MARKS, MAX_ROWS, MAX_SAMPLES
 
@@ -108,12 +109,151 @@ def test_a_flood_without_end(browser: Any, tmp_path: Path) -> None:
         page.close()
 
 
+@pytest.mark.nightly
+def test_a_long_file_that_is_replaced_or_deleted(browser: Any, tmp_path: Path) -> None:
+    """It stays as it was opened until it is loaded anew, as another long one or a short one."""
+    long = [f"G01 X{number % 2} F6000" for number in range(MAX_EDITED_LINES + 5)]
+    other = [line.replace("X", "Y") for line in [*long, "M30"]]
+    path = written(tmp_path, "\n".join(long) + "\n")
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        first = page.locator(".cm-line").first
+        length, load = page.get_by_test_id("length"), page.get_by_test_id("load")
+        expect(first).to_have_text(long[0])
+        path.write_text("\n".join(other) + "\n", "utf-8")
+        expect(page.get_by_text("changed on disk")).to_be_visible()
+        expect(first).to_have_text(long[0])
+        page.get_by_test_id("find").fill(str(MAX_EDITED_LINES))
+        page.get_by_test_id("find").press("Enter")
+        expect(page.locator(".cm-line").get_by_text(long[MAX_EDITED_LINES]).first).to_be_visible()
+        load.click()
+        expect(length).to_contain_text(f"{len(other):,} lines")
+        expect(page.locator(".cm-line").get_by_text("Y1").first).to_be_visible()
+        path.unlink()
+        expect(page.get_by_text("gone from disk")).to_be_visible()
+        page.get_by_test_id("find").fill("1")
+        page.get_by_test_id("find").press("Enter")
+        expect(first).to_have_text(other[0])
+        path.write_text(SHORT, "utf-8")
+        load.click()
+        expect(length).to_be_hidden()
+        expect(first).to_have_text("G01 X20 F6000")
+        page.locator(".cm-content").click()
+        page.keyboard.type("G999 ")
+        expect(page.get_by_text("● not saved")).to_be_visible()
+        page.close()
+
+
+@pytest.mark.nightly
+def test_a_browser_that_sleeps(browser: Any, tmp_path: Path) -> None:
+    """Its connection ends; awake it shows the session as it is, and what was written unsaved."""
+    path = written(tmp_path, FLOOD)
+    with served(str(path)) as address:
+        page, other = opened(browser, address), opened(browser, address)
+        page.locator(".cm-content").click()
+        page.keyboard.press("Control+Home")
+        page.keyboard.type("; written, not saved")
+        page.keyboard.press("Enter")
+        expect(page.get_by_text("● not saved")).to_be_visible()
+        page.evaluate("globalThis.isOld = true")
+        link = page.context.new_cdp_session(page)
+        link.send("Debugger.enable")
+        link.send("Debugger.pause")
+        other.wait_for_timeout(12_000)  # longer than the server waits for a sign of life
+        for _ in range(200):  # it has left the pen, once its place is free
+            other.get_by_test_id("pen").click()
+            other.get_by_test_id("tick").click()
+            if "before" not in other.get_by_test_id("clock").inner_text():
+                break
+            other.wait_for_timeout(100)
+        expect(other.get_by_test_id("clock")).to_contain_text("Tick ")
+        other.get_by_test_id("home").click()
+        expect(other.get_by_test_id("clock")).to_contain_text("before tick 0 ")
+        link.send("Debugger.resume")
+        link.send("Debugger.disable")
+        page.wait_for_function("!globalThis.isOld")
+        expect(page.get_by_test_id("clock")).to_contain_text("before tick 0 ")
+        expect(page.locator(".cm-line").first).to_contain_text("; written, not saved")
+        expect(page.get_by_text("● not saved")).to_be_visible()
+        assert path.read_text("utf-8") == FLOOD
+        page.close()
+        other.close()
+
+
+def test_what_is_not_saved_outlives_the_page(browser: Any, tmp_path: Path) -> None:
+    """It is there when the page is loaded anew; what is saved is not, nor what is no text."""
+    path = written(tmp_path, SHORT)
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        first = page.locator(".cm-line").first
+        expect(first).to_have_text("G01 X20 F6000")
+        page.locator(".cm-content").click()
+        page.keyboard.press("Control+Home")
+        page.keyboard.type("; mine")
+        expect(page.get_by_text("● not saved")).to_be_visible()
+        page.reload()
+        expect(first).to_have_text("; mineG01 X20 F6000")
+        expect(page.get_by_text("● not saved")).to_be_visible()
+        page.locator(".cm-content").click()
+        page.keyboard.press("Control+s")
+        expect(page.get_by_text("● not saved")).to_be_hidden()
+        assert path.read_text("utf-8") == f"; mine{SHORT}"
+        page.wait_for_function("Object.keys(sessionStorage).every((name) => !/draft/.test(name))")
+        page.evaluate("sessionStorage.setItem('nctakt draft x', '[1, {}]')")
+        page.reload()
+        expect(first).to_have_text("; mineG01 X20 F6000")
+        page.close()
+
+
+@pytest.mark.nightly
+def test_two_browsers_and_two_branches(browser: Any, tmp_path: Path) -> None:
+    """Each writes in the past; both show the same branch, with its curves, marks and variables."""
+    with served(str(written(tmp_path, FLOOD))) as address:
+        pages = opened(browser, address), opened(browser, address)
+        for number, page in enumerate((*pages, *pages), 2):
+            page.get_by_test_id("pen").click()
+            page.get_by_test_id("home").click()
+            expect(page.get_by_test_id("clock")).to_contain_text("before tick 0 ")
+            page.get_by_test_id("tick").click()
+            page.get_by_test_id("tick").click()
+            page.get_by_test_id("back_tick").click()
+            expect(page.get_by_test_id("clock")).to_contain_text("Tick 0 ")
+            field = page.get_by_test_id("variable-V.E.VALUE")
+            field.fill(str(number))
+            field.press("Enter")
+            page.get_by_test_id("tick").click()
+            for one in pages:
+                clock = one.get_by_test_id("clock")
+                expect(clock).to_contain_text(re.compile(f"Tick 1 .*Branch {number}"))
+                expect(one.get_by_test_id("variable-V.E.VALUE")).to_have_value(str(number))
+                one.wait_for_function("nctaktRun.run.ticks.at(-1) === 1")
+            known = [one.evaluate("[nctaktRun.run.columns, nctaktRun.run.marks]") for one in pages]
+            assert known[0] == known[1]
+        for page in pages:
+            page.close()
+
+
 def test_a_browser_that_does_not_draw_is_behind() -> None:
-    """It gets nothing more until it has drawn; what no server has sent is no answer."""
+    """It gets nothing more until it has drawn, but that a run stands; what is not sent counts not.
+
+    Once it has drawn what was missing it is looked at again at once.
+    """
+    looks: list[bool] = []
     drawings = Drawings.__new__(Drawings)
+    drawings._go_on = lambda: looks.append(drawings.are_behind)
+    drawings._shared = SimpleNamespace(snapshot=SimpleNamespace(is_playing=True))
+    drawings._sent = {"isPlaying": True}
     drawings._number, drawings._drawn = MAX_UNDER_WAY, 0
     for answer in (None, "1", 0, MAX_UNDER_WAY + 1):
         drawings.note_drawn(SimpleNamespace(args=answer))
         assert drawings.are_behind
-    drawings.note_drawn(SimpleNamespace(args=1))
+    assert looks == []
+    drawings._shared.snapshot.is_playing = False
     assert not drawings.are_behind
+    drawings._sent, drawings._number = {"isPlaying": False}, MAX_UNDER_WAY + 1
+    assert drawings.are_behind
+    drawings._shared.snapshot.is_playing = True
+    assert drawings.are_behind
+    drawings._shared.snapshot.is_playing = False
+    drawings.note_drawn(SimpleNamespace(args=2))
+    assert looks == [False]

@@ -79,9 +79,8 @@ def serve(
     """Serve the page until Ctrl-C.
 
     ``has_tour``: with the tour of the demo cell. ``is_embedded``: an editor shows it in a panel.
-    ``tell`` gets its address once, ``tell_error``
-    what browsers send that cannot be understood, ``refused`` whose requests and connections were
-    refused, and why.
+    ``tell`` gets its address once, ``tell_error`` what browsers send that cannot be understood,
+    ``refused`` whose requests and connections were refused, and why.
     """
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
@@ -89,11 +88,9 @@ def serve(
     from nctakt.live.access.connections import protocol  # noqa: PLC0415
     from nctakt.live.page import Page  # noqa: PLC0415
 
-    host, port = address
+    (host, port), places = address, Places(Client.instances, refused)
     access = Access(new_token(), host not in LOCAL, is_embedded)
     word = f"?{WORD}={access.token}" if access.is_closed or is_embedded else ""
-
-    places = Places(Client.instances, refused)
 
     @ui.page("/", title="nctakt live")
     def show() -> None:

@@ -10,7 +10,7 @@ import pytest
 from support.decided import numbers, perform, told
 from support.insides import machine_of
 
-from nctakt.lists.machine.homing import AxisHoming
+from nctakt.lists.machine.axis_configuration import AxisHoming
 from nctakt.lists.machine.machine import load_machine
 from nctakt.messages.programs.checked_blocks import EXCLUSIVE_WORDS
 from nctakt.messages.programs.offsets import COMMAND_WITHOUT_AXIS

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import pytest
 
 from nctakt import Controller, Failure, NcText, hli
-from nctakt.cli.common.waiting import waiter
+from nctakt.cli.common.hli_partner import waiter
 from nctakt.hli.connection import PlcConnection
 from nctakt.hli.image_access import ImageAccess
 from nctakt.hli.layout import COMMAND, HEADER, LINK

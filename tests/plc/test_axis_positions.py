@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from support.plc_rig import loaded, values_in_main
 
-from nctakt.lists.machine.homing import AxisHoming
+from nctakt.lists.machine.axis_configuration import AxisHoming
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc.structured_text import StructuredPlc
 from nctakt.results.run import Run

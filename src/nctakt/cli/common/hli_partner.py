@@ -8,11 +8,12 @@ warnings on standard error while the CNC waits for it.
 from __future__ import annotations
 
 import contextlib
+import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Severity, Text
 from nctakt.cli.common.terminal import print_diagnostics
-from nctakt.cli.common.waiting import waiter
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.hli_connection import (
     PLC_ANSWERED_AGAIN,
@@ -20,6 +21,31 @@ from nctakt.messages.plcs.hli_connection import (
     PLC_KEEPS_WAITING,
     WAITING_FOR_PLC,
 )
+
+#: Checks without a pause: a partner on another core answers within some microseconds.
+_EAGER_LOOKS = 50
+
+#: The pause between two later checks, in seconds.
+_PAUSE_S = 0.0001
+
+
+def waiter(seconds: float) -> Callable[[Callable[[], bool]], bool]:
+    """Return a function that waits for a condition and returns whether it came true in time."""
+
+    def wait(condition: Callable[[], bool]) -> bool:
+        for _ in range(_EAGER_LOOKS):
+            if condition():
+                return True
+            time.sleep(0)
+        end = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > end:
+                return False
+            time.sleep(_PAUSE_S)
+        return True
+
+    return wait
+
 
 if TYPE_CHECKING:
     from collections.abc import Callable

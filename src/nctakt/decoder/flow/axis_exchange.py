@@ -8,7 +8,8 @@ that two channels can swap axes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Callable, Generator, Mapping
+from typing import TypeVar
 
 from nctakt.base.diagnostics import Span, Text
 from nctakt.decoder.axis_limits import set_limits
@@ -24,7 +25,7 @@ from nctakt.decoder.state.axis_places import (
     indices_of,
     trimmed,
 )
-from nctakt.decoder.state.exchanged_state import follow
+from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.queued.commands import Answer, Command, PositionRequest
 from nctakt.decoder.state.queued.spindle_commands import SpindleAxis
 from nctakt.decoder.values.variables import Values
@@ -41,6 +42,7 @@ from nctakt.messages.axes.couplings import COUPLED_AXIS_GIVEN, COUPLED_AXIS_MOVE
 from nctakt.nc import tree
 from nctakt.nc.meaning.axes import GIVING, ExchangeCommand, FetchedAxis, exchange_command, is_c_axis
 
+_Value = TypeVar("_Value")
 Decoded = Generator[Command, Answer]
 
 
@@ -282,7 +284,7 @@ class AxisExchange:
             for new, other in enumerate(target)
             if slot is not None and other is not None and slot.index == other.index
         }
-        follow(state, moved)
+        move_axis_values(state, moved)
         self._adapt()
 
     def _refuse(self, name: str, statement: tree.Statement) -> None:
@@ -295,3 +297,28 @@ class AxisExchange:
         if channel:
             holder = Text(f"channel {channel} has it", f"Kanal {channel} hat sie")
         self._values.fail(AXIS_NOT_IN_CHANNEL, span, axis=name, holder=holder)
+
+
+def move_axis_values(state: ModalState, moved: Mapping[int, int]) -> None:
+    """Let the values by axis follow their axes; ``moved``: old indices -> new ones.
+
+    Those of axes that the channel has given are lost.
+    """
+    state.limits.weights = _moved(state.limits.weights, moved)
+    state.feed.axis_overrides = _moved(state.feed.axis_overrides, moved)
+    if state.feed.group is not None:
+        state.feed.group = state.feed.group.after_exchange(moved)
+    state.software_limits.programmed = _moved(state.software_limits.programmed, moved)
+    state.measuring.measured = _moved(state.measuring.measured, moved)
+    state.frame.factors = _moved(state.frame.factors, moved)
+    state.path.contour.point = _moved(state.path.contour.point, moved)
+    state.feed_forward.weights = _moved(state.feed_forward.weights, moved)
+    state.wcs = _moved(state.wcs, moved)
+    state.mcs = _moved(state.mcs, moved)
+    if state.tool.length_axis is not None:
+        axis, sign = state.tool.length_axis
+        state.tool.length_axis = (moved[axis], sign) if axis in moved else None
+
+
+def _moved(values: Mapping[int, _Value], moved: Mapping[int, int]) -> dict[int, _Value]:
+    return {moved[axis]: value for axis, value in values.items() if axis in moved}

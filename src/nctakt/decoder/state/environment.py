@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
@@ -17,7 +17,6 @@ from nctakt.decoder.state.call_stack import OpenCall
 from nctakt.decoder.state.controller_data import ControllerData
 from nctakt.decoder.state.geometry.offsets import ActiveOffsets
 from nctakt.decoder.state.queued.in_force import InForce
-from nctakt.decoder.state.signals import DecoderSignals
 from nctakt.decoder.state.spindle_gears import SpindleGears
 from nctakt.decoder.state.uncertain_axes import LivingCycle
 from nctakt.lists.declared.tools import Tool
@@ -26,6 +25,36 @@ from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.nc.outline import ProgramText
 from nctakt.nc.tree import Statement
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
+
+
+class DecoderSignals(Protocol):
+    """The signals of one channel; channels are masks as in ``kernel/tick/signals.py``.
+
+    ``channel_count``: the number of channels of the machine.
+    """
+
+    channel_count: int
+
+    def send(
+        self,
+        source: int,
+        signal: int,
+        receivers: int,
+        count: int,
+        mask: int,
+        values: Sequence[float],
+    ) -> bool:
+        """Send a signal; return whether there was room for it."""
+
+    def remove(self, low: int, high: int, receivers: int, *, is_range: bool) -> None:
+        """Remove the oldest signal of this number, or all of a range."""
+
+    def read(self, source: int, signal: int, senders: int) -> tuple[float, ...]:
+        """Take a signal: the mask of its values and the values; empty if it is not there.
+
+        -1 in place of the mask, and its number, if another one has to be taken before.
+        """
+
 
 if TYPE_CHECKING:
     from nctakt.decoder.state.kept_trees import KeptTrees

@@ -14,7 +14,6 @@ from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.decoder.state.call_stack import CallStack
 from nctakt.decoder.state.couplings import ActiveCouplings
-from nctakt.decoder.state.feed_forward import FeedForwardState
 from nctakt.decoder.state.geometry.arcs import PLANES, Arc
 from nctakt.decoder.state.geometry.contour_form import ContourState
 from nctakt.decoder.state.geometry.contour_frame import ContourFrame
@@ -22,9 +21,9 @@ from nctakt.decoder.state.geometry.tangential_arc import Tangent
 from nctakt.decoder.state.path_limits import MAX_BEND, LimitState, bend_of
 from nctakt.decoder.state.queued.commands import Segment
 from nctakt.decoder.state.queued.shape_commands import ShapeState
-from nctakt.decoder.state.software_limits import LimitsOfProgram
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.declared.tools import NO_TOOL, Tool
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.channel_configuration import (
     CENTRE_GROUP,
     DIMENSION_GROUP,
@@ -53,6 +52,36 @@ from nctakt.nc.vocabulary.functions import (
 )
 from nctakt.nc.vocabulary.orientation import ANGLE
 from nctakt.nc.vocabulary.path_keywords import HSC_CURVES
+
+
+@dataclass(slots=True)
+class LimitsOfProgram:
+    """Software limits in mm or degrees, by axis index; ``programmed``: those of G98 and G99."""
+
+    programmed: dict[int, tuple[float, float]] = field(default_factory=dict)
+
+    def of(self, axis: AxisConfiguration, index: int) -> tuple[float, float]:
+        """Return the limits of an axis in force: those of the program, else of its list."""
+        listed = (axis.software_limit_low, axis.software_limit_high)
+        return self.programmed.get(index, listed) if self.programmed else listed
+
+
+@dataclass(slots=True)
+class FeedForwardState:
+    """``is_on``: G135; ``weights``: factors of G136 by axis index, else 1.
+
+    ``is_due``: the drives do not know it yet.
+    """
+
+    is_on: bool = False
+    weights: dict[int, float] = field(default_factory=dict)
+    is_due: bool = False
+
+    def switch(self, *, is_on: bool) -> None:
+        """Switch it on or off."""
+        self.is_on = is_on
+        self.is_due = True
+
 
 MM_PER_INCH = 25.4
 
@@ -101,18 +130,18 @@ class CompensationState:
         return APPROACH_DIRECT if self.is_tangential else self.mode
 
     def take_tangent(
-        self, segment: Segment, plane: tuple[int, int], before: float, behind: float
+        self, segment: Segment, plane: tuple[int, int], before: float, after: float
     ) -> Tangent | None:
         """Return the arc of a motion after G05 that changes the distance of the tool.
 
-        ``before`` and ``behind``: the distances in mm to the left.
+        ``before`` and ``after``: the distances in mm to the left.
         """
-        if not self.is_tangential or before == behind or before * behind != 0.0:
+        if not self.is_tangential or before == after or before * after != 0.0:
             return None
         self.is_tangential = False
         point = segment.target if before == 0.0 else segment.start
         corner = (point[plane[0]], point[plane[1]])
-        return Tangent(corner, before + behind, leads_to=before == 0.0)
+        return Tangent(corner, before + after, leads_to=before == 0.0)
 
     @property
     def is_direct(self) -> bool:

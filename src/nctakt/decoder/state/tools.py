@@ -123,7 +123,7 @@ class ActiveTool:
     ) -> Generator[Command, Answer, Tool | None]:
         """Return the tool that the PLC answers, or that of the list; ``None``: there is none.
 
-        The manager is told of D0, too: the tool that goes may have worn.
+        The manager gets D0, too: the tool that is put away may have worn.
         """
         if not self.manager.is_there:
             return self._with(identity) if any(identity) else NO_TOOL

@@ -24,9 +24,7 @@ from nctakt.lists.format.values import Values
 from nctakt.lists.machine.coordinate_systems import ListedSystems, listed_systems
 from nctakt.lists.machine.couplings import ListedCouplings, listed_couplings
 from nctakt.lists.machine.dynamic_weights import DynamicWeights, dynamic_weights
-from nctakt.lists.machine.feed_groups import ListedFeedGroup, listed_feed_group
 from nctakt.lists.machine.measuring import ChannelMeasuring, channel_measuring
-from nctakt.lists.machine.spindle_gears import ListedGears, listed_gears
 from nctakt.lists.machine.tool_selection import ToolSelection, tool_selection
 from nctakt.lists.machine.transformations.kinematic_lists import transformations
 from nctakt.lists.machine.transformations.kinematics import Transformations
@@ -43,6 +41,76 @@ from nctakt.messages.machines.machine import (
     SLOPE_NOT_SIMULATED,
     UNKNOWN_MAIN_SPINDLE,
 )
+
+
+@dataclass(frozen=True, slots=True)
+class GearRanges:
+    """The ranges of speeds in 1/min by gear step from 1 on, in the order of their search.
+
+    ``is_automatic``: the speed chooses the step (P-CHAN-00004).
+    """
+
+    is_automatic: bool
+    ranges: Mapping[int, tuple[float, float]]
+
+
+@dataclass(frozen=True, slots=True)
+class ListedGears:
+    """``is_enabled``: P-CHAN-00052. ``ranges`` by the logical number of a spindle."""
+
+    is_enabled: bool
+    ranges: Mapping[int, GearRanges]
+
+
+def listed_gears(values: Values) -> ListedGears:
+    """Return what a channel list says about the gear steps of its spindles."""
+    return ListedGears(
+        values.flag("main_spindle_gear_change"),
+        {
+            values.integer("spindel[].log_achs_nr", index): _ranges(values, index)
+            for index in values.indices("spindel[]")
+        },
+    )
+
+
+def _ranges(values: Values, index: int) -> GearRanges:
+    table = "spindel[].range_table[]"
+    stages = list(values.indices(table, index))
+    if values.integer("spindel[].range_way", index) == 1:
+        stages.reverse()
+    ranges = {
+        stage + 1: (
+            float(values.integer(f"{table}.min_speed", index, stage)),
+            float(values.integer(f"{table}.max_speed", index, stage)),
+        )
+        for stage in stages
+    }
+    used = {stage: limits for stage, limits in ranges.items() if limits[1] > 0.0}
+    return GearRanges(values.flag("spindel[].autom_range", index), used)
+
+
+@dataclass(frozen=True, slots=True)
+class ListedFeedGroup:
+    """The group that F refers to without ``#FGROUP``: names of axes, none: the linear ones.
+
+    ``is_weakest``: the weakest axis of each block.
+    """
+
+    axes: frozenset[str]
+    is_weakest: bool
+
+
+def listed_feed_group(values: Values) -> ListedFeedGroup:
+    """Return what a channel list says about the axes of the feed."""
+    return ListedFeedGroup(
+        frozenset(
+            values.text("gruppe[].achse[].bezeichnung", 0, index)
+            for index in values.indices("gruppe[].achse[]", 0)
+            if values.flag("gruppe[].achse[].default_feed_axis", 0, index)
+        ),
+        values.flag("feed_to_weakest_axis"),
+    )
+
 
 #: Before which blocks single block stops (P-CHAN-00015).
 ONLY_MOTIONS, EFFECTIVE_BLOCKS, ALL_LINES = -1, 0, 1

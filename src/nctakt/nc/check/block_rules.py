@@ -6,16 +6,17 @@ In: a block whose words are checked one by one. Out: diagnostics about several o
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import NamedTuple
 
 from nctakt.lists.machine.channel_configuration import ChannelParameters
+from nctakt.messages.path.contour_lines import ANGLE_DURING_ARC
 from nctakt.messages.path.motion import COMMAND_WORD_NOT_SIMULATED
+from nctakt.messages.path.shapes import CORNER_OFF
 from nctakt.messages.path.tools import TANGENTIAL_ALONE
 from nctakt.messages.programs.checked_blocks import G60_WITHOUT_MOTION, INVALID_COMMAND_FORM
 from nctakt.messages.programs.offsets import COMMAND_WITHOUT_AXIS, MOTION_WORD_WITH_OFFSETS
 from nctakt.nc.check.findings import Findings
-from nctakt.nc.check.path.contour_lines import check_contour_line
 from nctakt.nc.check.path.corners import check_corners
 from nctakt.nc.check.path.frames import check_mirrored_axes, check_rotation_block
 from nctakt.nc.check.path.measuring import check_measuring_block
@@ -28,8 +29,9 @@ from nctakt.nc.meaning.path import (
     SWITCHES,
     VECTORS,
 )
-from nctakt.nc.tree import AxisWord, Block
+from nctakt.nc.tree import AxisWord, Block, Word
 from nctakt.nc.vocabulary.functions import (
+    ANY_ARCS,
     ARC_RADIUS,
     COMPENSATION_OFF,
     COMPENSATIONS,
@@ -159,3 +161,17 @@ class BlockChecker:
                 self._findings.report(
                     MOTION_WORD_WITH_OFFSETS, word.span, word=written, command="G92"
                 )
+
+
+def check_contour_line(
+    block: Block, functions: Collection[float], channel: ChannelParameters, findings: Findings
+) -> None:
+    """Check the word of an angle beside the G functions of its block."""
+    span = next(
+        word.span for word in block.words if isinstance(word, Word) and word.name == ANGLE_WORD
+    )
+    if not channel.allows_corners:
+        findings.report(CORNER_OFF, span, word=ANGLE_WORD)
+    for function in ANY_ARCS:
+        if function in functions:
+            findings.report(ANGLE_DURING_ARC, span, function=function)

@@ -60,7 +60,6 @@ from nctakt.nc.check.path.frames import (
 )
 from nctakt.nc.check.path.motion_words import functions_of
 from nctakt.nc.check.path.path_commands import check_path_axis
-from nctakt.nc.check.path.weights import check_weight, is_neutral
 from nctakt.nc.check.returns import check_return
 from nctakt.nc.meaning.path import SWITCHES, VECTORS
 from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
@@ -81,7 +80,7 @@ from nctakt.nc.tree import (
 from nctakt.nc.vocabulary import support_level
 from nctakt.nc.vocabulary.entries import Entry, Support
 from nctakt.nc.vocabulary.file_names import CHANGE
-from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, Group
+from nctakt.nc.vocabulary.function_rows import WITH_AXES, Form, GFunction, Group
 from nctakt.nc.vocabulary.functions import (
     BLOCK_TRANSITIONS,
     GEAR_FUNCTIONS,
@@ -95,6 +94,21 @@ from nctakt.nc.vocabulary.orientation import VECTOR_WORDS
 from nctakt.nc.vocabulary.single_axes.axis_brackets import FORMS, form_of
 from nctakt.nc.vocabulary.single_axes.axis_commands import INDP_WORDS, has_function, is_axis_command
 from nctakt.nc.vocabulary.spindle_commands import split
+
+
+def check_weight(word: Word, values: ValueChecker, findings: Findings) -> None:
+    """Check the weight of all axes: ``G131=70``."""
+    if word.additional is None or word.arguments:
+        findings.report(WORD_VALUE_MISSING, word.span, word=findings.written(word.span))
+    else:
+        values.value(word.additional)
+
+
+def is_neutral(word: Word, entry: GFunction) -> bool:
+    """Return whether a G function that is not simulated changes nothing: ``G52=0``."""
+    value = word.additional
+    return isinstance(value, Number) and value.value == entry.neutral
+
 
 #: Kinds of offsets in ``#SUPPRESS OFFSETS`` (RC-407).
 OFFSETS = ("ZERO", "ADD_ZERO", "PSET", "CLAMP", "TOOL", "MEASURE", "MANUAL")

@@ -44,14 +44,16 @@ from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings, FindingsState
 from nctakt.nc.check.hash_commands import CommandChecker
 from nctakt.nc.check.neutral_settings import check_setting
-from nctakt.nc.check.path.coordinate_systems import check_cs_command
-from nctakt.nc.check.path.machine_coordinates import check_machine_command
+from nctakt.nc.check.path.coordinate_systems import (
+    check_cs_command,
+    check_machine_command,
+    check_plane_command,
+    check_transformation,
+)
 from nctakt.nc.check.path.measuring import check_meas
 from nctakt.nc.check.path.path_commands import check_path_command
-from nctakt.nc.check.path.rotating_planes import check_plane_command
 from nctakt.nc.check.path.splines import check_spline_command
 from nctakt.nc.check.path.tools import check_tool_command
-from nctakt.nc.check.path.transformations import check_transformation
 from nctakt.nc.check.program_variables import ProgramVariableChecker
 from nctakt.nc.check.signals import SignalChecker
 from nctakt.nc.check.user_errors import UserErrorChecker

@@ -11,14 +11,15 @@ from collections.abc import Sequence
 
 from nctakt.base.misspelling import nearest_first
 from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM, UNKNOWN_COMMAND_OPTION
+from nctakt.messages.programs.single_steps import NEGATIVE_RESOLUTION, SINGLE_STEP_WORDS
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.optional_parts import check_optional
 from nctakt.nc.check.path.feed_groups import check_feed_group
 from nctakt.nc.check.path.path_commands import check_item
-from nctakt.nc.check.single_steps import check_single_step
-from nctakt.nc.meaning.path import Form
-from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Timer
+from nctakt.nc.meaning.path import Form, keywords
+from nctakt.nc.meaning.words import SINGLE_STEP_OFF
+from nctakt.nc.tree import Bracket, Expression, HashCommand, Keyword, Name, Number, Timer
 from nctakt.nc.vocabulary.commands import INIT, forms_of
 from nctakt.nc.vocabulary.file_names import (
     MESSAGES,
@@ -28,6 +29,9 @@ from nctakt.nc.vocabulary.file_names import (
     names_program,
 )
 
+_SINGLE_STEP = "#SINGLE STEP"
+_RESOLUTION = "RESOLUTION"
+_SINGLE_STEP_FORM = Form((SINGLE_STEP_OFF, "ENABLE"), (_RESOLUTION,))
 _TIMER_ACTIONS = ("START", "STOP", "READ", "CLEAR")
 _POSITIONS = ("CMDPOS", "ACTPOS")
 
@@ -112,3 +116,20 @@ class CommandChecker:
         self._findings.report(
             UNKNOWN_COMMAND_OPTION, node.span, command=command, word=word, names=listed
         )
+
+
+def check_single_step(command: HashCommand, values: ValueChecker, findings: Findings) -> None:
+    """Check ``#SINGLE STEP [DISABLE]``, ``[ENABLE]``, ``[RESOLUTION=10]`` (207618443)."""
+    bracket = command.arguments[0] if len(command.arguments) == 1 else None
+    if not isinstance(bracket, Bracket) or not bracket.items:
+        forms = forms_of(_SINGLE_STEP)
+        findings.report(INVALID_COMMAND_FORM, command.span, command=_SINGLE_STEP, forms=forms)
+        return
+    if len(bracket.items) > 1:
+        findings.report(SINGLE_STEP_WORDS, bracket.items[1].span)
+        return
+    check_item(_SINGLE_STEP_FORM, _SINGLE_STEP, bracket.items[0], values, findings)
+    for item in keywords(command):
+        value = item.value
+        if item.name == _RESOLUTION and isinstance(value, Number) and value.value < 0.0:
+            findings.report(NEGATIVE_RESOLUTION, value.span, value=value.value)

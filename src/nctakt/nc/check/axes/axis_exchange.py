@@ -32,7 +32,7 @@ from nctakt.nc.vocabulary.commands import forms_of
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
 
 _MEANING = Text(
-    "the command waits until the path and the axes stand and no other channel has the axes; "
+    "the command waits until path and axes are at rest and no other channel has the axes; "
     "offsets of an exchanged axis begin at 0",
     "der Befehl wartet, bis Bahn und Achsen stehen und kein anderer Kanal die Achsen hat; "
     "Verschiebungen einer getauschten Achse beginnen bei 0",

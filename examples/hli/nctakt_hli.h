@@ -9,7 +9,7 @@
 #define HLI_VERSION 9
 #define HLI_UNITS 20
 
-/* the begin of the image: what there is, where it stands, and the clock */
+/* the start of the image: what it holds, where, and the clock */
 typedef struct hli_header {
     char magic[8]; /* NCTAKT and two zero bytes */
     uint32_t version; /* 9; another one is another layout */

@@ -22,25 +22,25 @@ class ReplacedLine(Exception):
 
 @dataclass(frozen=True, slots=True)
 class LineShift:
-    """The lines from ``first`` up to but not ``behind`` (from 1) became ``by`` more lines.
+    """The lines from ``first`` up to but not ``end`` (from 1) became ``by`` more lines.
 
     While the number of lines is the same, each line keeps its number, replaced or not.
     """
 
     first: int
-    behind: int
+    end: int
     by: int
 
     @property
-    def new_behind(self) -> int:
-        """The new number of the line ``behind``."""
-        return self.behind + self.by
+    def new_end(self) -> int:
+        """The new number of the line ``end``."""
+        return self.end + self.by
 
     def line(self, line: int) -> int:
         """Return the new number of a line; raises ``ReplacedLine``."""
         if not self.by or line < self.first:
             return line
-        if line < self.behind:
+        if line < self.end:
             raise ReplacedLine
         return line + self.by
 

@@ -60,12 +60,12 @@ class MarkedLines:
         if self._lines is None:
             self._numbers = self._marked(lines, 1)
         elif (shift := self._shifts.between(self._lines, lines)) is not None:
-            first, behind = bisect_left(numbers, shift.first), bisect_left(numbers, shift.behind)
-            changed = lines[shift.first - 1 : shift.new_behind - 1]
+            first, end = bisect_left(numbers, shift.first), bisect_left(numbers, shift.end)
+            changed = lines[shift.first - 1 : shift.new_end - 1]
             self._numbers = [
                 *numbers[:first],
                 *self._marked(changed, shift.first),
-                *(number + shift.by for number in numbers[behind:]),
+                *(number + shift.by for number in numbers[end:]),
             ]
         self._lines = lines
         return self._numbers
@@ -148,7 +148,7 @@ class _Rereading:
         lines = [checkpoint.line for checkpoint in checkpoints]
         self._checkpoints = list(checkpoints[: bisect_right(lines, shift.first)])
         #: The checkpoints after the change, in the text before it.
-        self._later = list(checkpoints[bisect_left(lines, shift.behind) :])
+        self._later = list(checkpoints[bisect_left(lines, shift.end) :])
         self._next = 0
         self._is_joined = False
 

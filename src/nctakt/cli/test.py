@@ -213,7 +213,7 @@ def _is_parallel(words: list[str]) -> bool:
 def _check_there(words: list[str]) -> None:
     """Raise ``Failure`` for a file or folder that is not there; what follows an option is pytest's.
 
-    A test within a file has its name behind ``::``.
+    The name of a test within a file comes after ``::``.
     """
     for word in _paths(words):
         path = Path(word.partition("::")[0])

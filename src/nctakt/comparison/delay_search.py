@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Where a log is later than the run, and by how much (LG-706), one delay after another.
 
-The first block in which the log becomes late is told by ``BlockDelays``, the length by
+``BlockDelays`` finds the first block in which the log becomes late, the length by
 ``length_at``; with it the alignment moves, so that the next delay is found on what is left. Where a
 length is not sure, what comes after the place is not known either.
 """
@@ -95,7 +95,7 @@ class DelaySearch:
             earlier = self._moving(range(at - 1, -1, -1), begin_us, _BESIDE + 1)
             later = self._moving(range(at + 1, len(self._blocks)), begin_us, _BESIDE)
             numbers = [at, *earlier[:_BESIDE], *later]
-            # at the end of a block's first tick it has moved: it stands where the tick begins
+            # at the end of a block's first tick it has moved: it is at rest where the tick begins
             stands = [float(self._blocks[one].time_us - self._cycle_time_us) for one in numbers]
             length = length_at(self._signals, Place(stands, begin_us, alignment))
             time_us = length.time_us if isinstance(length, Length) else length

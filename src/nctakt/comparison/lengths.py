@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """By how much a log is later from a place on (LG-706): one length, or none that is sure.
 
-At a place the machine stands as long as the length, then the run goes on; a negative length leaves
+At a place the machine waits for the length, then the run goes on; a negative length leaves
 out the end of what was before. Lengths up to ``REACH_US`` are tried on a grid, with a gain and a
 bias of each signal solved for each; the best ones are refined at the log's own stamps. A length is
 sure if it fits as well as what lies before the place, and no other one does.
@@ -159,7 +159,7 @@ def _only(searches: Sequence[_Search]) -> _Search | None:
 def beginning(signals: Signals, alignment: Alignment, time_us: float) -> float:
     """Return by how much the run begins later in the log than aligned, 0 if that is not sure.
 
-    ``time_us``: where the first motion of the run begins; until then all stand on both sides.
+    ``time_us``: where the first motion of the run begins; until then all axes are at rest.
     """
     begin = time_us - REACH_US
     whole = _pieces(signals, alignment, begin, numpy.inf)
@@ -342,7 +342,7 @@ class _Search:
         logged = numpy.interp(times[: count + 1], piece.times, piece.values)
         logged -= logged.mean()
         ours = piece.curve.at(times)
-        ours -= ours[before]  # where it stands is 0
+        ours -= ours[before]  # its position at rest is 0
         after = ours[before:]
         size = 1 << int(len(after) + len(logged)).bit_length()
         spectrum = numpy.conj(numpy.fft.rfft(after, size)) * numpy.fft.rfft(logged, size)

@@ -46,7 +46,7 @@ _GAIN = Text(
     "das Log ist {gain}-mal der Lauf, um {bias} versetzt",
 )
 _OR_SLOWER = Text(
-    "or slower than it: at a constant speed nobody can tell which",
+    "or slower than it: at a constant speed there is no way to tell",
     "oder langsamer als er: bei konstanter Geschwindigkeit ist das nicht zu unterscheiden",
 )
 _LEAVES = Text(

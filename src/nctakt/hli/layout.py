@@ -330,7 +330,7 @@ PANEL_CELLS = len(PANEL) + len(LAMPS) + len(TOOLS)
 
 HEADER = Structure(
     "hli_header",
-    "the begin of the image: what there is, where it stands, and the clock",
+    "the start of the image: what it holds, where, and the clock",
     (
         Entry("magic", "STRING", "", "`NCTAKT` and two zero bytes", count=8),
         Entry("version", "UNS32", "", f"{VERSION}; another one is another layout"),

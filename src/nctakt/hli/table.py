@@ -487,7 +487,7 @@ def _structure(name: str, parts: list[tuple[str, DataType, Row | None]]) -> Data
 
 
 def _root(root: str) -> DataType:
-    """Return the structure behind a pointer."""
+    """Return the structure that a pointer leads to."""
     paths = [
         (_DOT.split(path.partition("^.")[2]), row)
         for path, row in rows().items()

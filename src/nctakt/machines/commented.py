@@ -51,7 +51,7 @@ _GERMAN: Mapping[str, str] = MappingProxyType(
         "M functions, one of each synchronisation type from M111 on": (
             "M-Funktionen, ab M111 eine jeder Synchronisationsart"
         ),
-        "Program start: G00 G17 G71 G90 G162, 1000 mm/min, exact stop behind each G00": (
+        "Program start: G00 G17 G71 G90 G162, 1000 mm/min, exact stop after each G00": (
             "Programmstart: G00 G17 G71 G90 G162, 1000 mm/min, Genauhalt hinter jedem G00"
         ),
         "Realtime configuration of the demo machine: a tick of 1 ms": (

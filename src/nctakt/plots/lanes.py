@@ -2,7 +2,7 @@
 """The timeline of a run -> lanes of bars and marks.
 
 In: ``Timeline``, signals with two values. Out: lanes in the order in which they are shown. A
-reaction and its condition share one: the condition lies behind, the reaction in front of it, and
+reaction and its condition share one: the condition is drawn in the back, the reaction in front, and
 its number is that of its marks on the path.
 """
 

@@ -56,7 +56,7 @@ _CONSTANT = Text("constant of expressions", "Konstante in Ausdrücken")
 _COUNTS = Text("one elementary instruction", "eine Elementar-Anweisung")
 
 _WAITS = Text(
-    "at once; a synchronous one is read when the path stands, and written in program order",
+    "at once; a synchronous one is read when the path is at rest, and written in program order",
     "sofort; eine synchrone wird gelesen, wenn die Bahn steht, und der Reihe nach geschrieben",
 )
 _LIVE_OR_FROZEN = Text(
@@ -71,7 +71,7 @@ _READ_ONLY = Text("read", "lesen")
 _READ_WRITE = Text("read and write", "lesen und schreiben")
 _WHEN_DECODED = Text("when the block is decoded", "wenn der Satz dekodiert wird")
 _WHEN_EMPTY = Text(
-    "when the path stands; empties the channel", "wenn die Bahn steht; leert den Kanal"
+    "when the path is at rest; empties the channel", "wenn die Bahn steht; leert den Kanal"
 )
 _FROZEN = Text("the value of the definition, a constant", "der Wert der Definition, eine Konstante")
 #: Facts beyond the support table.

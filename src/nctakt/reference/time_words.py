@@ -29,7 +29,7 @@ _KINDS: dict[TimeKind, Text] = {
         "Das Programm wartet eine programmierte Zeit: G04, #TIME",
     ),
     "commands": Text(
-        "The path stands while commands are taken, the channel is emptied, or the decoder works",
+        "The path is at rest while commands are executed, the channel empties or the decoder works",
         "Die Bahn steht, während Befehle übernommen werden, der Kanal leerläuft oder der "
         "Dekoder arbeitet",
     ),

@@ -21,7 +21,7 @@ _RIGHTS = {
     Access.BOTH: Text("read and write", "lesen und schreiben"),
 }
 _FLUSHES = Text(
-    "; each access waits until the path stands", "; jeder Zugriff wartet, bis die Bahn steht"
+    "; each access waits until the path is at rest", "; jeder Zugriff wartet, bis die Bahn steht"
 )
 _LIVE = Text("; the value of each tick", "; der Wert jedes Takts")
 UNITS = {

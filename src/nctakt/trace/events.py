@@ -201,8 +201,8 @@ class EventDecoder:
     ) -> tuple[str, str]:
         parts, cell = divmod(int(cell_of_part), rows.TEXT_PART)
         text = "".join(_characters(int(half)) for half in (left, right))
-        before, behind = "…" if parts > 1 else "", "…" if parts % 2 else ""
-        return "written", f'{self.names.variable(cell)} "{before}{text}{behind}"'
+        before, after = "…" if parts > 1 else "", "…" if parts % 2 else ""
+        return "written", f'{self.names.variable(cell)} "{before}{text}{after}"'
 
     def _technology_rt(self, number: float, sequence: float, time_us: int) -> tuple[str, str]:
         letter, value = function_of(number)

@@ -49,7 +49,7 @@ RUN_CODES = (
         "Erfolg (auch an einer Grenze, außer mit --limit-fails)",
     ),
     Text(
-        "an NC error, a program that waits for ever where no limit is set, or Ctrl-C",
+        "an NC error, a program that waits forever where no limit is set, or Ctrl-C",
         "ein NC-Fehler, ein Programm, das ohne gesetzte Grenze endlos wartet, oder Strg-C",
     ),
 )

@@ -102,11 +102,11 @@ class RealtimeLoops:
             self._values.fail(RT_WHILE_WITHOUT_MOTION, loop.span)
         if motions > size:
             self._values.fail(RT_WHILE_TOO_LONG, loop.span, count=motions, size=size)
-        for axis, before, behind in zip(
+        for axis, before, after in zip(
             self._environment.axis_numbers, begin, self._state.positions, strict=True
         ):
-            if abs(behind - before) > CLOSE_ENOUGH:
-                off = abs(behind - before)
+            if abs(after - before) > CLOSE_ENOUGH:
+                off = abs(after - before)
                 self._values.fail(RT_WHILE_PATH_NOT_CLOSED, loop.span, off=f"{off:.6g}", axis=axis)
         yield LoopBegin(source, number)
         yield from body

@@ -71,10 +71,10 @@ class AkimaCurve:
     def _akima(self, number: int, axis: int) -> float:
         """Return the slope of an axis at a vertex, from four chords."""
         m = [self._chord_slope(index, axis) for index in range(number - 2, number + 2)]
-        before, behind = abs(m[1] - m[0]), abs(m[3] - m[2])
-        if before + behind <= SAME_SLOPE * max(map(abs, m)):
+        before, after = abs(m[1] - m[0]), abs(m[3] - m[2])
+        if before + after <= SAME_SLOPE * max(map(abs, m)):
             return 0.5 * (m[0] + m[3])
-        return (behind * m[1] + before * m[2]) / (before + behind)
+        return (after * m[1] + before * m[2]) / (before + after)
 
     def _chord_slope(self, index: int, axis: int) -> float:
         """Return the slope of a chord; beyond the ends it is extrapolated."""

@@ -114,26 +114,26 @@ def _bend(arc: Segment, position: Point, length: float) -> list[float]:
     return bend
 
 
-def turn_of(before: Segment, behind: Segment, linear: Sequence[int]) -> float:
+def turn_of(before: Segment, after: Segment, linear: Sequence[int]) -> float:
     """Return the change of the direction at a corner: the length of two unit vectors' difference.
 
     0 where a motion moves no linear axis.
     """
     leaving = slope_of(before, linear, at_end=True)
-    entering = slope_of(behind, linear, at_end=False)
+    entering = slope_of(after, linear, at_end=False)
     if not leaving or not entering:
         return 0.0
     return math.dist([leaving[axis] for axis in linear], [entering[axis] for axis in linear])
 
 
-def smallest_turn(before: Segment, behind: Segment) -> float:
+def smallest_turn(before: Segment, after: Segment) -> float:
     """Return the change of the direction up to which a corner is none."""
-    has_arc = before.arc is not None or behind.arc is not None
+    has_arc = before.arc is not None or after.arc is not None
     return SAME_DIRECTION_OF_ARCS if has_arc else SAME_DIRECTION
 
 
 def distances(
-    before: Joint, behind: Joint, turn: float, deviation: float, requested: tuple[float, float]
+    before: Joint, after: Joint, turn: float, deviation: float, requested: tuple[float, float]
 ) -> tuple[float, float]:
     """Return how far before the corner and after it the curve begins and ends, mm.
 
@@ -142,9 +142,9 @@ def distances(
     if deviation > 0.0:
         requested = (6.0 * deviation / turn,) * 2
     if requested[0] == requested[1]:
-        both = min(requested[0], before.longest, behind.longest)
+        both = min(requested[0], before.longest, after.longest)
         return (both, both)
-    return (min(requested[0], before.longest), min(requested[1], behind.longest))
+    return (min(requested[0], before.longest), min(requested[1], after.longest))
 
 
 def interim_point(

@@ -288,18 +288,18 @@ class Contouring:
             yield from self._release(held)
             return segment
         before = Joint(held.segment, self._linear, form.part, is_before=True, used=held.used)
-        behind = Joint(segment, self._linear, form.part, is_before=False)
-        halves = contour_curve.distances(before, behind, turn, form.deviation, form.distances)
+        after = Joint(segment, self._linear, form.part, is_before=False)
+        halves = contour_curve.distances(before, after, turn, form.deviation, form.distances)
         if max(halves) <= NO_DISTANCE_MM and not form.point:
             yield from self._release(held)
             return segment
         for _ in range(MAX_STEPS):
-            first, last = before.without(halves[0]), behind.without(halves[1])
+            first, last = before.without(halves[0]), after.without(halves[1])
             middle = contour_curve.interim_point(
-                segment.start, (before.corner_slope, behind.corner_slope), halves, form.point
+                segment.start, (before.corner_slope, after.corner_slope), halves, form.point
             )
             pieces = contour_curve.curve(
-                before.end(first), behind.end(last), halves, middle, self._linear
+                before.end(first), after.end(last), halves, middle, self._linear
             )
             if form.deviation == 0.0:
                 break
@@ -334,13 +334,13 @@ class Contouring:
             self._environment, held.segment, segment, self._linear, held.standing
         )
 
-    def _motions(self, half: list[cubics.Cubic], before: Segment, behind: Segment) -> list[Segment]:
+    def _motions(self, half: list[cubics.Cubic], before: Segment, after: Segment) -> list[Segment]:
         """Return a half of the curve as motions of the block before the corner.
 
         It is rapid only between rapid motions, and has the lower one of two feeds.
         """
-        is_feed = before.is_feed or behind.is_feed
-        feeds = [segment.feed for segment in (before, behind) if segment.is_feed]
+        is_feed = before.is_feed or after.is_feed
+        feeds = [segment.feed for segment in (before, after) if segment.is_feed]
         modifiers = before.modifiers
         if modifiers == FeedModifiers():
             modifiers = None

@@ -92,29 +92,29 @@ def _turned(point: Point, centre: Point, angle: float) -> Point:
     return (centre[0] + x * cosine - y * sine, centre[1] + x * sine + y * cosine)
 
 
-def inner_angle(before: Side, behind: Side) -> float:
+def inner_angle(before: Side, after: Side) -> float:
     """Return the angle between two motions in radians: π where they go straight on."""
     x, y = before.direction
-    u, v = behind.direction
+    u, v = after.direction
     return math.pi - abs(math.atan2(x * v - y * u, x * u + y * v))
 
 
-def rounding_centre(before: Side, behind: Side, radius: float) -> tuple[Point, float] | None:
+def rounding_centre(before: Side, after: Side, radius: float) -> tuple[Point, float] | None:
     """Return the centre of a rounding and 1 for a turn to the left, -1 to the right.
 
     ``None``: no circle with this radius touches both motions.
     """
     x, y = before.direction
-    u, v = behind.direction
+    u, v = after.direction
     left = math.copysign(1.0, x * v - y * u)
     offset_before = _beside(before, left * radius)
-    offset_behind = _beside(behind, left * radius)
-    if offset_before is None or offset_behind is None:
+    offset_after = _beside(after, left * radius)
+    if offset_before is None or offset_after is None:
         return None
     fitting = [
-        (max(before.touch(point), behind.touch(point)), point)
-        for point in _crossings(offset_before, offset_behind)
-        if before.touch(point) > 0.0 and behind.touch(point) > 0.0
+        (max(before.touch(point), after.touch(point)), point)
+        for point in _crossings(offset_before, offset_after)
+        if before.touch(point) > 0.0 and after.touch(point) > 0.0
     ]
     return (min(fitting)[1], left) if fitting else None
 

@@ -293,20 +293,20 @@ class Shaping:
         self._pass_time(arc)
         held = HeldMotion(arc, self._path.span, self._state.feed.block_time_s)
         yield from self._release(held, None)
-        behind = Spline(self._values, self._path, AKIMA, spline.span)
-        behind.start_slope = behind.slope(TANGENTIAL, (), arc, at_end=False)
-        self._spline = behind
+        after = Spline(self._values, self._path, AKIMA, spline.span)
+        after.start_slope = after.slope(TANGENTIAL, (), arc, at_end=False)
+        self._spline = after
 
-    def _close_spline(self, behind: Segment | None) -> Iterator[Command]:
-        """Release the rest of a spline; ``behind``: the motion that follows it."""
+    def _close_spline(self, after: Segment | None) -> Iterator[Command]:
+        """Release the rest of a spline; ``after``: the motion that follows it."""
         spline, end = self._spline, self._end
         assert spline is not None
         self._spline = self._end = None
         slope: Slope = ()
         if end is not None:
-            if behind is None and self._waits_for_end(spline, end):
+            if after is None and self._waits_for_end(spline, end):
                 self._values.fail(NO_MOTION_AFTER_SPLINE, end.span)
-            slope = spline.slope(end.end, end.vector, behind, at_end=True)
+            slope = spline.slope(end.end, end.vector, after, at_end=True)
         for held, pieces in spline.finish(slope):
             yield from self._release_pieces(held, pieces)
 
@@ -362,8 +362,8 @@ class Shaping:
             number = self._state.path.plane
             self._values.fail(CORNER_NOT_IN_PLANE, corner.span, side=_BEFORE, plane=number)
         before = corners.Side(held.segment, plane, is_before=True)
-        behind = corners.Side(motion.segment, plane, is_before=False)
-        for side, cut, where in ((before, held, _BEFORE), (behind, motion, _AFTER)):
+        after = corners.Side(motion.segment, plane, is_before=False)
+        for side, cut, where in ((before, held, _BEFORE), (after, motion, _AFTER)):
             if side.length < corners.NOTHING_LEFT:
                 if cut.segment.start == cut.segment.target:
                     self._values.fail(CORNER_TOO_LARGE, corner.span, size=corner.size, side=where)
@@ -373,21 +373,21 @@ class Shaping:
         centre, left = None, 0.0
         if corner.is_rounding:
             x, y = before.direction
-            u, v = behind.direction
+            u, v = after.direction
             if abs(x * v - y * u) < corners.SAME_DIRECTION and x * u + y * v > 0.0:
                 return None
-            found = corners.rounding_centre(before, behind, corner.size)
+            found = corners.rounding_centre(before, after, corner.size)
             if found is None:
                 self._values.fail(CORNER_REVERSES, corner.span, size=corner.size)
             centre, left = found
-            parts = (before.touch(centre), behind.touch(centre))
+            parts = (before.touch(centre), after.touch(centre))
         else:
             chord = corner.size
             if corner.word == "#CHF":
-                chord /= 2.0 * max(math.sin(0.5 * corners.inner_angle(before, behind)), 1e-12)
-            parts = (before.part_of_chord(chord), behind.part_of_chord(chord))
+                chord /= 2.0 * max(math.sin(0.5 * corners.inner_angle(before, after)), 1e-12)
+            parts = (before.part_of_chord(chord), after.part_of_chord(chord))
         points = []
-        for side, part, where in zip((before, behind), parts, (_BEFORE, _AFTER), strict=True):
+        for side, part, where in zip((before, after), parts, (_BEFORE, _AFTER), strict=True):
             if part > 1.0 + corners.NOTHING_LEFT:
                 self._values.fail(CORNER_TOO_LARGE, corner.span, size=corner.size, side=where)
             is_all = part > 1.0 - corners.NOTHING_LEFT
@@ -406,14 +406,14 @@ class Shaping:
         return inserted
 
     def _inserted(
-        self, before: Segment, behind: Segment, corner: InsertCorner, arc: Arc | None
+        self, before: Segment, after: Segment, corner: InsertCorner, arc: Arc | None
     ) -> Segment:
         """Return the chamfer or rounding as a motion of its own.
 
         It is rapid beside a rapid motion. Its feed is that of ``#FRC``, else E of the motion
         before, else F.
         """
-        is_feed = before.is_feed and behind.is_feed
+        is_feed = before.is_feed and after.is_feed
         modifiers = before.modifiers
         feed = corner.feed or before.feed
         if modifiers is not None:
@@ -426,7 +426,7 @@ class Shaping:
             source=corner.source,
             number=corner.number,
             start=before.target,
-            target=behind.start,
+            target=after.start,
             motion=rows.FEED_MOTION if is_feed else rows.RAPID_MOTION,
             feed=feed if is_feed else 0.0,
             exact_stop=before.exact_stop and corner.of_block,

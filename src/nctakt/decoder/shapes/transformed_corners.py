@@ -28,7 +28,7 @@ NEAR_MM = 0.01
 def is_faster(
     environment: DecoderEnvironment,
     before: Segment,
-    behind: Segment,
+    after: Segment,
     linear: Sequence[int],
     standing: Sequence[float],
 ) -> bool:
@@ -40,14 +40,14 @@ def is_faster(
     transformation = environment.offsets.transformation
 
     def axes_at(slope: Sequence[float], distance: float) -> list[float] | None:
-        point = [begin + distance * part for begin, part in zip(behind.start, slope, strict=True)]
+        point = [begin + distance * part for begin, part in zip(after.start, slope, strict=True)]
         axes, answer = transformation.mapped(transformation.number, point, standing, to_axes=True)
         return axes if answer == map_rows.REACHED else None
 
     leaving = slope_of(before, linear, at_end=True)
     near = axes_at(leaving, -NEAR_MM)
     corner = axes_at(leaving, 0.0)
-    beyond = axes_at(slope_of(behind, linear, at_end=False), NEAR_MM)
+    beyond = axes_at(slope_of(after, linear, at_end=False), NEAR_MM)
     if near is None or corner is None or beyond is None:
         return False
     change = part = 0.0

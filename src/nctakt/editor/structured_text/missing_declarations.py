@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A name in Structured Text that nobody declares -> the declaration that its use asks for.
+"""An undeclared name in Structured Text -> the declaration that its use asks for.
 
 In: a file whose expressions have types, the position of the name. Out: where a line with its
 declaration belongs, and the line. The type is that of what is assigned to it, of what it is

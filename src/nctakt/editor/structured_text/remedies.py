@@ -248,7 +248,7 @@ def _power(slip: _Found, language: Language) -> _Remedies:
 
 
 def _missed(slip: _Found, language: Language) -> _Remedies:
-    """Insert a sign or keyword after what stands before the place, comments left out."""
+    """Insert a sign or keyword after the last code before the position, comments left out."""
     new = str(slip.item.values["expected"])
     if new not in _MISSED:
         return

@@ -95,7 +95,7 @@ AXIS_NEVER_GIVEN = warning(
     en="no program of this run gives away axis number {number}, which belongs to channel {channel}",
     de="kein Programm dieses Laufs gibt die Achse Nummer {number} ab, die zu Kanal {channel} "
     "gehört",
-    remedy_en="Program {command} in channel {channel}; without it this command waits for ever.",
+    remedy_en="Program {command} in channel {channel}; without it this command waits forever.",
     remedy_de="{command} in Kanal {channel} programmieren; sonst wartet der Befehl endlos.",
     number=("the logical number", "die logische Nummer"),
     command=("the command that gives the axis away", "der Befehl, der die Achse abgibt"),

@@ -16,7 +16,7 @@ INTERFACE_INDEX_OUTSIDE = warning(
 )
 NOTHING_ACKNOWLEDGES = warning(
     902362,
-    en="the PLC announces itself for the channel, and nothing sets done_w: functions wait for ever",
+    en="the PLC announces itself for the channel, and nothing sets done_w: functions wait forever",
     de="die SPS meldet sich für den Kanal an, und nichts setzt done_w: Funktionen warten endlos",
     remedy_en="Set done_w of each unit of techno_unit_std_sync[], after please_rw is TRUE.",
     remedy_de="done_w jeder Einheit von techno_unit_std_sync[] setzen, sobald please_rw TRUE ist.",

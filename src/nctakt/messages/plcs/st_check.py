@@ -555,8 +555,8 @@ ELEMENT_ARGUMENTS = error(
 )
 BIT_MISPLACED = error(
     902910,
-    en="BIT stands only in structures and blocks",
-    de="BIT steht nur in Strukturen und Bausteinen",
+    en="BIT is allowed only in structures and function blocks",
+    de="BIT ist nur in Strukturen und Funktionsbausteinen erlaubt",
     remedy_en="Use BOOL.",
     remedy_de="BOOL verwenden.",
 )

@@ -143,7 +143,7 @@ EXCLUSIVE_WORDS = error(
     de="{word} und {other} dürfen nicht im selben Satz stehen",
     remedy_en="Split the block, or keep one of them.",
     remedy_de="Den Satz aufteilen oder eines davon behalten.",
-    other=("the function that stands before it", "die Funktion davor"),
+    other=("the function before it", "die Funktion davor"),
 )
 G04_NOT_ALONE = error(
     20685,

@@ -394,12 +394,12 @@ def _with_bare_value(text: BlockText, start: int, value: Number) -> Word:
     """Return a G word with the value after it, ``G04 3.0``, unless that is an assignment's
     target.
     """
-    behind = text.pos
+    end = text.pos
     additional: Expression | None = None
     if text.looking_at(_BARE_VALUE) is not None:
         additional = parse_expression(text, names=False)
         if text.looking_at(_ASSIGN) is not None:
-            text.pos, additional = behind, None
+            text.pos, additional = end, None
     return Word(text.span(start, text.pos), "G", value, additional)
 
 

@@ -137,13 +137,13 @@ def _truths(branch: BranchHistory, why: WhyReport) -> Iterator[Slice]:
         if not truth:
             continue
         for series in evaluated[max(0, bisect_right(firsts, begin) - 1) :]:
-            first, behind = max(begin, series.first_tick), min(end, series.last_tick + 1)
+            first, stop = max(begin, series.first_tick), min(end, series.last_tick + 1)
             if series.first_tick >= end:
                 break
-            if first < behind:
+            if first < stop:
                 tick_us = why.cycle_time_us
                 values = _values(branch, first)
-                yield Slice(first * tick_us, behind * tick_us, condition.text, branch.span, values)
+                yield Slice(first * tick_us, stop * tick_us, condition.text, branch.span, values)
 
 
 def _values(branch: BranchHistory, tick: int) -> str:

@@ -963,7 +963,7 @@ def _is_bit(kind: Type) -> bool:
 
 
 def _put_bit(variable: Variable, end: int, bit: int) -> int:
-    """Give a bit its place behind others, eight in a byte (ST-312); return the end."""
+    """Give a bit its position after others, eight in a byte (ST-312); return the end."""
     if bit % 8 == 0:
         end += 1
     variable.offset, variable.bit = end - 1, bit % 8

@@ -160,7 +160,7 @@ class Variable:
 class IgnoredVariable:
     """A variable whose type or size is impossible.
 
-    ``declared``: where its name stands. ``what`` and ``reason``: what is impossible, and where.
+    ``declared``: where its name is. ``what`` and ``reason``: what is impossible, and where.
     """
 
     space: VariableSpace

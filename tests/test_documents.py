@@ -51,7 +51,8 @@ _OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 #: Options of what is not ``nctakt``: ``scripts/docs``, pytest with the plugin.
 #: Those of pytest and of the scripts beside it.
 _OTHER_OPTIONS = {"--check", "--nctakt-coverage", "--nctakt-coverage-file"}
-_OTHER_OPTIONS |= {"--budget", "--count", "--dist", "--numbers", "--only", "--seed", "--tests"}
+_OTHER_OPTIONS |= {"--budget", "--count", "--dist", "--numbers", "--only", "--rows", "--seed"}
+_OTHER_OPTIONS |= {"--tests", "--tool"}
 
 
 def text_of(name: str) -> str:

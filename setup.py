@@ -60,6 +60,8 @@ DIRECTIVES = {
 #: none is built with ``-O1``; for ``schedule/`` alone that would save two seconds.
 FAST = ["-O2", "-g0", "-ffp-contract=off"]
 CHECKED = ["-O1", "-g0", "-ffp-contract=off"]
+#: gcc follows a pointer that is null into a branch that tests for null, and warns of what is there.
+QUIET = ["-Wno-stringop-overflow"]
 #: What of a module runs once, when it is imported, is not worth the time of an optimization.
 if sys.platform == "linux":
     FAST.append('-DCYTHON_SMALL_CODE=__attribute__((cold, optimize("O0")))')
@@ -283,9 +285,9 @@ class BuildExtensions(build_ext):
         for one in self.extensions:
             one.depends = [*one.depends, "setup.py"]
             if self.compiler.compiler_type != "msvc":
-                one.extra_compile_args = CHECKED if self.checked else FAST
+                one.extra_compile_args = [*QUIET, *(CHECKED if self.checked else FAST)]
             if self.checked and sys.platform == "linux":
-                one.extra_compile_args = [*CHECKED, *SANITIZERS]
+                one.extra_compile_args = [*QUIET, *CHECKED, *SANITIZERS]
                 one.extra_link_args = SANITIZERS
         # The largest first: at the end, one alone would keep all other processors waiting.
         self.extensions.sort(key=lambda one: -Path(one.sources[0]).stat().st_size)

@@ -183,7 +183,7 @@ def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
             if "Tick 0 " not in first.get_by_test_id("clock").inner_text():
                 break
             first.wait_for_timeout(100)
-        expect(first.get_by_test_id("clock")).to_contain_text("Tick 1 ")
+        expect(first.get_by_test_id("clock")).to_contain_text(re.compile("Tick [1-9]"))
         first.close()
 
 
@@ -348,6 +348,7 @@ def test_two_ticks_are_compared(browser: Any, tmp_path: Path) -> None:
         page.get_by_test_id("toggle").click()
         expect(page.get_by_test_id("state")).to_have_text(re.compile("^ended"))
         page.wait_for_function("nctaktRun.run.ticks.at(-1) === nctaktRun.run.latest")
+        page.wait_for_function("nctaktRun.run.ticks[0] === 0")
         page.keyboard.press("m")
         page.wait_for_function("nctaktRun.run.anchor === nctaktRun.run.latest")
         scope = page.get_by_test_id("scope").bounding_box()

@@ -175,6 +175,7 @@ def test_words_are_explained_in_a_long_program(page: Any) -> None:
     page.wait_for_function(HAVE_COME)
     page.keyboard.press("Escape")
     page.keyboard.press("e")
+    expect(page.locator(".cm-content").first).to_be_focused()
     for _ in range(8):
         page.keyboard.press("ArrowRight")
     page.keyboard.press("F1")

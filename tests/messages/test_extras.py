@@ -42,4 +42,4 @@ def test_no_remedy_needs_a_checkout() -> None:
     assert len(told) >= 14  # seven messages in both languages; two more name it by {install}
     for number, text in told:
         words = shlex.split(text.partition("pip install")[2])
-        assert all(re.fullmatch(r"[A-Za-z]\w+[<>=][\d.,<>=]+", word) for word in words), number
+        assert all(re.fullmatch(r"[A-Za-z][\w-]+[<>=][\d.,<>=]+", word) for word in words), number

@@ -98,23 +98,38 @@
     if (line !== nctaktRun.run.line) { nctaktRun.run.line = line; nctaktRun.changed(); }
   });
 
-  // The current block is in view, unless a person has just moved the text.
-  let shown = "", quietUntil = 0;
+  // The current block is in view, unless a person has just moved the text or chosen a line.
+  let shown = "", goal = 0, quietUntil = 0;
+  const rest = () => { quietUntil = Date.now() + 4000; };
   for (const name of ["wheel", "pointerdown", "keydown", "touchmove"]) {
     document.addEventListener(name, (event) => {
-      if (event.target.closest && event.target.closest(".cm-scroller")) quietUntil = Date.now() + 4000;
+      if (!event.target.closest || !event.target.closest(".cm-scroller")) return;
+      rest();
+      goal = 0;
     }, { capture: true, passive: true });
   }
-  const reveal = (view, { run }, looks = 5) => {
-    const now = run.isPlaying ? `${run.block}` : `${run.block} ${run.tick}`, { scrollDOM } = view;
-    if (now === shown || !run.block || run.block > view.state.doc.lines || Date.now() < quietUntil) return;
-    const { top, height } = view.lineBlockAt(view.state.doc.line(run.block).from);
+  // Heights far away are estimates: after it has scrolled it looks again where it has come to.
+  const look = (view, line, looks = 6) => {
+    if (goal !== line || line > view.state.doc.lines) return;
+    const { scrollDOM } = view, { top, height } = view.lineBlockAt(view.state.doc.line(line).from);
     const low = scrollDOM.scrollTop, room = scrollDOM.clientHeight;
-    if (top >= low && top + height <= low + room) { shown = now; return; }
-    scrollDOM.scrollTop = Math.max(0, top - room / 2);
-    // heights far away are estimates: it looks again where it has come to
-    if (looks) requestAnimationFrame(() => reveal(view, globalThis.nctaktRun, looks - 1));
-    else shown = now;
+    if (top < low || top + height > low + room) scrollDOM.scrollTop = Math.max(0, top - room / 2);
+    if (looks) requestAnimationFrame(() => look(view, line, looks - 1));
+    else goal = 0;
+  };
+  const reveal = (view, { run }) => {
+    const now = run.isPlaying ? `${run.block}` : `${run.block} ${run.tick}`;
+    if (now === shown || !run.block || run.block > view.state.doc.lines || Date.now() < quietUntil) return;
+    shown = now;
+    goal = run.block;
+    look(view, goal);
+  };
+  globalThis.nctaktBring = (line) => {
+    const view = editor();
+    if (!view) return;
+    rest();
+    goal = line;
+    look(view, line);
   };
 
   // The block at the cursor of scope or path is marked in the editor.

@@ -310,7 +310,7 @@
     const go = (line) => {
       if (line < 1 || line > view.state.doc.lines) return;
       view.dispatch({ selection: { anchor: view.state.doc.line(line).from } });
-      component().revealLine(line);
+      globalThis.nctaktBring(line);
     };
     globalThis.nctaktEditor = {
       replace, show, answer, go, explain, next, own,

@@ -19,7 +19,7 @@ _REQUIREMENTS: Mapping[str, Sequence[str]] = {
     "fmi": ("fmpy>=0.3.20", "pythonfmu>=0.7,<0.8", "pythonfmu3>=0.3.4,<0.4"),
     "live": ("lsprotocol>=2025", "markdown2>=2.4", "nicegui>=3.18"),
     "measure": ("asammdf>=8", "pylibfst>=0.2.1"),
-    "mqtt": ("aiomqtt>=2,<3",),
+    "mqtt": ("aiomqtt>=2,<3", "paho-mqtt>=2,<2.3"),
     "opcua": ("asyncua>=2.1,<2.2", "cryptography>=42"),
     "plot": ("matplotlib>=3.8", "pyvcd>=0.4"),
     "pytest": (PYTEST,),

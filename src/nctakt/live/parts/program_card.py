@@ -86,6 +86,7 @@ class ProgramCard:
         self._typed = 0
         self._checks = Newest(self._check)
         self._colours = Newest(self._send_lines)
+        self._searches = Newest(self._go_to)
         self._questions = {name: Newest(self._answer) for name in ("complete", "explain")}
         self._marks: list[dict[str, Any]] | None = None
         self._found: list[Diagnostic] = []
@@ -416,8 +417,10 @@ class ProgramCard:
     async def _find(self, _: Any) -> None:
         """Go to the line that somebody looks for."""
         wish = (self._sought.value or "").strip()
-        if not wish:
-            return
+        if wish:
+            await self._searches.wish(wish)
+
+    async def _go_to(self, wish: str) -> None:
         line = await run.io_bound(line_found, self._lines, wish, self._line)
         if line:
             self._line = line

@@ -12,6 +12,9 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.studies.plans.dimension import Value
+from nctakt.studies.plans.plan import COVERAGE
+from nctakt.studies.rows.folder_store import FolderStore
+from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder
 from nctakt.studies.rows.row_store import RowStore
 from nctakt.studies.runs.study_runner import Row, StudyRunner
 from nctakt.studies.searching.search_runs import Point, SearchRuns
@@ -198,11 +201,63 @@ def test_rows_of_other_points_are_made_again(cover: Path) -> None:
 
 @pytest.mark.parametrize("option", ["--part=1/2", "--shrink"])
 def test_what_a_search_for_branches_cannot_do(cover: Path, option: str, capsys: Captured) -> None:
-    """Each run decides about the next: no parts of them; a folder of parts is one of numbers."""
+    """Each run decides about the next: no parts of them."""
     words = ["study", str(cover), "--cover", "--out", str(cover.with_name("out"))]
     assert main([*words, option]) == 2
-    assert main(["study", str(cover), "--cover", "--out", f"{cover.parent}/folder/"]) == 2
-    assert "--out FILE" in capsys.readouterr().err
+    assert option.partition("=")[0] in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("search", ["cover", "find"])
+def test_a_folder_has_the_rows_of_a_search(
+    search: str, cover: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """After Ctrl-C it goes on, and its parts have the rows of an undisturbed file (one of each)."""
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("fsspec")
+    if search == "find":
+        goal = '[[find]]\nmaximize = "end"\nbudget = 40\n[[vary]]'
+        cover.write_text(COVER.replace("[[vary]]", goal))
+    words = ["study", str(cover), "--quiet", *(["--cover"] if search == "cover" else [])]
+    out, folder = cover.with_name("out.jsonl"), f"{cover.parent}/parts/"
+    assert main([*words, "--out", str(out)]) == 0
+    shown = capsys.readouterr().out
+    last, row_of = [20], StudyRunner.row_of
+
+    def broken_off(runner: StudyRunner, index: int, point: Sequence[Value], **how: bool) -> Row:
+        if index == last[0]:
+            raise KeyboardInterrupt
+        return row_of(runner, index, point, **how)
+
+    monkeypatch.setattr(StudyRunner, "row_of", broken_off)
+    assert main([*words, "--out", folder]) == 1
+    last[0] = -1
+    assert main([*words, "--out", folder]) == 2  # results are there
+    assert "902690" in capsys.readouterr().err
+    assert main([*words, "--out", folder, "--resume"]) == 0
+    assert capsys.readouterr().out == shown
+    study = Study(cover)
+    units = dict(study.runner.units)
+    kept = PartFolder(folder, study.plan, units, covers=search == "cover")
+    assert [part.count for part in kept.parts()] == [20, len(RowsOfFolder(kept)) - 20]
+    rows = [{**row} for row in RowsOfFolder(kept)]
+    assert [row.pop(COVERAGE, None) is not None for row in rows] == [search == "cover"] * len(rows)
+    assert rows == list(map(json.loads, out.read_text().splitlines()))
+
+
+def test_a_folder_keeps_its_rows_of_other_points(cover: Path) -> None:
+    """A corpus that another search has changed since: refused (901309), no row is exchanged."""
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("fsspec")
+    study = Study(cover)
+    units = dict(study.runner.units)
+    folder = PartFolder(f"{cover.parent}/parts", study.plan, units, covers=True)
+    store = FolderStore(folder, study.plan, resumes=False)
+    SearchRuns(study.runner, store, covers=True).add([(3,), (4,)])
+    searched = SearchRuns(study.runner, store, covers=True)
+    with pytest.raises(Failure, match="901309"):
+        searched.add([(3,), (5,)])
+    store.close()
+    assert [row["V.E.VALUE"] for row in RowsOfFolder(folder)] == [3, 4]
 
 
 @pytest.mark.nightly

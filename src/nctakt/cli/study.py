@@ -241,7 +241,7 @@ def _study(file: str, words: dict[str, Any]) -> int:
         _refuse(words, "a plan with find searches", ("part", "shrink"))
     if part is not None:
         _make_folder(Path(words["out"]).parent)
-    _check_files(study, file, words, searches=finds or words["cover"])
+    _check_files(study, file, words)
     _tell_unchanged(study, words)
     if words["cover"]:
         return _cover(study, words)
@@ -392,13 +392,11 @@ def _refuse(words: dict[str, Any], reason: str, names: Sequence[str]) -> None:
             raise click.UsageError(f"{reason}: --{name} would have no effect")
 
 
-def _check_files(study: Study, file: str, words: dict[str, Any], *, searches: bool) -> None:
-    """Check the outputs; raises ``click.UsageError``, and as ``_check_outputs``."""
+def _check_files(study: Study, file: str, words: dict[str, Any]) -> None:
+    """Check the outputs; raises ``Failure`` as ``_check_outputs``."""
     outputs = {name: words[name] for name in ("out", "report", "corpus")}
     if _is_folder(words):
         outputs["out"] = None  # its parts have names of their own
-        if searches:
-            raise click.UsageError("a search (find, --cover) writes a file: --out FILE")
     _check_outputs(study, [file], outputs)
 
 
@@ -512,7 +510,7 @@ def _search(
     """
     from nctakt.cli.results.study_search import search_with_rows  # noqa: PLC0415 - as above
 
-    store = None if words["out"] is None else _store(study, words)
+    store = None if words["out"] is None else _results(study, words, searches=True)
     try:
         found = search_with_rows(study, store, words, search)
     except (KeyboardInterrupt, Failure) as error:
@@ -563,24 +561,33 @@ def _is_folder(words: dict[str, Any]) -> bool:
     return words["out"] is not None and is_folder(words["out"])
 
 
-def _results(study: Study, words: dict[str, Any]) -> RowStore | FolderStore:
+def _results(
+    study: Study, words: dict[str, Any], *, searches: bool = False
+) -> RowStore | FolderStore:
     """Return what keeps the rows of ``--out``."""
+    purpose = "cover" if words["cover"] else ""
     if not _is_folder(words):
-        return _store(study, words)
-    from nctakt.studies.rows.folder_store import FolderStore  # noqa: PLC0415 - as above
+        return _store(study, words, purpose)
+    from nctakt.studies.rows import folder_store  # noqa: PLC0415 - as above
     from nctakt.studies.rows.part_folder import PartFolder  # noqa: PLC0415
 
-    folder = PartFolder(words["out"], study.plan, dict(study.runner.units))
-    return FolderStore(folder, study.plan, resumes=words["resume"])
+    units, covers = dict(study.runner.units), words["cover"]
+    folder = PartFolder(words["out"], study.plan, units, covers=covers)
+    return folder_store.FolderStore(
+        folder,
+        study.plan,
+        resumes=words["resume"],
+        purpose=purpose,
+        gathered=folder_store.GATHERED_OF_SEARCH if searches else folder_store.GATHERED,
+    )
 
 
-def _store(study: Study, words: dict[str, Any]) -> RowStore:
+def _store(study: Study, words: dict[str, Any], purpose: str) -> RowStore:
     from nctakt.studies.rows.results import check_target  # noqa: PLC0415 - as above
     from nctakt.studies.rows.row_store import RowStore  # noqa: PLC0415
 
     check_target(Path(words["out"]))
     path = Path(words["out"] + ROWS)
-    purpose = "cover" if words["cover"] else ""
     return RowStore(path, study.plan, resumes=words["resume"], purpose=purpose)
 
 

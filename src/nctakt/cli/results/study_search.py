@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
 
+from nctakt.studies.rows.folder_store import FolderStore
 from nctakt.studies.rows.row_store import RowStore
 from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.study import Study, StudyResult
@@ -16,7 +17,10 @@ _T = TypeVar("_T")
 
 
 def search_with_rows(
-    study: Study, store: RowStore | None, words: dict[str, Any], search: Callable[[SearchRuns], _T]
+    study: Study,
+    store: RowStore | FolderStore | None,
+    words: dict[str, Any],
+    search: Callable[[SearchRuns], _T],
 ) -> _T:
     """Return what a search finds; write the rows of its runs with ``--out``, with ``--report`` too.
 
@@ -34,7 +38,7 @@ def search_with_rows(
         searched = SearchRuns(study.runner, store, make, covers=covers)
         found = search(searched)
     result = StudyResult(study.plan, searched.rows, study.nominal, study.runner.units)
-    if words["out"] is not None:
+    if store is not None and store.folder is None:
         result.save(words["out"])
     if words["report"] is not None:
         from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one

@@ -85,9 +85,8 @@ RUN_CRASHED = warning(
 )
 OTHER_PLAN = error(
     901309,
-    en="the results in {folder} are those of another plan, program or list",
-    de="die Ergebnisse in {folder} gehören zu einem anderen Plan, einem anderen Programm oder "
-    "einer anderen Liste",
+    en="the results in {folder} are those of another plan, program, list or corpus",
+    de="die Ergebnisse in {folder} gehören zu anderen Dateien: Plan, Programm, Liste oder Korpus",
     remedy_en="Remove the folder, write to another file with --out, or leave --resume out.",
     remedy_de="Den Ordner entfernen, mit --out in eine andere Datei schreiben oder --resume "
     "weglassen.",

@@ -258,7 +258,9 @@ class PlanReader:
         entries = [entries] if isinstance(entries, dict) else entries
         if isinstance(entries, list | tuple) and all(isinstance(one, dict) for one in entries):
             return list(entries)
-        self.wrong(key, entries, LIST)
+        tables = f"[[{key}]]"
+        words = Text(f"a list of tables ({tables})", f"eine Liste von Tabellen ({tables})")
+        self.wrong(key, entries, words)
         return []
 
     def existing(self, value: object, key: str, header: str = "", number: int = 0) -> Path | None:

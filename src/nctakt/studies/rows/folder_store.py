@@ -16,23 +16,34 @@ from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder
 from nctakt.studies.rows.row_store import RunNumbers, fingerprint, lock, open_stores
 from nctakt.studies.runs.row_block import RowBlock
 
-#: Rows that this process gathers for a part.
-GATHERED = 500
+#: Rows that this process gathers for a part: of a study, and of a search, whose runs are few.
+GATHERED, GATHERED_OF_SEARCH = 500, 50
 
 
 class FolderStore:
     """As ``RowStore``, in a folder that can be anywhere; on this machine no two studies have it.
 
-    Raises ``Failure`` as ``PartFolder``, and for a folder that another study writes (900919).
+    ``purpose``: what else the runs are for, as ``fingerprint`` takes it; ``gathered``: how many
+    rows this process gathers for a part. Raises ``Failure`` as ``PartFolder``, and for a folder
+    that another study writes (900919).
     """
 
-    def __init__(self, folder: PartFolder, plan: Plan, *, resumes: bool) -> None:
+    def __init__(
+        self,
+        folder: PartFolder,
+        plan: Plan,
+        *,
+        resumes: bool,
+        purpose: str = "",
+        gathered: int = GATHERED,
+    ) -> None:
         self.folder = folder
         self.name = folder.address
         self.done = RunNumbers()
         self._lock = -1
         self._rows: list[RowBlock] = []
-        digits = fingerprint(plan)
+        self._gathered = gathered
+        digits = fingerprint(plan, purpose)
         if folder.is_local and Path(folder.address, "_study.json").exists():
             self._take_lock()
         try:
@@ -62,7 +73,7 @@ class FolderStore:
             self.done.add(number)
         if block.has_rows:
             self._rows.append(block)
-            if sum(map(len, self._rows)) >= GATHERED:
+            if sum(map(len, self._rows)) >= self._gathered:
                 self._write()
 
     def _write(self) -> None:

@@ -23,7 +23,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING, FOLDER_HAS_RESULTS, OTHER_PLAN
 from nctakt.messages.extras import install_command
 from nctakt.messages.files import FILE_NOT_READABLE, FILE_NOT_WRITABLE
-from nctakt.studies.plans.plan import Plan
+from nctakt.studies.plans.plan import COVERAGE, Plan
 from nctakt.studies.rows.results import StreamedRows, checked_row, parquet_bytes, text_columns
 from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.runs.study_runner import Row, columns_of
@@ -61,13 +61,17 @@ class Part:
 class PartFolder:
     """The folder of a study's results, on this machine or elsewhere; copies of it can be sent.
 
-    Raises ``Failure``: no package fsspec (901311), what cannot be read or written (900503, 900507).
+    ``covers``: the rows are those of ``--cover``, with the counts of their branches. Raises
+    ``Failure``: no package fsspec (901311), what cannot be read or written (900503, 900507).
     """
 
-    def __init__(self, address: str, plan: Plan, units: dict[str, str]) -> None:
+    def __init__(
+        self, address: str, plan: Plan, units: dict[str, str], *, covers: bool = False
+    ) -> None:
         self.address = address.rstrip("/") if "://" in address else str(Path(address).absolute())
-        self._columns = columns_of(plan)
-        self._texts = text_columns(plan)
+        counts = [COVERAGE] if covers else []
+        self._columns = columns_of(plan) + counts
+        self._texts = text_columns(plan) + counts
         self._units = units
         self._open()
 

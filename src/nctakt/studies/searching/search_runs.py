@@ -9,7 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.commands.studies import OTHER_PLAN
 from nctakt.studies.plans.dimension import Value
+from nctakt.studies.rows.folder_store import FolderStore
 from nctakt.studies.rows.row_store import RowStore
 from nctakt.studies.runs.effects import without_effect
 from nctakt.studies.runs.row_block import RowBlock
@@ -32,7 +36,7 @@ class SearchRuns:
     def __init__(
         self,
         runner: StudyRunner,
-        store: RowStore | None = None,
+        store: RowStore | FolderStore | None = None,
         make: RowsOfPoints | None = None,
         *,
         covers: bool = False,
@@ -59,17 +63,24 @@ class SearchRuns:
         missing = [one for one in numbered if by_number[one[0]] is None]
         for row in self._make(missing) if missing else ():
             if self._store is not None:
-                self._store.add(RowBlock([row]))
+                self._store.add(RowBlock([dict(row)]))  # the search takes counts out of it
             by_number[int(row["run"] or 0)] = row
         rows = [row for row in by_number.values() if row is not None]
         self.rows += rows
         return rows
 
     def _stored(self, number: int, point: tuple[Value, ...]) -> Row | None:
-        """Return the row of an earlier call; ``None`` if it has none of a run with these values."""
+        """Return the row of an earlier call; ``None`` if it has none of a run with these values.
+
+        Raises ``Failure`` (901309) if a folder has other values: its parts stay as they are.
+        """
         row = self._earlier.get(number)
         head = self.runner.row_head(number, point)
-        return row if row is not None and head.items() <= row.items() else None
+        if row is None or head.items() <= row.items():
+            return row
+        if self._store is not None and self._store.folder is not None:
+            raise Failure(diagnostic(OTHER_PLAN, folder=self._store.name))
+        return None
 
 
 class Runs:

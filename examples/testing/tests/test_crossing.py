@@ -1,4 +1,4 @@
-"""What the comments of a program cannot say stands in Python."""
+"""Tests in Python, for what comments in a program cannot express."""
 
 import pytest
 

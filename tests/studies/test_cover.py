@@ -10,6 +10,7 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.run.controller import NcText
+from nctakt.studies.plans.coordinates import PlanCoordinates
 from nctakt.studies.searching.branch_distance import distances
 from nctakt.studies.searching.corpus import MAX_POINTS, Corpus
 from nctakt.studies.searching.cover import covered
@@ -68,6 +69,43 @@ def test_guided_search_reaches_rare_branches(cycle: str, names: list[str], budge
     reached = study_of(program(cycle), *names).cover(budget)
     assert reached.is_whole
     assert len(reached.first) == reached.coverage.branches
+
+
+@pytest.mark.parametrize(
+    ("condition", "low", "high"),
+    [
+        ("V.E.VALUE == 77777", 0, 100_000),
+        ("V.E.VALUE == 12.34", 0.5, 99.9),
+        ("V.E.VALUE == -0.3", -0.3, 1 / 3),  # a bound that is not among the round numbers
+        ("V.E.VALUE == 123456789", 0, 1e9),
+    ],
+)
+def test_round_numbers_of_a_range_are_reached(condition: str, low: float, high: float) -> None:
+    """A dimension that takes any number is tried at round ones: programs compare with these."""
+    vary = [{"variable": "V.E.VALUE", "from": low, "to": high}]
+    entries = {"method": "random", "count": 100}
+    reached = study_of(program(on(condition)), vary=vary, **entries).cover(100)
+    assert reached.is_whole
+    assert reached.first[-1].point == (float(condition.rpartition(" ")[2]),)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "values"),
+    [
+        (0, 100_000, {0: 0, 1: 0.1, 777_770: 77_777, 1_000_000: 100_000}),
+        (0.123, 1.5, {0: 0.123, 1: 0.123002, 688_500: 1.5}),
+        (-1e12, 1e12, {0: -1e12, 10**12: 0, 2 * 10**12: 1e12}),
+    ],
+)
+def test_round_numbers(low: float, high: float, values: dict[int, float]) -> None:
+    """Steps of 0.1, of 0.000002, the finest of at most 2^20; whole numbers in a wide range."""
+    vary = [{"variable": "V.E.VALUE", "from": low, "to": high}]
+    study = study_of(program("V.E.COUNT = 1"), vary=vary, method="random", count=10)
+    space = PlanCoordinates(study.plan)
+    assert space.sizes == (max(values) + 1,)
+    for number, value in values.items():
+        assert space.point((number,)) == (value,)
+        assert space.of_point((value,)) == (number,)
 
 
 def test_branches_of_several_plcs_are_reached(tmp_path: Path) -> None:

@@ -2,24 +2,56 @@
 """The points of a plan as whole numbers, for searches that go from one to its neighbours.
 
 In: a plan. Out: coordinates, one for each dimension, and the values that they stand for. A
-dimension without steps has as many coordinates as it has ticks or whole numbers, at most a million.
+dimension without steps has a coordinate for each tick or whole number; where it takes any number,
+for its bounds and for at most a million round ones or all whole ones between them, since programs
+compare with round numbers.
 """
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator, Sequence
+from fractions import Fraction
 
 from nctakt.studies.plans.dimension import Dimension, Value
 from nctakt.studies.plans.plan import Plan
 
 Coordinates = tuple[int, ...]
 
-#: The coordinates of a dimension in which any value may be taken.
+#: The round numbers of a dimension in which any value may be taken, unless whole ones are more.
 MAX_COORDINATES = 1 << 20
 
 #: The share of all points between two that are tried one after the other: the golden ratio.
-_SPREAD = 0.6180339887498949
+_SPREAD, _SPREAD_OF = 618_033_988_749_895, 10**15
+
+
+class _RoundNumbers:
+    """The bounds of a range, and the multiples of 1, 2 or 5 times a power of ten between them."""
+
+    def __init__(self, low: float, high: float) -> None:
+        self._ends = low, high
+        exponent = min(math.floor(math.log10((high - low) / MAX_COORDINATES)), -1)
+        widths = (Fraction(10) ** exponent * factor for factor in (1, 2, 5))
+        fine = (one for one in widths if (high - low) / one < MAX_COORDINATES)
+        self._step = next(fine, Fraction(10) ** (exponent + 1))
+        self._first = math.floor(Fraction(str(low)) / self._step) + 1
+        self._count = math.ceil(Fraction(str(high)) / self._step) - self._first
+        self.size = self._count + 2
+
+    def value(self, number: int) -> float:
+        """Return a number of the range."""
+        if not 0 < number <= self._count:
+            return self._ends[number > 0]
+        return float((self._first + number - 1) * self._step)
+
+    def number_of(self, value: float) -> int:
+        """Return where the nearest number is."""
+        number = round(Fraction(str(value)) / self._step) - self._first + 1
+        return min(range(number - 1, number + 2), key=lambda one: self._distance(value, one))
+
+    def _distance(self, value: float, number: int) -> float:
+        return abs(self.value(number) - value) if 0 <= number < self.size else math.inf
 
 
 class PlanCoordinates:
@@ -62,7 +94,7 @@ class PlanCoordinates:
 
     def spread(self) -> Iterator[Coordinates]:
         """Yield the coordinates of all points once, those in a row far from each other."""
-        step = max(1, round(self.count * _SPREAD))
+        step = max(1, self.count * _SPREAD // _SPREAD_OF)
         while math.gcd(step, self.count) != 1:
             step += 1
         for index in range(self.count):
@@ -76,6 +108,14 @@ class PlanCoordinates:
         return tuple(reversed(coordinates))
 
 
+_round_numbers = functools.lru_cache(_RoundNumbers)
+
+
+def _takes_any(dimension: Dimension) -> bool:
+    """Return whether a dimension takes any number between its bounds."""
+    return not (dimension.count or dimension.is_time or dimension.is_whole)
+
+
 def _size(dimension: Dimension) -> int:
     """Return the number of coordinates of a dimension."""
     if dimension.count:
@@ -84,13 +124,15 @@ def _size(dimension: Dimension) -> int:
     if dimension.is_time:
         span /= dimension.tick_us
     elif not dimension.is_whole:
-        return MAX_COORDINATES
-    return max(1, min(int(span) + 1, MAX_COORDINATES))
+        return _round_numbers(dimension.low, dimension.high).size if span else 1
+    return int(span) + 1
 
 
 def _value(dimension: Dimension, number: int, size: int) -> Value:
     if dimension.count:
         return dimension.value(number)
+    if size > 1 and _takes_any(dimension):
+        return _round_numbers(dimension.low, dimension.high).value(number)
     return dimension.between(number / (size - 1) if size > 1 else 0.0)
 
 
@@ -101,5 +143,7 @@ def _number(dimension: Dimension, value: Value, size: int) -> int | None:
     if isinstance(value, str) or not dimension.low <= value <= dimension.high:
         return None
     span = dimension.high - dimension.low
+    if span and _takes_any(dimension):
+        return _round_numbers(dimension.low, dimension.high).number_of(value)
     share = (value - dimension.low) / (dimension.step or span or 1.0)
     return min(round(share if dimension.count else share * (size - 1)), size - 1)

@@ -270,7 +270,7 @@ def test_a_list_alone_tells_its_kind(check: Check, name: str, content: str, kind
     """The kind whose parameters it names, else that of its name."""
     write(name, content + "Ende\n")
     checked = check(name)
-    assert f"{name}:1:1: note 900583: this list is checked on its own, as {kind}" in checked.out
+    assert f"{name}:1:1: note 900583: this list is checked alone, as {kind}" in checked.out
 
 
 def test_a_start_up_list_of_any_name_stands_for_its_machine(check: Check) -> None:

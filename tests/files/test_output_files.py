@@ -290,7 +290,7 @@ def test_ctrl_c_tells_where_the_rest_is(
     assert main(["run", "SUB.NC", "--plot", "p.svg", "--quiet"]) == 1
     err = capsys.readouterr().err
     assert "interrupted" in err
-    assert "p.partial.svg contains what was written until then" in err
+    assert "p.partial.svg contains the part written until then" in err
     assert Path("p.svg").read_text("utf-8") == "of yesterday"
     assert Path("p.partial.svg").stat().st_size == 100
 

@@ -136,7 +136,7 @@ FILE_OUTSIDE = error(
 )
 OUTPUT_CUT_OFF = note(
     900918,
-    en="{file} contains what was written until then",
+    en="{file} contains the part written until then",
     de="{file} enthält, was bis dahin geschrieben wurde",
     remedy_en="The file can be read up to its last complete line.",
     remedy_de="Die Datei ist bis zur letzten vollständigen Zeile lesbar.",

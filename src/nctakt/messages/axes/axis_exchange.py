@@ -37,7 +37,8 @@ AXIS_TWICE = error(
     901803,
     en="{what} would belong to two axes of the channel: number {first} and number {second}",
     de="{what} würde zu zwei Achsen des Kanals gehören: Nummer {first} und Nummer {second}",
-    remedy_en="Give each axis its own name, number and index, or give one of the axes away first.",
+    remedy_en="Give each axis a different name, number and index, or release one of the axes "
+    "first.",
     remedy_de="Jeder Achse einen eigenen Namen, eine eigene Nummer und einen eigenen Index geben "
     "oder vorher eine abgeben.",
     what=("the name, number or index", "Name, Nummer oder Index"),
@@ -105,7 +106,7 @@ CYCLE_AXIS_NOT_IN_CHANNEL = error(
     50899,
     en="axis {axis} does not belong to the channel of this realtime cycle (any more)",
     de="die Achse {axis} gehört nicht (mehr) zum Kanal dieses Echtzeit-Zyklus",
-    remedy_en="End the cycle before the axis is given away, or let the channel fetch it back.",
+    remedy_en="End the cycle before the axis is released, or let the channel fetch it back.",
     remedy_de="Den Zyklus beenden, bevor die Achse abgegeben wird, oder die Achse zurückholen.",
     cause_en="The axis was exchanged: a cycle keeps the axis that its name stood for when the "
     "cycle was defined.",

@@ -214,7 +214,7 @@ TOO_MANY_PAIRS = error(
     901882,
     en="a coupling group has at most {limit} pairs",
     de="eine Kopplungsgruppe hat höchstens {limit} Paare",
-    remedy_en="Put the others into a group of their own.",
+    remedy_en="Put the others into another group.",
     remedy_de="Die übrigen in eine eigene Gruppe legen.",
     limit=("the highest number of pairs", "die höchste Anzahl von Paaren"),
     classes=(2, 3),

@@ -52,7 +52,7 @@ AXIS_VALUE_INVALID = error(
 INDEPENDENT_IN_TRANSFORMATION = error(
     21071,
     known_as=(1709, 50948),
-    en="{axis}[{form} …]: {axis} cannot move by itself while a transformation is active",
+    en="{axis}[{form} …]: {axis} cannot move independently while a transformation is active",
     de="{axis}[{form} …]: bei aktiver Transformation kann {axis} nicht allein fahren",
     remedy_en="Program #TRAFO OFF first, or move the axis with the path.",
     remedy_de="Vorher #TRAFO OFF programmieren oder die Achse mit der Bahn bewegen.",

@@ -209,7 +209,7 @@ SPINDLE_EXCHANGE_NOT_ALONE = error(
     902721,
     en="{word} must be the only word in the brackets of a spindle",
     de="{word} muss in den Klammern einer Spindel allein stehen",
-    remedy_en="Write the other words in a block of their own.",
+    remedy_en="Write the other words in a separate block.",
     remedy_de="Die anderen Wörter in einen eigenen Satz schreiben.",
     word=("CALLAX or PUTAX", "CALLAX oder PUTAX"),
 )

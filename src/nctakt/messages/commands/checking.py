@@ -48,7 +48,7 @@ FILE_ENCRYPTED = note(
 )
 LIST_CHECKED_ALONE = note(
     900583,
-    en="this list is checked on its own, as {kind}",
+    en="this list is checked alone, as {kind}",
     de="diese Liste wird für sich geprüft, als {kind}",
     remedy_en="Check the machine folder to check how several lists fit together.",
     remedy_de="Den Maschinenordner prüfen, um das Zusammenspiel mehrerer Listen zu prüfen.",
@@ -84,7 +84,7 @@ CHECKED_FOR_MACHINE_OF_FILE = note(
     900815,
     en="programs are checked for the machine of {file}",
     de="Programme werden für die Maschine von {file} geprüft",
-    remedy_en="--machine FOLDER checks them for another one.",
+    remedy_en="--machine FOLDER checks them for another machine.",
     remedy_de="--machine ORDNER prüft sie für eine andere.",
     file=(
         "the start-up list that lies in their folder, or above it",

@@ -23,7 +23,7 @@ RUNNING_UNCOMPILED = note(
 )
 RECORDING_WITHOUT_TRACE = error(
     900817,
-    en="{option} selects what is recorded, but there is no trace",
+    en="{option} selects signals to record, but there is no trace",
     de="{option} wählt aus, was aufgezeichnet wird, aber es gibt keine Aufzeichnung",
     remedy_en="Name a file for the trace: --trace out.csv; --signals chooses for --plot, too.",
     remedy_de="Eine Datei für die Aufzeichnung angeben: --trace out.csv; --signals wählt auch für "
@@ -96,7 +96,7 @@ INVALID_COMMAND_LINE = error(
     900909,
     en="the command line is not valid: {reason}",
     de="die Befehlszeile ist ungültig: {reason}",
-    remedy_en="See {help} for what is possible.",
+    remedy_en="{help} shows what is possible.",
     remedy_de="Was möglich ist, zeigt {help}.",
 )
 ARGUMENT_MISSING = error(
@@ -118,7 +118,7 @@ OPTION_REPEATED = error(
     902953,
     en="{option} is given more than once; only the last value would count",
     de="{option} ist mehrmals angegeben; nur der letzte Wert würde gelten",
-    remedy_en="Leave only the one that should count.",
+    remedy_en="Keep only the one that you need.",
     remedy_de="Nur den Wert angeben, der gelten soll.",
 )
 UNKNOWN_SUBCOMMAND = error(

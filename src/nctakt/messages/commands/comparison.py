@@ -62,7 +62,7 @@ NO_NUMBER_IN_LOG = error(
 )
 BYTE_NOT_OF_ENCODING = error(
     902880,
-    en="what is here is no character in {encoding}",
+    en="these bytes are not a character in {encoding}",
     de="was hier steht, ist in {encoding} kein Zeichen",
     remedy_en="Export the log again, or save it as UTF-8.",
     remedy_de="Die Aufzeichnung noch einmal exportieren oder als UTF-8 speichern.",
@@ -135,7 +135,7 @@ MAPPING_UNREADABLE = error(
 )
 NO_OVERLAP = error(
     902522,
-    en="log and run have no time in common: the log lies {offset} s after the run",
+    en="log and run have no time in common: the log is {offset} s after the run",
     de="Log und Lauf haben keine gemeinsame Zeit: das Log liegt {offset} s nach dem Lauf",
     remedy_en="Give the right time with --offset, or leave it out.",
     remedy_de="Mit --offset die richtige Zeit angeben oder die Angabe weglassen.",
@@ -230,7 +230,7 @@ SHARE_DIFFERS = warning(
 )
 SHARE_DOES_NOT_RUN = warning(
     902741,
-    en="the files to share do not run by themselves: message {number}",
+    en="the files to share do not run on their own: message {number}",
     de="die Dateien zum Teilen laufen allein nicht: Meldung {number}",
     remedy_en="Send them all the same: log and deviations are complete.",
     remedy_de="Sie trotzdem senden: Log und Abweichungen sind vollständig.",

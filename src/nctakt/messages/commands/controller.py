@@ -10,7 +10,7 @@ CONTROLLER_IS_BUSY = error(
     en="another thread is using the controller: only one can run, step or reset it at a time",
     de="ein anderer Thread benutzt die Steuerung: sie ausführen oder zurücksetzen kann immer nur "
     "einer",
-    remedy_en="Give each thread a controller of its own.",
+    remedy_en="Use a separate controller in each thread.",
     remedy_de="Jedem Thread eine eigene Steuerung geben.",
     cause_en="Controllers are independent of each other, and any number of them may run at the "
     "same time.",

@@ -178,7 +178,7 @@ NAMES_OF_DEMO_MACHINE = note(
     901006,
     en="the names are looked up on the built-in demo machine",
     de="die Namen werden an der eingebauten Demo-Maschine gesucht",
-    remedy_en="--machine FOLDER selects your own machine; in Python it is Controller(FOLDER).",
+    remedy_en="--machine FOLDER selects your machine; in Python it is Controller(FOLDER).",
     remedy_de="--machine ORDNER wählt die eigene Maschine; in Python ist es Controller(ORDNER).",
     cause_en="Variables, axes, spindles, M and H functions come from the lists of a machine.",
     cause_de="Variablen, Achsen, Spindeln, M- und H-Funktionen stammen aus den Listen einer "
@@ -188,7 +188,7 @@ STIMULUS_NOT_REACHED = warning(
     901007,
     en="{name} did not get its value at {time}: the run ended before, after {end}",
     de="{name} hat bei {time} keinen Wert erhalten: der Lauf endete vorher, nach {end}",
-    remedy_en="Give it an earlier time, or let the run go on (--after, --until).",
+    remedy_en="Give it an earlier time, or let the run continue (--after, --until).",
     remedy_de="Eine frühere Zeit angeben oder den Lauf fortsetzen (--after, --until).",
     time=("the time of the value", "die Zeit des Wertes"),
     end=("how long the run lasted", "die Dauer des Laufs"),

@@ -116,7 +116,7 @@ MACHINE_OF_SETTING = note(
     901064,
     en="the machine is {machine}, as {source} says",
     de="die Maschine ist {machine}, wie {source} es angibt",
-    remedy_en="--machine FOLDER selects another one, --machine demo the built-in one.",
+    remedy_en="--machine FOLDER selects another machine, --machine demo the built-in one.",
     remedy_de="--machine ORDNER wählt eine andere, --machine demo die eingebaute.",
     machine=("the folder with its lists", "der Ordner mit ihren Listen"),
     source=(
@@ -128,7 +128,7 @@ RUN_ON_MACHINE_OF_FILE = note(
     900816,
     en="the program runs on the machine of {file}",
     de="das Programm läuft auf der Maschine von {file}",
-    remedy_en="--machine FOLDER selects another one, --machine demo the built-in one.",
+    remedy_en="--machine FOLDER selects another machine, --machine demo the built-in one.",
     remedy_de="--machine ORDNER wählt eine andere, --machine demo die eingebaute.",
     file=(
         "the start-up list in whose folder the program lies",
@@ -166,7 +166,7 @@ PROGRAMS_OF_DIFFERENT_MACHINES = error(
 )
 FILE_KEPT = note(
     902382,
-    en="{file} already exists and is left as it is",
+    en="{file} already exists and is not changed",
     de="{file} gibt es schon und bleibt, wie sie ist",
     remedy_en="Delete it first to have it written again.",
     remedy_de="Sie vorher löschen, damit sie neu geschrieben wird.",

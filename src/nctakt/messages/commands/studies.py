@@ -77,7 +77,7 @@ INVALID_STUDY_EXPECTATION = error(
 )
 RUN_CRASHED = warning(
     901308,
-    en="the process of run {index} has ended unexpectedly; the other runs go on",
+    en="the process of run {index} has ended unexpectedly; the other runs continue",
     de="der Prozess des Laufs {index} ist unerwartet zu Ende; die anderen Läufe gehen weiter",
     remedy_en="Look at this run alone: nctakt study … --only {index}",
     remedy_de="Diesen Lauf allein ansehen: nctakt study … --only {index}",
@@ -153,7 +153,7 @@ CLUSTER_LOST = error(
     901316,
     en="no connection to the scheduler {address}: {reason}",
     de="keine Verbindung zum Scheduler {address}: {reason}",
-    remedy_en="Start it (dask scheduler); --resume goes on with the finished runs.",
+    remedy_en="Start it (dask scheduler); --resume continues with the finished runs.",
     remedy_de="Ihn starten (dask scheduler); --resume macht mit den fertigen Läufen weiter.",
     address=("the address", "die Adresse"),
 )
@@ -161,7 +161,7 @@ NAME_TAKEN = error(
     901390,
     en="two columns of the results have the name {name}",
     de="zwei Spalten der Ergebnisse heißen {name}",
-    remedy_en="Give each dimension (name) and each measure a name of its own; {name} is taken.",
+    remedy_en="Give each dimension (name) and each measure a different name; {name} is taken.",
     remedy_de="Jeder Dimension (name) und jeder Messgröße einen eigenen Namen geben; {name} ist "
     "vergeben.",
 )
@@ -178,7 +178,7 @@ ANSWER_BROKEN = error(
     901940,
     en="no run of the search meets the expectations; in the best one: {broken}",
     de="kein Lauf der Suche erfüllt die Erwartungen; im besten: {broken}",
-    remedy_en="Widen what is varied, raise budget, or relax an expectation.",
+    remedy_en="Widen the ranges in [[vary]], raise budget, or relax an expectation.",
     remedy_de="Die variierten Bereiche erweitern, budget erhöhen oder eine Erwartung lockern.",
     broken=("what does not hold", "was verletzt ist"),
 )
@@ -236,8 +236,8 @@ WORKER_UNFIT = error(
     901485,
     en="{worker} cannot make the runs: {reason}",
     de="{worker} kann die Läufe nicht ausführen: {reason}",
-    remedy_en="Install on scheduler and workers what is installed here; --upload FILE.whl sends "
-    "what the PLC needs.",
+    remedy_en="Install the same on scheduler and workers as here; --upload FILE.whl sends packages "
+    "for the PLC.",
     remedy_de="Auf Scheduler und Workern dasselbe installieren wie hier; --upload DATEI.whl "
     "sendet, was die SPS braucht.",
     worker=("the worker or the scheduler", "der Worker oder der Scheduler"),

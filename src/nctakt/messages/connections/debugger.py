@@ -114,7 +114,7 @@ UNKNOWN_REFERENCE = error(
     901234,
     en="{what} {number} is unknown or no longer valid",
     de="{what} {number} ist unbekannt oder nicht mehr gültig",
-    remedy_en="Ask for the numbers again: they are valid until the run goes on.",
+    remedy_en="Ask for the numbers again: they are valid until the run continues.",
     remedy_de="Die Nummern neu anfordern: sie gelten, bis der Lauf weitergeht.",
     what=("what it is the number of", "wessen Nummer es ist"),
 )

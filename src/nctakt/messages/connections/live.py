@@ -17,7 +17,8 @@ ADDRESS_NOT_USABLE = error(
     901161,
     en="the page cannot listen on {host}, port {port}: {reason}",
     de="die Seite kann nicht an {host}, Port {port} lauschen: {reason}",
-    remedy_en="End the program that uses the port, or name another one: --port 0 takes a free one.",
+    remedy_en="End the program that uses the port, or name another port: --port 0 takes a free "
+    "one.",
     remedy_de="Das Programm am Port beenden oder einen anderen nennen: --port 0 nimmt einen "
     "freien.",
     host=("the address", "die Adresse"),
@@ -27,7 +28,7 @@ PROGRAM_CHANGED_ON_DISK = error(
     en="{file} has changed on disk since the page read it, so it was not saved",
     de="{file} wurde auf der Platte geändert, seit die Seite es gelesen hat; es wurde nicht "
     "gespeichert",
-    remedy_en="Copy your changes, then reload the page: it shows the file as it is now.",
+    remedy_en="Copy your changes, then reload the page: it shows the current file.",
     remedy_de="Eigene Änderungen kopieren, dann die Seite neu laden: sie zeigt die jetzige Datei.",
     file=("the program", "das Programm"),
 )
@@ -42,7 +43,7 @@ MESSAGE_NOT_READABLE = warning(
     901317,
     en="the page could not handle what a browser sent: {reason}",
     de="die Seite konnte nicht verarbeiten, was ein Browser gesendet hat: {reason}",
-    remedy_en="The run goes on. If it happens again after a reload, please report it with "
+    remedy_en="The run continues. If it happens again after a reload, please report it with "
     "NCTAKT_DEBUG=1.",
     remedy_de="Der Lauf geht weiter. Kommt es nach dem Neuladen wieder, bitte mit NCTAKT_DEBUG=1 "
     "melden.",
@@ -67,7 +68,7 @@ PAGE_HAS_REFUSED = note(
     902040,
     en="the page has refused requests and connections, {count} in all: {reasons}",
     de="die Seite hat Anfragen und Verbindungen abgelehnt, zusammen {count}: {reasons}",
-    remedy_en="If they were yours: open the address that was printed, in a window of its own.",
+    remedy_en="If they were yours: open the address that was printed, in a separate window.",
     remedy_de="Waren es eigene, die ausgegebene Adresse in einem eigenen Fenster öffnen.",
     count=("how many", "wie viele"),
     reasons=("the reasons, each with how often it came", "die Gründe, je mit ihrer Anzahl"),

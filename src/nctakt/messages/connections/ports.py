@@ -9,7 +9,7 @@ PORT_NOT_USABLE = error(
     901920,
     en="nctakt cannot listen on {host}, port {port}: {reason}",
     de="nctakt kann nicht an {host}, Port {port} lauschen: {reason}",
-    remedy_en="End the program that uses the port, or name another one: 0 takes a free one.",
+    remedy_en="End the program that uses the port, or name another port: 0 takes a free one.",
     remedy_de="Das Programm am Port beenden oder einen anderen nennen: 0 nimmt einen freien.",
     host=("the address", "die Adresse"),
     port=("the port", "der Port"),

@@ -10,7 +10,7 @@ DOOR_ADDRESS_NOT_USABLE = error(
     901351,
     en="{endpoint} cannot listen on {host}, port {port}: {reason}",
     de="{endpoint} kann nicht an {host}, Port {port} lauschen: {reason}",
-    remedy_en="End the program that uses the port, or name another one; port 0 takes a free one.",
+    remedy_en="End the program that uses the port, or name another port; port 0 takes a free one.",
     remedy_de="Das Programm am Port beenden oder einen anderen nennen; Port 0 nimmt einen freien.",
     endpoint=("the server", "der Server"),
     host=("the address", "die Adresse"),
@@ -81,13 +81,13 @@ INVALID_NETWORK = error(
 )
 ADS_NEEDS_SOURCES = error(
     902021,
-    en="ADS at {host} can be reached from other computers: who may connect has to be named",
+    en="ADS at {host} can be reached from other computers, but nothing says who may connect",
     de="ADS an {host} ist von anderen Rechnern erreichbar: wer sich verbinden darf, muss "
     "genannt sein",
     remedy_en="Name addresses or networks: --ads-from 192.168.0.0/24; 0.0.0.0/0 is everybody.",
     remedy_de="Adressen oder Netze nennen: --ads-from 192.168.0.0/24; 0.0.0.0/0 sind alle.",
-    cause_en="ADS has no passwords: whoever connects commands the machine. A NetId is what a "
-    "client states.",
+    cause_en="ADS has no passwords: anyone who connects can command the machine. Clients choose "
+    "their NetId.",
     cause_de="ADS hat keine Passwörter: wer sich verbindet, kann der Maschine Befehle geben. Eine "
     "NetId ist das, was ein Client angibt.",
     host=("the address of the server", "die Adresse des Servers"),

@@ -57,14 +57,14 @@ PLC_HOLDS_OPEN = error(
     en="the session cannot go back: the PLC holds {names} open, which copies of it would share",
     de="die Sitzung kann nicht zurück: die SPS hält {names} offen; ihre Kopien müssten sich das "
     "teilen",
-    remedy_en="Let the PLC open what it writes or connects to only as long as it needs it.",
+    remedy_en="Let the PLC open files for writing and connections only while it needs them.",
     remedy_de="Die SPS soll, was sie schreibt oder womit sie sich verbindet, nur so lange offen "
     "halten, wie sie es braucht.",
     names=("the files and connections", "die Dateien und Verbindungen"),
 )
 PAST_DIFFERS = error(
     901901,
-    en="internal error of nctakt: up to tick {tick}, the past is not what it was in the first run",
+    en="internal error of nctakt: up to tick {tick}, the past differs from the first run",
     de="interner Fehler von nctakt: bis Takt {tick} ist die Vergangenheit nicht die des ersten "
     "Laufs",
     remedy_en="Do not trust this session's past; save its tape and report the error with it.",
@@ -128,9 +128,9 @@ TAPE_NEEDS_SCHEDULE = error(
 
 NO_BLOCK_COMES = note(
     901925,
-    en="no further block comes by itself: the program waits for {awaited}",
+    en="no further block can begin: the program waits for {awaited}",
     de="von allein kommt kein weiterer Satz: das Programm wartet auf {awaited}",
-    remedy_en="Provide what it waits for, then go on: START is HLI.START = 1.",
+    remedy_en="Provide what it waits for, then continue: START is HLI.START = 1.",
     remedy_de="Auslösen, worauf es wartet, dann fortfahren: START ist HLI.START = 1.",
     awaited=("what is waited for", "worauf gewartet wird"),
 )

@@ -14,7 +14,7 @@ KINEMATIC_GIVEN_TWICE = warning(
     901487,
     en="{key}: kinematic {id} is defined twice; this definition is ignored",
     de="{key}: die Kinematik {id} ist doppelt definiert; diese Definition wird ignoriert",
-    remedy_en="Give each kinematic an ID of its own; several of them may have the same type.",
+    remedy_en="Give each kinematic a different ID; several of them may have the same type.",
     remedy_de="Jeder Kinematik eine eigene ID geben; mehrere dürfen denselben Typ haben.",
     key=_KEY,
     id=_ID,

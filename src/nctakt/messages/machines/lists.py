@@ -160,7 +160,7 @@ CLOSING_QUOTE_MISSING = warning(
 )
 TEXT_AFTER_QUOTE = warning(
     900017,
-    en="{key}: what follows the quoted text is not a comment and is ignored",
+    en="{key}: the text after the closing quote is not a comment and is ignored",
     de="{key}: was auf den Text in Anführungszeichen folgt, ist kein Kommentar und wird ignoriert",
     remedy_en="Start a comment after a text with '('.",
     remedy_de="Einen Kommentar hinter einem Text mit '(' beginnen.",
@@ -233,8 +233,8 @@ OLD_PARAMETER_NAME = warning(
 INVALID_PARAMETER_REFERENCE = warning(
     2052,
     known_as=(900025, 2041, 2051, 2062, 2065),
-    en="{key}: {value} does not name a parameter of this list that has a value of its own; default "
-    "{default} is used",
+    en="{key}: {value} does not name a parameter with a value in this list; default {default} is "
+    "used",
     de="{key}: {value} nennt keinen Parameter dieser Liste mit eigenem Wert; es gilt der "
     "Standardwert {default}",
     remedy_en="Name a numeric parameter of the same list, or write the number itself.",
@@ -392,7 +392,7 @@ PATH_GIVEN_TWICE = warning(
     cases=by_end("key", {".priority": 20707}),
     en="{key} {value} is already used by {other}",
     de="{key} {value} wird schon von {other} verwendet",
-    remedy_en="Give each folder of a type a number and a priority of its own.",
+    remedy_en="Give each folder of a type a different number and priority.",
     remedy_de="Jedem Verzeichnis einer Art eine eigene Nummer und Priorität geben.",
     other=("the folder before", "das Verzeichnis davor"),
 )

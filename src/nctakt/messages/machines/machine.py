@@ -103,7 +103,7 @@ INVALID_LOGICAL_AXIS_NUMBER = error(
     "ignored",
     de="die logische Achsnummer {logical} ist 0 oder von einer anderen Achsliste belegt; diese "
     "Liste wird ignoriert",
-    remedy_en="Give each axis its own number, from 1.",
+    remedy_en="Give each axis a different number, from 1.",
     remedy_de="Jeder Achse eine eigene Nummer ab 1 geben.",
     logical=("the logical axis number", "die logische Achsnummer"),
 )
@@ -133,7 +133,7 @@ DESCRIBED_COUNT_MISMATCH = warning(
     cases=by_end("key", {"achs_anzahl": 20428, "spdl_anzahl": 20418, "kanal_anzahl": 1001125}),
     en="{key} is {count}, but {found} are described; the smaller number is used",
     de="{key} ist {count}, beschrieben sind aber {found}; es gilt die kleinere Zahl",
-    remedy_en="Make the number match what is described.",
+    remedy_en="Make the number match the number of descriptions.",
     remedy_de="Die Anzahl an die Beschreibung anpassen.",
     key=("the entry that gives the number", "der Eintrag, der die Anzahl nennt"),
     found=("the number of those that are described", "die Anzahl der beschriebenen"),

@@ -79,8 +79,8 @@ NOT_ALLOWED_IN_RT_WHILE = error(
     de="{command} ist in einer Echtzeit-Schleife nicht erlaubt",
     remedy_en="Move it before #RT WHILE or after #RT ENDWHILE.",
     remedy_de="Den Befehl vor #RT WHILE oder nach #RT ENDWHILE programmieren.",
-    cause_en="The realtime part repeats what was decoded once: motions with G00 to G03, and values "
-    "for synchronous V.E variables that do not depend on what happens meanwhile.",
+    cause_en="The realtime part repeats blocks that were decoded once: motions with G00 to G03, "
+    "and values for synchronous V.E variables that do not depend on later events.",
     cause_de="Der Echtzeit-Teil wiederholt, was einmal dekodiert wurde: Bewegungen mit G00 bis G03 "
     "und Werte für synchrone V.E-Variablen, die nicht von dem abhängen, was inzwischen geschieht.",
     classes=(3, 3),

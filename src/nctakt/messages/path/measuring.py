@@ -33,7 +33,7 @@ NO_MEASURING_WAY = error(
     50067,
     en="the measuring block moves no axis",
     de="der Messsatz bewegt keine Achse",
-    remedy_en="Program a target behind the workpiece, or set meas_error_no_move_path "
+    remedy_en="Program a target beyond the workpiece, or set meas_error_no_move_path "
     "(P-CHAN-00313) to 0.",
     remedy_de="Ein Ziel hinter dem Werkstück programmieren oder meas_error_no_move_path "
     "(P-CHAN-00313) = 0 setzen.",
@@ -47,7 +47,7 @@ UNKNOWN_MEASURING_TYPE = error(
 )
 TYPE_WITHOUT_G100 = error(
     20138,
-    en="G100 with measuring type {type}, which is one of G310",
+    en="G100 with measuring type {type}, which belongs to G310",
     de="G100 mit Messtyp {type}, der zu G310 gehört",
     remedy_en="Choose type 1, 2, 3 or 4 by #MEAS MODE before the block, or write G310.",
     remedy_de="Vor dem Satz mit #MEAS MODE Typ 1, 2, 3 oder 4 wählen, oder G310 schreiben.",

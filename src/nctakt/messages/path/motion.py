@@ -102,7 +102,7 @@ COMMAND_WORD_NOT_SIMULATED = error(
     900706,
     en="{word} of {command} is not simulated",
     de="{word} von {command} wird nicht simuliert",
-    remedy_en="Remove it, or use what is simulated: {names}",
+    remedy_en="Remove it, or use a simulated word: {names}",
     remedy_de="Entfernen oder verwenden, was simuliert wird: {names}",
     cause_en="It may change positions or times in a way that nctakt does not model.",
     cause_de="Es kann Positionen oder Zeiten in einer Weise ändern, die nctakt nicht nachbildet.",

@@ -53,7 +53,7 @@ CORNER_BESIDE_MOTION = error(
     901611,
     en="{word} is in the block of {corner}, which belongs between two motions",
     de="{word} steht im Satz von {corner}, der zwischen zwei Bewegungen liegt",
-    remedy_en="Put {corner} into a block of its own, or use #CHR or #RND in the block of a motion.",
+    remedy_en="Put {corner} into a separate block, or use #CHR or #RND in the block of a motion.",
     remedy_de="{corner} in einen eigenen Satz setzen oder #CHR oder #RND im Satz einer Bewegung "
     "verwenden.",
     word=("the axis word as written", "das Achswort, wie geschrieben"),
@@ -63,7 +63,7 @@ CORNER_FEED_WITHOUT_CORNER = error(
     901612,
     en="#FRC is in a block without chamfer or rounding",
     de="#FRC steht in einem Satz ohne Fase oder Rundung",
-    remedy_en="Write it beside G301, G302, #CHR, #CHF or #RND, or use F.",
+    remedy_en="Write it in a block with G301, G302, #CHR, #CHF or #RND, or use F.",
     remedy_de="Neben G301, G302, #CHR, #CHF oder #RND schreiben oder F verwenden.",
 )
 CORNER_FEED_WITHOUT_G94 = error(

@@ -236,7 +236,7 @@ ARC_REVERSED_BY_RADIUS = error(
 TOOL_CUTS_CONTOUR = warning(
     900950,
     known_as=(90065, 90077),
-    en="the tool cuts into the contour: its path crosses the one beside line {line}",
+    en="the tool cuts into the contour: its path crosses the path beside line {line}",
     de="das Werkzeug verletzt die Kontur: seine Bahn kreuzt die neben Zeile {line}",
     remedy_en="Use a smaller tool, or skip with G141 the parts into which it does not fit.",
     remedy_de="Ein kleineres Werkzeug verwenden oder mit G141 ausblenden, wohin es nicht passt.",
@@ -251,7 +251,7 @@ TOOL_CUTS_CONTOUR = warning(
 TOOL_WOULD_CUT_CONTOUR = error(
     900951,
     known_as=(90066, 90074, 90088),
-    en="the tool would cut into the contour: its path crosses the one beside line {line}",
+    en="the tool would cut into the contour: its path crosses the path beside line {line}",
     de="das Werkzeug würde die Kontur verletzen: seine Bahn kreuzt die neben Zeile {line}",
     remedy_en="Use a smaller tool, or skip with G141 the parts into which it does not fit.",
     remedy_de="Ein kleineres Werkzeug verwenden oder mit G141 ausblenden, wohin es nicht passt.",
@@ -361,7 +361,7 @@ TANGENTIAL_ALONE = error(
     901874,
     en="G05 needs G40, G41 or G42 in its block",
     de="G05 braucht G40, G41 oder G42 in seinem Satz",
-    remedy_en="Write G05 beside the function that begins or ends the compensation.",
+    remedy_en="Write G05 in the block with the function that begins or ends the compensation.",
     remedy_de="G05 neben die Funktion schreiben, die die Korrektur beginnt oder beendet.",
 )
 SIDE_CHANGE_WITH_G238 = error(
@@ -391,7 +391,7 @@ NEGATIVE_TOOL_LIFE = error(
 )
 LEAD_CUTS_CONTOUR = warning(
     901964,
-    en="the tool cuts into the contour beside line {line}, on its way there or from there",
+    en="the tool cuts into the contour beside line {line} when it approaches or leaves it",
     de="das Werkzeug verletzt die Kontur neben Zeile {line}, auf dem Weg dorthin oder von dort",
     remedy_en="Approach or leave the contour where no other part of it is in the way.",
     remedy_de="Die Kontur dort anfahren oder verlassen, wo kein anderer Teil von ihr im Weg ist.",
@@ -400,7 +400,7 @@ LEAD_CUTS_CONTOUR = warning(
 LEAD_WOULD_CUT_CONTOUR = error(
     901965,
     classes=(2, 3),
-    en="the tool would cut into the contour beside line {line}, on its way there or from there",
+    en="the tool would cut into the contour beside line {line} when it approaches or leaves it",
     de="das Werkzeug würde die Kontur neben Zeile {line} verletzen, auf dem Weg dorthin oder von "
     "dort",
     remedy_en="Approach or leave the contour where no other part of it is in the way.",

@@ -83,7 +83,7 @@ FMU_FAILED = error(
     902609,
     en="{file}: {function} failed at {time} of the run: {reason}",
     de="{file}: {function} ist bei {time} des Laufs gescheitert: {reason}",
-    remedy_en="Correct the model, or the values that it gets; the text is the model's own.",
+    remedy_en="Correct the model, or the values that it gets; the text comes from the model.",
     remedy_de="Das Modell oder die Werte berichtigen, die es erhält; der Text ist der des Modells.",
     function=("the function of FMI", "die Funktion von FMI"),
     time=("the time", "die Zeit"),
@@ -118,7 +118,7 @@ FMU_VALUE_REFUSED = error(
 )
 CELL_NOT_COMPLETE = error(
     902615,
-    en="the FMU would not start with its own files alone",
+    en="the FMU would not start with only the files that it contains",
     de="die FMU würde mit ihren Dateien allein nicht starten",
     remedy_en="Name files in lists and programs relative to the machine's folder, and keep them "
     "inside it.",
@@ -218,7 +218,8 @@ CELL_INPUTS_NOT_KEPT = error(
     902840,
     en="the inputs of the FMU, which its states need, cannot be kept: {reason}",
     de="die Eingänge der FMU, die ihre Zustände brauchen, lassen sich nicht aufheben: {reason}",
-    remedy_en="Make room in the folder for temporary files, or name another one: TMPDIR=/var/tmp",
+    remedy_en="Make room in the folder for temporary files, or name another folder: "
+    "TMPDIR=/var/tmp",
     remedy_de="Im Ordner für temporäre Dateien Platz schaffen, oder einen anderen: TMPDIR=/var/tmp",
 )
 CELL_STATE_UNREADABLE = error(

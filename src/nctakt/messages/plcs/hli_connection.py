@@ -89,7 +89,7 @@ NO_TICK_AT_HLI = error(
     901439,
     en="the CNC of the HLI {name} has run no tick for {seconds} s",
     de="die CNC des HLI {name} hat seit {seconds} s keinen Takt ausgeführt",
-    remedy_en="Let the CNC go on, or wait longer (within_s).",
+    remedy_en="Let the CNC continue, or wait longer (within_s).",
     remedy_de="Die CNC weiterlaufen lassen oder länger warten (within_s).",
     name=("the name of the shared memory", "der Name des gemeinsamen Speichers"),
     seconds=("how long it was waited for", "wie lange darauf gewartet wurde"),
@@ -124,7 +124,7 @@ PLC_KEEPS_WAITING = warning(
 )
 PLC_ANSWERED_AGAIN = note(
     901443,
-    en="the PLC has answered tick {tick}; the run goes on",
+    en="the PLC has answered tick {tick}; the run continues",
     de="die SPS hat Takt {tick} beantwortet; der Lauf geht weiter",
     tick=("the last tick that was run", "der zuletzt gelaufene Takt"),
 )

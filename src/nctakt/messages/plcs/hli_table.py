@@ -48,7 +48,7 @@ PATH_OF_NO_CHANNEL = error(
 )
 PATH_IS_STRUCTURE = error(
     902104,
-    en="{path} is a structure and has no value of its own",
+    en="{path} is a structure, not a single value",
     de="{path} ist eine Struktur und hat keinen eigenen Wert",
     remedy_en="Name one of its members: {members}",
     remedy_de="Eines ihrer Elemente nennen: {members}",
@@ -97,7 +97,7 @@ NUMBER_NOT_TAKEN = error(
 )
 NO_SUCH_BYTES = error(
     902321,
-    en="{path}: no element begins and ends there; {size} bytes are behind the pointer",
+    en="{path}: no element begins and ends there; the pointer leads to {size} bytes",
     de="{path}: dort beginnt und endet kein Element; hinter dem Zeiger sind {size} Byte",
     remedy_en="nctakt explain elements shows where each element begins.",
     remedy_de="nctakt explain elements zeigt, wo jedes Element beginnt.",
@@ -114,7 +114,7 @@ PATH_NOT_SERVED = error(
     902109,
     en="{path} has no value here: nctakt does not compute it",
     de="{path} hat hier keinen Wert: nctakt berechnet ihn nicht",
-    remedy_en="See nctakt explain elements for what acts and what is shown.",
+    remedy_en="nctakt explain elements lists the elements that act and those that show something.",
     remedy_de="Was wirkt und was angezeigt wird, zeigt nctakt explain elements.",
     path=_PATH,
 )

@@ -130,7 +130,7 @@ INVALID_AXIS_COMMAND = error(
 TOO_MANY_AXIS_COMMANDS = error(
     900658,
     known_as=(44000, 50645, 50646, 60305, 1705, 1708),
-    en="too many axis commands in one tick: the one for {name} is ignored",
+    en="too many axis commands in one tick: the command for {name} is ignored",
     de="zu viele Achsaufträge in einem Takt: der für {name} wird ignoriert",
     remedy_en="Call function blocks with a rising edge of execute in different ticks.",
     remedy_de="Funktionsbausteine mit steigender Flanke an execute in verschiedenen Takten "

@@ -147,7 +147,7 @@ EXCEPTION_RAISED = error(
     902360,
     en="the PLC stops at {time}: exception {code} of F_RaiseException{values}{calls}",
     de="die SPS stoppt bei {time}: Ausnahme {code} von F_RaiseException{values}{calls}",
-    remedy_en="Correct what makes the code raise it, or remove the call.",
+    remedy_en="Correct the reason for it, or remove the call.",
     remedy_de="Beheben, was der Code als Ausnahme meldet, oder den Aufruf entfernen.",
     code=("the number of the exception", "die Nummer der Ausnahme"),
     values=_VALUES,

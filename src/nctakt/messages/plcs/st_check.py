@@ -73,7 +73,8 @@ LIBRARY_MEMBER_UNKNOWN = error(
     902945,
     en="no {name} of the library {owner} is known here (C0004)",
     de="{name} der Bibliothek {owner} ist hier nicht bekannt (C0004)",
-    remedy_en="Did you mean {nearest}? Else add the library's source or a stub to [plc] libraries.",
+    remedy_en="Did you mean {nearest}? Otherwise add the library's source or a stub to [plc] "
+    "libraries.",
     remedy_de="War {nearest} gemeint? Sonst Quelle oder Ersatz unter [plc] libraries ablegen.",
     owner=("the library", "die Bibliothek"),
 )
@@ -511,7 +512,7 @@ OVERRIDE_DIFFERS = error(
     902254,
     en="{name} has other parameters or another result than {base}",
     de="{name} hat andere Parameter oder ein anderes Ergebnis als {base}",
-    remedy_en="Declare it as it is there.",
+    remedy_en="Use the same declaration here as there.",
     remedy_de="Wie dort deklarieren.",
     base=("what it overrides", "was es überschreibt"),
 )
@@ -539,7 +540,7 @@ PROGRAM_OF_TASK_UNKNOWN = error(
 )
 ADDRESSES_OVERLAP = warning(
     902500,
-    en="{name} and {other} share bits of their addresses; here each has memory of its own",
+    en="{name} and {other} share bits of their addresses; here each has separate memory",
     de="{name} und {other} teilen Bits ihrer Adressen; hier hat jede eigenen Speicher",
     remedy_en="Declare one of them, and read the bits of it: nStatus.3.",
     remedy_de="Eine davon deklarieren und ihre Bits lesen: nStatus.3.",

@@ -48,9 +48,9 @@ OUTSIDE_OF_TESTS = error(
 )
 TEST_NAME_TWICE = error(
     902543,
-    en="{suite} opens {name} twice in one cycle: assertions of the second one do not count",
+    en="{suite} opens {name} twice in one cycle: assertions of the second do not count",
     de="{suite} eröffnet {name} zweimal in einem Zyklus: Prüfungen des zweiten zählen nicht",
-    remedy_en="Give each test of the suite a name of its own.",
+    remedy_en="Give each test of the suite a different name.",
     remedy_de="Jedem Test der Suite einen eigenen Namen geben.",
     name=_NAME,
     suite=_SUITE,
@@ -87,7 +87,7 @@ PYTEST_MISSING = error(
 )
 OTHER_TEST_LIBRARY = error(
     902911,
-    en="these sources of TcUnit keep results in a way that nctakt does not know",
+    en="these sources of TcUnit store their results in a form that nctakt does not know",
     de="diese Quellen von TcUnit halten Ergebnisse auf eine Art, die nctakt nicht kennt",
     remedy_en="Remove them from [plc] libraries, for the TcUnit of nctakt, or take newer ones.",
     remedy_de="Sie aus [plc] libraries entfernen, für das TcUnit von nctakt, oder neuere nehmen.",

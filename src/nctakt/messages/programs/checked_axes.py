@@ -34,8 +34,8 @@ INDEPENDENT_MOTION_NOT_PERMITTED = error(
     de="{axis} darf nicht unabhängig bewegt werden (P-AXIS-00457)",
     remedy_en="Write kenngr.enable_single_axis 1 in the list of that axis.",
     remedy_de="kenngr.enable_single_axis 1 in die Liste dieser Achse schreiben.",
-    cause_en="Realtime cycles and the PLC move an axis beside the path only where its list allows "
-    "it.",
+    cause_en="Realtime cycles and the PLC can move an axis independently of the path only if its "
+    "list allows it.",
     cause_de="Neben der Bahn bewegen Echtzeit-Zyklen und SPS eine Achse nur, wenn ihre Liste es "
     "erlaubt.",
     classes=(6, 6),

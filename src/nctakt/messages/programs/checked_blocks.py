@@ -175,7 +175,7 @@ EXTRA_PARAMETERS = error(
     known_as=(20744, 20745, 21542),
     en="{word} takes no further parameters",
     de="{word} hat keine weiteren Parameter",
-    remedy_en="Remove what follows the number.",
+    remedy_en="Remove the text after the number.",
     remedy_de="Alles hinter der Nummer entfernen.",
 )
 NOT_NC_TEXT = error(
@@ -218,7 +218,7 @@ TEXT_FOR_NUMERIC_WORD = error(
 INVALID_COMMAND_FORM = error(
     900233,
     known_as=(20499, 20675, 20994, 21104, 21107),
-    en="there is no such form of {command}",
+    en="{command} has no such form",
     de="diese Form von {command} gibt es nicht",
     remedy_en="Write: {forms}",
     remedy_de="Schreibweise: {forms}",

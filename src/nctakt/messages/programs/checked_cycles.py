@@ -63,8 +63,8 @@ TEXT_IN_REALTIME_CYCLE = error(
     remedy_en="Use only ==, != and = with texts; for anything else use a variable that holds a "
     "number.",
     remedy_de="Texte nur mit ==, != und = verwenden, sonst eine Variable, die eine Zahl enthält.",
-    cause_en="What runs in each tick takes a bounded time; everything else with texts is done by "
-    "the decoder. The controller knows no texts in realtime cycles at all.",
+    cause_en="Code that runs in each tick takes a bounded time; the decoder does everything else "
+    "with texts. The controller has no texts in realtime cycles at all.",
     cause_de="Was in jedem Takt läuft, dauert begrenzt lange; alles andere mit Texten ist Sache "
     "des Dekoders. Die Steuerung kennt in Echtzeit-Zyklen gar keine Texte.",
     name=("the variable or text", "die Variable oder der Text"),

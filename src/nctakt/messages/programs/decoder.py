@@ -166,7 +166,7 @@ PARAMETER_ARRAY_MISSING = error(
     classes=(2, 3),
     en="there is no array {name} of parameters at this point",
     de="es gibt an dieser Stelle kein Feld {name} von Parametern",
-    remedy_en="Declare it before, in lines of their own: #VAR, {name}[3] = [1, 2, 3], #ENDVAR.",
+    remedy_en="Declare it before, in separate lines: #VAR, {name}[3] = [1, 2, 3], #ENDVAR.",
     remedy_de="Vorher in eigenen Zeilen anlegen: #VAR, {name}[3] = [1, 2, 3], #ENDVAR.",
     name=("the array", "das Feld"),
 )

@@ -23,7 +23,7 @@ ASYNCHRONOUS_VALUE = note(
     900236,
     en="{name} is read once: in every tick the realtime cycle sees {seen}",
     de="{name} wird einmal gelesen: in jedem Takt sieht der Echtzeit-Zyklus {seen}",
-    remedy_en="What should change while the cycle runs belongs in a synchronous V.E or V.CH "
+    remedy_en="For a value that should change while the cycle runs, use a synchronous V.E or V.CH "
     "variable.",
     remedy_de="Was sich ändern soll, während der Zyklus läuft, gehört in eine synchrone V.E- oder "
     "V.CH-Variable.",
@@ -80,7 +80,7 @@ IF_EVALUATED_IN_ONE_TICK = warning(
     en="this $IF is inside $IF {word}: it is evaluated only in the one tick in which that fires",
     de="dieses $IF steht in $IF {word}: es wird nur in dem einen Takt ausgewertet, in dem jenes "
     "auslöst",
-    remedy_en="What should be watched from then on belongs in $IF ALWAYS.",
+    remedy_en="To watch a condition from then on, use $IF ALWAYS.",
     remedy_de="Was von da an beobachtet werden soll, gehört in $IF ALWAYS.",
     word=("ONCE or EDGE", "ONCE oder EDGE"),
 )

@@ -147,7 +147,7 @@ COMMENT_NOT_CLOSED = error(
     known_as=(900112,),
     en="this comment is never closed",
     de="dieser Kommentar wird nie geschlossen",
-    remedy_en="Write #COMMENT END in a block of its own.",
+    remedy_en="Write #COMMENT END in a separate block.",
     remedy_de="#COMMENT END in einen eigenen Satz schreiben.",
 )
 SYMBOL_EXPECTED = error(
@@ -243,14 +243,14 @@ COMMENT_BEGIN_NOT_ALONE = error(
     20566,
     en="#COMMENT BEGIN must be alone in its block",
     de="#COMMENT BEGIN muss allein im Satz stehen",
-    remedy_en="Write it in a block of its own.",
+    remedy_en="Write it in a separate block.",
     remedy_de="In einen eigenen Satz schreiben.",
 )
 COMMENT_END_NOT_ALONE = error(
     20569,
     en="#COMMENT END must be alone in its block",
     de="#COMMENT END muss allein im Satz stehen",
-    remedy_en="Write it in a block of its own.",
+    remedy_en="Write it in a separate block.",
     remedy_de="In einen eigenen Satz schreiben.",
 )
 UNKNOWN_CYCLE_KEYWORD = error(

@@ -27,7 +27,7 @@ MOTION_WORD_WITH_OFFSETS = error(
     900772,
     en="{word} is not allowed with {command}, whose values are not a motion",
     de="{word} ist bei {command} nicht erlaubt, dessen Werte keine Bewegung sind",
-    remedy_en="Write the motion in a block of its own.",
+    remedy_en="Write the motion in a separate block.",
     remedy_de="Die Bewegung in einen eigenen Satz schreiben.",
 )
 UNKNOWN_OFFSET_KIND = error(

@@ -10,7 +10,7 @@ CYCLES_EXCEED_STEP_LIMIT = error(
     en="the realtime cycles need {steps} elementary instructions in one tick; {limit} are allowed",
     de="die Echtzeit-Zyklen brauchen {steps} Elementar-Anweisungen in einem Takt; erlaubt sind "
     "{limit}",
-    remedy_en="Shorten cycle {cycle} or another one, or increase rt_cycles.max_steps "
+    remedy_en="Shorten cycle {cycle} or another cycle, or increase rt_cycles.max_steps "
     "(P-CHAN-00427).",
     remedy_de="Zyklus {cycle} oder andere kürzen oder rt_cycles.max_steps (P-CHAN-00427) erhöhen.",
     cause_en="Each operator, function, variable, assignment, condition and action counts as one; "
@@ -206,7 +206,7 @@ BLOCK_CYCLE_NEVER_RAN = note(
 )
 BLOCK_PASSED_OVER = note(
     901049,
-    en="this block takes no time: the realtime cycle with scope BLOCK waits for the next one",
+    en="this block takes no time: the realtime cycle with scope BLOCK waits for the next block",
     de="dieser Satz braucht keine Zeit: der Echtzeit-Zyklus mit Gültigkeit BLOCK wartet auf den "
     "nächsten",
     cause_en="A BLOCK cycle runs in the next block that takes at least one tick: by a motion, a "

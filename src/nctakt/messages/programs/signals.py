@@ -122,7 +122,7 @@ TOO_MANY_SIGNALS = error(
 )
 SIGNAL_OUT_OF_ORDER = error(
     250002,
-    en="the sender has sent signal {id} before the one that is waited for here",
+    en="the sender has sent signal {id} before the signal awaited here",
     de="der Sender hat Signal {id} vor dem gesendet, auf das hier gewartet wird",
     remedy_en="Wait for the signals in the order in which they are sent, or program AHEAD.",
     remedy_de="In der Reihenfolge des Sendens auf die Signale warten oder AHEAD programmieren.",
@@ -156,7 +156,7 @@ DEADLOCK = error(
     remedy_en="{freed_by}",
     remedy_de="{freed_by}",
     cause_en="Each program that still runs waits, and none can send the signal or give the axis "
-    "that another one waits for.",
+    "that another waits for.",
     cause_de="Jedes laufende Programm wartet, und keines kann das Signal senden oder die Achse "
     "abgeben, auf die ein anderes wartet.",
     since=("since when", "seit wann"),

@@ -27,7 +27,7 @@ SHARED_BIT_NOT_LEARNT = warning(
     900643,
     en="trace bit {bit} belongs to several functions ({names}); none of them is learnt",
     de="das Trace-Bit {bit} gehört mehreren Funktionen ({names}); keine davon wird gelernt",
-    remedy_en="Give each function a bit of its own and record again.",
+    remedy_en="Give each function a separate bit and record again.",
     remedy_de="Jeder Funktion ein eigenes Bit geben und neu aufzeichnen.",
     bit=("the trace bit", "das Trace-Bit"),
     names=("its functions", "seine Funktionen"),

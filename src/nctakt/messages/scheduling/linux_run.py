@@ -87,7 +87,7 @@ SCHEDULE_RUN_ENDED = error(
     900689,
     en="the run was ended from outside or could not start ({reason})",
     de="der Lauf wurde von außen beendet oder konnte nicht starten ({reason})",
-    remedy_en="Nothing was left behind; start it again.",
+    remedy_en="It has cleaned up; start it again.",
     remedy_de="Es ist nichts zurückgeblieben; den Lauf neu starten.",
     reason=("what happened", "was geschah"),
 )

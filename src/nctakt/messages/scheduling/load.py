@@ -51,7 +51,7 @@ LOAD_ASSUMED = note(
     900625,
     en="no load is given; assumed execution times are used",
     de="es ist keine Last angegeben; es gelten angenommene Ausführungszeiten",
-    remedy_en="Give your own times with --load.",
+    remedy_en="Give times with --load.",
     remedy_de="Eigene Zeiten mit --load angeben.",
 )
 LOAD_INTERRUPT_WITHOUT_EFFECT = warning(

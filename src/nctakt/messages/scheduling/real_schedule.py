@@ -23,7 +23,7 @@ ALWAYS_A_TIMER = note(
 )
 THREADS_SHARED = note(
     901461,
-    en="these threads share the work of another one with the same function: {threads}",
+    en="these threads share the work of another thread with the same function: {threads}",
     de="diese Threads teilen sich die Arbeit eines anderen mit derselben Funktion: {threads}",
     remedy_en="Interpolation and decoder of a context each run in the first of their threads.",
     remedy_de="Interpolation und Dekoder eines Kontexts laufen je im ersten ihrer Threads.",

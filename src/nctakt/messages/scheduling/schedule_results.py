@@ -20,7 +20,7 @@ CPU_NOT_ASSIGNABLE = error(
     classes=(0, 0),
     en="{thread} cannot be assigned to CPU {cpu}: {reason}",
     de="{thread} kann CPU {cpu} nicht zugewiesen werden: {reason}",
-    remedy_en="Make the CPU available, or choose another one.",
+    remedy_en="Make the CPU available, or choose another.",
     remedy_de="Die CPU verfügbar machen oder eine andere wählen.",
     cpu=("its CPU, from 1", "seine CPU, ab 1"),
 )

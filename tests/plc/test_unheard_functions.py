@@ -31,7 +31,8 @@ END_IF
 END_PROGRAM
 """
 TOLD = (
-    "M7 acknowledged itself: the PLC announced itself (gpCh[0]^.head.plc_present_w) only in tick {}"
+    "M7 was acknowledged at once: the PLC announced itself (gpCh[0]^.head.plc_present_w) "
+    "only in tick {}"
 )
 
 
@@ -79,7 +80,7 @@ def test_a_plc_that_stays_away_is_told_once_at_the_end(tmp_path: Path) -> None:
     assert notes(run) == []
     (note,) = [one for one in run.diagnostics if one.id == 902966]
     assert note.text() == (
-        "M7 acknowledged itself: until the run's end the PLC did not announce itself "
+        "M7 was acknowledged at once: until the run's end the PLC did not announce itself "
         "(gpCh[0]^.head.plc_present_w)"
     )
     assert note.span is not None and note.span.line == 2
@@ -128,7 +129,7 @@ def test_a_job_of_a_cycle_before_the_plc_that_turns_the_spindle_is_told(tmp_path
         NcText("part.nc", f"{cycle}G04 0.02\nM30"), plc=loaded(tmp_path, text)
     )
     (note,) = [one for one in run.diagnostics if one.id == 902931]
-    assert note.text().startswith("S M3 acknowledged itself: the PLC announced itself (gpAx[")
+    assert note.text().startswith("S M3 was acknowledged at once: the PLC announced itself (gpAx[")
     assert note.span is not None and note.span.line == 3
     run = Controller(folder).run(
         NcText("part.nc", f"G04 0.01\n{cycle}G04 0.02\nM30"), plc=loaded(tmp_path, text)

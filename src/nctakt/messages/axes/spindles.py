@@ -199,7 +199,7 @@ SPINDLE_TURNS_IN_EXCHANGE = error(
 )
 SPINDLE_WITHOUT_AXIS = error(
     902720,
-    en="spindle {spindle} has no axis here: PUTAX has given it away",
+    en="spindle {spindle} has no axis here: PUTAX has released it",
     de="Spindel {spindle} hat hier keine Achse: PUTAX hat sie abgegeben",
     remedy_en="Program CALLAX for the spindle before it.",
     remedy_de="Davor CALLAX für die Spindel programmieren.",

@@ -63,7 +63,7 @@ NO_NUMBER_IN_LOG = error(
 BYTE_NOT_OF_ENCODING = error(
     902880,
     en="these bytes are not a character in {encoding}",
-    de="was hier steht, ist in {encoding} kein Zeichen",
+    de="diese Bytes sind in {encoding} kein Zeichen",
     remedy_en="Export the log again, or save it as UTF-8.",
     remedy_de="Die Aufzeichnung noch einmal exportieren oder als UTF-8 speichern.",
     encoding=("the encoding", "die Kodierung"),

@@ -90,7 +90,7 @@ TESTS_NOT_TRUSTED = error(
 )
 PLC_NOT_RUN = note(
     902026,
-    en="the PLC of the project, {plc}, is not run: this command runs no code of others",
+    en="the PLC of the project, {plc}, is not run: this command runs no code of a project",
     de="die SPS des Projekts, {plc}, läuft nicht: dieser Befehl führt keinen fremden Code aus",
     remedy_en="Give --plc {plc} to run it.",
     remedy_de="Mit --plc {plc} wird sie ausgeführt.",

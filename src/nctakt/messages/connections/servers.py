@@ -82,14 +82,14 @@ INVALID_NETWORK = error(
 ADS_NEEDS_SOURCES = error(
     902021,
     en="ADS at {host} can be reached from other computers, but nothing says who may connect",
-    de="ADS an {host} ist von anderen Rechnern erreichbar: wer sich verbinden darf, muss "
-    "genannt sein",
+    de="ADS an {host} ist von anderen Rechnern erreichbar, aber nichts legt fest, wer sich "
+    "verbinden darf",
     remedy_en="Name addresses or networks: --ads-from 192.168.0.0/24; 0.0.0.0/0 is everybody.",
     remedy_de="Adressen oder Netze nennen: --ads-from 192.168.0.0/24; 0.0.0.0/0 sind alle.",
     cause_en="ADS has no passwords: anyone who connects can command the machine. Clients choose "
     "their NetId.",
-    cause_de="ADS hat keine Passwörter: wer sich verbindet, kann der Maschine Befehle geben. Eine "
-    "NetId ist das, was ein Client angibt.",
+    cause_de="ADS hat keine Passwörter: wer sich verbindet, kann der Maschine Befehle geben. Ihre "
+    "NetId wählen Clients selbst.",
     host=("the address of the server", "die Adresse des Servers"),
 )
 WHO_COMMANDS = note(

@@ -58,8 +58,8 @@ PLC_HOLDS_OPEN = error(
     de="die Sitzung kann nicht zurück: die SPS hält {names} offen; ihre Kopien müssten sich das "
     "teilen",
     remedy_en="Let the PLC open files for writing and connections only while it needs them.",
-    remedy_de="Die SPS soll, was sie schreibt oder womit sie sich verbindet, nur so lange offen "
-    "halten, wie sie es braucht.",
+    remedy_de="Dateien zum Schreiben und Verbindungen in der SPS nur offen halten, solange sie "
+    "nötig sind.",
     names=("the files and connections", "die Dateien und Verbindungen"),
 )
 PAST_DIFFERS = error(

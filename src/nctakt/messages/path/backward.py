@@ -81,8 +81,8 @@ NOT_ALLOWED_IN_RT_WHILE = error(
     remedy_de="Den Befehl vor #RT WHILE oder nach #RT ENDWHILE programmieren.",
     cause_en="The realtime part repeats blocks that were decoded once: motions with G00 to G03, "
     "and values for synchronous V.E variables that do not depend on later events.",
-    cause_de="Der Echtzeit-Teil wiederholt, was einmal dekodiert wurde: Bewegungen mit G00 bis G03 "
-    "und Werte für synchrone V.E-Variablen, die nicht von dem abhängen, was inzwischen geschieht.",
+    cause_de="Der Echtzeit-Teil wiederholt einmal dekodierte Sätze: Bewegungen mit G00 bis G03 und "
+    "Werte für synchrone V.E-Variablen, die nicht von späteren Ereignissen abhängen.",
     classes=(3, 3),
 )
 RT_WHILE_DURING_COMPENSATION = error(

@@ -240,8 +240,8 @@ CELL_DOES_OTHERWISE = error(
     902843,
     en="when run again, the FMU is not in the state that it had after {ticks} ticks (PLC: {plc})",
     de="beim erneuten Ausführen hat die FMU nicht den Zustand wie nach {ticks} Takten (SPS: {plc})",
-    remedy_en="Keep the PLC's state in its object; do not use clocks, files, chance or other "
-    "modules.",
+    remedy_en="Keep the PLC's state in its object; do not use clocks, files, random numbers or "
+    "other modules.",
     remedy_de="Den Zustand der SPS in ihrem Objekt halten; keine Uhren, Dateien, Zufallszahlen, "
     "anderen Module.",
     plc=("the PLC's file, - without", "die Datei der SPS, - ohne"),

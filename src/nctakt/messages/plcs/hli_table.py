@@ -49,7 +49,7 @@ PATH_OF_NO_CHANNEL = error(
 PATH_IS_STRUCTURE = error(
     902104,
     en="{path} is a structure, not a single value",
-    de="{path} ist eine Struktur und hat keinen eigenen Wert",
+    de="{path} ist eine Struktur, kein einzelner Wert",
     remedy_en="Name one of its members: {members}",
     remedy_de="Eines ihrer Elemente nennen: {members}",
     path=_PATH,
@@ -98,7 +98,7 @@ NUMBER_NOT_TAKEN = error(
 NO_SUCH_BYTES = error(
     902321,
     en="{path}: no element begins and ends there; the pointer leads to {size} bytes",
-    de="{path}: dort beginnt und endet kein Element; hinter dem Zeiger sind {size} Byte",
+    de="{path}: dort beginnt und endet kein Element; der Zeiger führt zu {size} Byte",
     remedy_en="nctakt explain elements shows where each element begins.",
     remedy_de="nctakt explain elements zeigt, wo jedes Element beginnt.",
     path=_PATH,
@@ -115,7 +115,8 @@ PATH_NOT_SERVED = error(
     en="{path} has no value here: nctakt does not compute it",
     de="{path} hat hier keinen Wert: nctakt berechnet ihn nicht",
     remedy_en="nctakt explain elements lists the elements that act and those that show something.",
-    remedy_de="Was wirkt und was angezeigt wird, zeigt nctakt explain elements.",
+    remedy_de="nctakt explain elements nennt die Elemente, die wirken, und die, die etwas "
+    "anzeigen.",
     path=_PATH,
 )
 COUNTED_FROM_ONE = error(

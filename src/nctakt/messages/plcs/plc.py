@@ -266,7 +266,7 @@ SEVERAL_CALLED_PLCS = error(
 )
 FUNCTION_BEFORE_PLC = note(
     902931,
-    en="{function} acknowledged itself: the PLC announced itself ({path}) only in tick {tick}",
+    en="{function} was acknowledged at once: the PLC announced itself ({path}) only in tick {tick}",
     de="{function} hat sich selbst quittiert: die SPS meldete sich ({path}) erst in Takt {tick} an",
     remedy_en="Let the program wait at its beginning: G04 {dwell}. On the machine the PLC has "
     "long been running.",
@@ -296,7 +296,7 @@ MOTION_BEFORE_PLC = note(
 )
 FUNCTION_WITHOUT_PLC = note(
     902966,
-    en="{function} acknowledged itself: until the run's end the PLC did not announce itself "
+    en="{function} was acknowledged at once: until the run's end the PLC did not announce itself "
     "({path})",
     de="{function} hat sich selbst quittiert: bis zum Ende des Laufs hat sich die SPS nicht "
     "angemeldet ({path})",

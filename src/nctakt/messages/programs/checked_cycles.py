@@ -65,8 +65,8 @@ TEXT_IN_REALTIME_CYCLE = error(
     remedy_de="Texte nur mit ==, != und = verwenden, sonst eine Variable, die eine Zahl enthält.",
     cause_en="Code that runs in each tick takes a bounded time; the decoder does everything else "
     "with texts. The controller has no texts in realtime cycles at all.",
-    cause_de="Was in jedem Takt läuft, dauert begrenzt lange; alles andere mit Texten ist Sache "
-    "des Dekoders. Die Steuerung kennt in Echtzeit-Zyklen gar keine Texte.",
+    cause_de="Was in jedem Takt läuft, darf nur begrenzt lange dauern; alles andere mit Texten ist "
+    "Sache des Dekoders. Die Steuerung kennt in Echtzeit-Zyklen gar keine Texte.",
     name=("the variable or text", "die Variable oder der Text"),
 )
 TEXT_OF_ANOTHER_LENGTH = error(

@@ -321,8 +321,8 @@ NO_PROGRAM_GIVES_AXIS = warning(
     en="none of the checked programs gives away axis number {number}, which belongs to channel "
     "{channel}",
     de="keines der geprüften Programme gibt die Achse Nummer {number} ab, die Kanal {channel} hat",
-    remedy_en="Program #PUT AX, of a spindle PUTAX, in channel {channel}; check the programs of "
-    "all channels together.",
+    remedy_en="Program #PUT AX, or PUTAX for a spindle, in channel {channel}; check the programs "
+    "of all channels together.",
     remedy_de="#PUT AX, bei einer Spindel PUTAX, in Kanal {channel} programmieren; alle Kanäle "
     "gemeinsam prüfen.",
     number=("the logical number", "die logische Nummer"),

@@ -42,9 +42,9 @@ FUNCTIONS_NOT_LEARNT = note(
 )
 INTERRUPTIONS_ESTIMATED = note(
     900645,
-    en="interruptions were worked out from the other trace bits: whatever has no bit counts as "
+    en="interruptions were worked out from the other trace bits: anything without a bit counts as "
     "work",
-    de="Unterbrechungen sind aus den anderen Trace-Bits erschlossen: was keines hat, zählt mit",
+    de="Unterbrechungen sind aus den anderen Trace-Bits erschlossen: alles ohne Bit zählt mit",
     remedy_en="Give each thread a trace bit before recording.",
     remedy_de="Vor dem Aufzeichnen jedem Thread ein Trace-Bit geben.",
 )

@@ -133,7 +133,7 @@ WINDOWS_TIME_CAN_BE_VIOLATED = warning(
     900640,
     en="CPU {cpu}: in the worst case Windows has less than {windows} µs in a cycle",
     de="CPU {cpu}: im ungünstigsten Fall hat Windows in einem Takt weniger als {windows} µs",
-    remedy_en="Shorten what cannot be suspended: {who}.",
-    remedy_de="Verkürzen, was nicht suspendiert werden kann: {who}.",
+    remedy_en="Shorten threads that cannot be suspended: {who}.",
+    remedy_de="Threads verkürzen, die nicht suspendiert werden können: {who}.",
     who=("the threads that cannot be suspended", "die nicht suspendierbaren Threads"),
 )

@@ -373,11 +373,13 @@ class Facts:
     """What tests ask of every file, collected once: reading the whole package takes seconds.
 
     ``functions``: each with its number of lines. ``names``: the vague ones with their lines.
+    ``uneven``: lines of texts whose German has fewer values than its English.
     """
 
     imports: tuple[str, ...]
     functions: tuple[tuple[str, int], ...]
     names: tuple[tuple[str, int], ...]
+    uneven: tuple[int, ...]
     has_docstring: bool
 
 
@@ -387,6 +389,7 @@ def facts_of(path: Path) -> Facts:
     tree = ast.parse(path.read_text("utf-8"))
     imported: list[str] = []
     functions: list[tuple[str, int]] = []
+    uneven: list[int] = []
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             imported += (alias.name for alias in node.names)
@@ -394,9 +397,22 @@ def facts_of(path: Path) -> Facts:
             imported += (node.module, *(f"{node.module}.{alias.name}" for alias in node.names))
         elif isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             functions.append((node.name, (node.end_lineno or 0) - node.lineno + 1))
+        elif isinstance(node, ast.Call) and is_uneven(node):
+            uneven.append(node.lineno)
     names = tuple(one for one in identifiers(tree) if is_vague(one[0]))
     has_docstring = not tree.body or bool(ast.get_docstring(tree))
-    return Facts(tuple(imported), tuple(functions), names, has_docstring)
+    return Facts(tuple(imported), tuple(functions), names, tuple(uneven), has_docstring)
+
+
+def is_uneven(call: ast.Call) -> bool:
+    """Whether a call makes a text in both languages of which the German lacks a value."""
+    if ast.unparse(call.func) != "Text" or len(call.args) != 2:
+        return False
+    english, german = (
+        {ast.unparse(one.value) for one in ast.walk(text) if isinstance(one, ast.FormattedValue)}
+        for text in call.args
+    )
+    return len(german) < len(english)
 
 
 def imports(path: Path) -> tuple[str, ...]:
@@ -882,6 +898,14 @@ def identifiers(tree: ast.Module) -> Iterator[tuple[str, int]]:
             yield node.arg, node.lineno
         elif isinstance(node, ast.FunctionDef | ast.ClassDef):
             yield node.name, node.lineno
+
+
+def test_german_texts_have_the_values_of_english_ones() -> None:
+    """Nothing was lost when a text was edited."""
+    found = [
+        f"{path.relative_to(PACKAGE)}:{line}" for path in SOURCES for line in facts_of(path).uneven
+    ]
+    assert found == []
 
 
 def test_names_say_what_they_hold() -> None:

@@ -95,7 +95,7 @@ def _refused_axes(chain: Chain, axes: ChannelAxes) -> Text | None:
             name = axes.names[joint.axis]
             return Text(
                 f"axis {name} at index {joint.axis} is not a rotary axis",
-                " ist keine Rundachse",
+                f"die Achse {name} am Index {joint.axis} ist keine Rundachse",
             )
         if not joint.is_rotary and axes.are_rotary[joint.axis]:
             name = axes.names[joint.axis]

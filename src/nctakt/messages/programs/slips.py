@@ -42,7 +42,7 @@ OPERATOR_OF_OTHER_LANGUAGE = error(
     en="'{found}' is not an operator of this language",
     de="'{found}' ist kein Operator dieser Sprache",
     remedy_en="Write {replacement}",
-    remedy_de="{replacement} schreiben.",
+    remedy_de="Richtig ist {replacement}",
     found=_FOUND,
     replacement=_REPLACEMENT,
 )

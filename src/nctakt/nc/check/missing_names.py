@@ -42,7 +42,7 @@ _DECLARED_IN = {
     family: Text(
         f"V.{family} variables are declared in the machine's list of variables: "
         f"{entry}[0].name and so on.",
-        "-Variablen deklariert die Variablenliste der Maschine: ",
+        f"V.{family}-Variablen deklariert die Variablenliste der Maschine: {entry}[0].name usw.",
     )
     for family, entry in (("E", "var"), ("CH", "vch"))
 } | {

@@ -45,8 +45,8 @@ class TickPlc(Protocol):
 class PlcConnection(PlcSide):
     """The PLC at the HLI of a CNC in another process; also a context manager.
 
-    It is the PLC's side of the first channel, and of the others by ``of_channel``. Closing tells
-    the CNC that the PLC has gone.
+    It is the PLC's side of the first channel; ``of_channel`` returns that of the others. Closing
+    informs the CNC that the PLC has gone.
     """
 
     def __init__(self, shared: SharedFile, access: ImageAccess) -> None:
@@ -118,7 +118,7 @@ class PlcConnection(PlcSide):
     # --- the end --------------------------------------------------------------------------------
 
     def close(self) -> None:
-        """Tell the CNC that the PLC has gone, and let go of the image; may be repeated."""
+        """Inform the CNC that the PLC has gone, and release the image; may be repeated."""
         shared, self._shared = self._shared, None
         if shared is None:
             return

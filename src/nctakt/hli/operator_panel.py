@@ -17,7 +17,7 @@ RETRACES = ("front", "backward", "forward")
 
 
 class OperatorPanel:
-    """The operator's values of one channel; whoever derives from it reads and writes them."""
+    """The operator's values of one channel; derived classes read and write them."""
 
     __slots__ = ()
 

@@ -67,7 +67,7 @@ class TechnologyEntry:
 
     @property
     def identifier(self) -> str:
-        """``POS_RT`` for a function of a realtime cycle, else empty."""
+        """``POS_RT`` for a function of a realtime cycle, otherwise empty."""
         return "POS_RT" if self.is_realtime else ""
 
     @property

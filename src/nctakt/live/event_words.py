@@ -33,7 +33,7 @@ _KINDS = {
     "probe": Text("probe", "Taster"),
     "retrace": Text("on the path", "auf der Bahn"),
     "spindle": Text("spindle", "Spindel"),
-    "spindle_position": Text("spindle stands at", "Spindel steht auf"),
+    "spindle_position": Text("spindle stopped at", "Spindel steht auf"),
     "spindle_reached": Text("spindle at speed", "Spindel auf Drehzahl"),
     "started": Text("cycle started", "Zyklus gestartet"),
     "starved": Text("queue empty", "Queue leer"),

@@ -139,7 +139,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "begins": ("events before tick {tick} left out", "Ereignisse vor Takt {tick} ausgelassen"),
     "left_out": ("{count} older events left out", "{count} ältere Ereignisse ausgelassen"),
     "ask_why": (
-        "Click what stands beside a condition (or F8 in its line): here is why it is so.",
+        "Click the mark beside a condition (or press F8 in its line) to see why it is so.",
         "Auf den Text neben einer Bedingung klicken (oder F8 in ihrer Zeile): hier steht, warum.",
     ),
     "explaining": (
@@ -302,7 +302,7 @@ WORDS: dict[str, tuple[str, str]] = {
         "Sobald das Werkzeug oben ist, fordert der Echtzeit-Zyklus über N10 die SPS auf, das Tor "
         "zu öffnen (M100). Weiter, wenn sich nichts mehr bewegt.",
     ),
-    "tour_still_title": ("It stands", "Sie steht"),
+    "tour_still_title": ("It stops", "Sie steht"),
     "tour_still": (
         "The mill waits for M8, which the PLC acknowledges once the gate is open: it is listed on "
         "the right. The loader waits for the mill. Why did the gate not open?",

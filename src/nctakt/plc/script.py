@@ -390,7 +390,7 @@ class Plc(WatchedPlc):
     # --- called only when something is due ------------------------------------------------------
 
     def declaration(self, hli: PlcView) -> Declaration | None:
-        """Return what it waits for; ``None`` for a class that is called after each tick."""
+        """Return the events it waits for; ``None`` for a class that is called after each tick."""
         memory = self._memory
         policies = self.acknowledge, self.spindles
         if memory.declared is not None and memory.machine is hli._machine:

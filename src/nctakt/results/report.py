@@ -37,7 +37,7 @@ _TITLE = Text(
     "BAHN : ECHTZEIT-ZYKLEN DIAGNOSE DATEN KANAL-NR.: {channel}",
 )
 _NOTE = Text(
-    "Note:\nMessages may be hidden here. The documentation of the realtime cycles tells how "
+    "Note:\nMessages may be hidden here. The documentation of the realtime cycles says how "
     "to\ninfluence the diagnosis: by V.RTG.CYCLES.DIAG_LEVEL.",
     "Hinweis:\nHier koennen Nachrichten ausgeblendet sein. Die Dokumentation der Echtzeit-Zyklen "
     "sagt,\nwie sich die Diagnose beeinflussen laesst: durch V.RTG.CYCLES.DIAG_LEVEL.",

@@ -50,7 +50,7 @@ NO_FREQUENCY = ""
 class ProgramMessage:
     """A message of a program (``#MSG``): its time and its text.
 
-    ``channel``: the channel's number on a machine with several, else 0. In a message file it
+    ``channel``: the channel's number on a machine with several, or 0. In a message file it
     appears without its time stamp if ``is_exclusive``, without a line end if ``is_unbroken``.
     ``file``: the message file that the program has chosen (#FILENAME), empty without one.
     """
@@ -378,7 +378,7 @@ class Run:
     ) -> Figure | None:
         """Draw the run: ``.html`` (interactive), ``.svg`` or ``.png``; without a file return it.
 
-        What is returned is a figure of matplotlib, which a notebook shows.
+        Returns a figure of matplotlib, which a notebook shows.
         It shows what the run has recorded: path and motion of the axes, or ``signals`` instead of
         the motion; reactions as long as they lasted and conditions with ``why``, blocks and
         acknowledgements with ``blocks``, what conditions read with ``condition_signals``

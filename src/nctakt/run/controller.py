@@ -141,7 +141,7 @@ class Controller:
 
     @property
     def state(self) -> str:
-        """``error`` if a channel has one, else ``running`` during a program, else ``ready``."""
+        """``error`` if a channel has one, ``running`` during a program, otherwise ``ready``."""
         return self._loop.state
 
     @property
@@ -285,8 +285,8 @@ class Controller:
     def step(self, ticks: TimeLike = 1) -> Step:
         """Run this number of ticks, or as many as a time such as ``"20 ms"`` needs.
 
-        Whatever the state; returns what they have done. A plain number is one of ticks. Raises
-        ``Failure`` for what is no whole number of ticks and no time.
+        In any state; returns their results. A plain number counts ticks. Raises ``Failure`` for
+        anything that is neither a whole number of ticks nor a time.
         """
         if type(ticks) is not int or ticks < 0:
             ticks = self._tick_count(ticks)
@@ -404,7 +404,7 @@ class Controller:
 
         GLOBAL cycles, V.E and V.CH variables live on from program to program and from run to run.
         ``programs`` are files or ``NcText`` of channel 1, ``channels`` those of the others by
-        number. All channels begin together; an error stops its own channel only.
+        number. All channels begin together; an error stops only its channel.
 
         ``set`` gives variables values before the first tick, ``at`` at times of the run:
         ``at=[("20 ms", "V.E.DOOR", 1)]``. ``until`` and ``ticks`` limit the run (10 minutes unless
@@ -432,7 +432,7 @@ class Controller:
         return run.result()
 
     def reusable(self) -> ReusableController:
-        """Return what makes many runs of this machine, each from start-up on, at less cost.
+        """Return an object that makes many runs of this machine, each from start-up, faster.
 
         Nothing lives on from one run to the next; this controller itself stays as it is. Raises
         ``Failure`` (902536) for a controller with a schedule.

@@ -48,7 +48,7 @@ class ProgramErrors(Failure):
 
 @dataclass(frozen=True, slots=True)
 class NcText:
-    r"""A program as text; ``name`` stands for the file in diagnostics and results.
+    r"""A program as text; ``name`` replaces the file in diagnostics and results.
 
     >>> program = NcText("part.nc", "G01 X50 F6000\nG01 Y50\nM30")
     >>> Controller().run(program).virtual_time_us

@@ -67,8 +67,8 @@ class RunNc(Protocol):
 class Runner:
     """The fixture ``run_nc``: runs programs with one controller, and keeps what they reported.
 
-    ``folder``: that of the test. ``note``: what is told of each run; with ``why`` runs tell why
-    their reactions came. ``errors``: a text for each run that ended with errors.
+    ``folder``: that of the test. ``note``: called with each run; ``why``: runs record why their
+    reactions fired. ``errors``: a text for each run that ended with errors.
     """
 
     def __init__(

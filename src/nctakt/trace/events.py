@@ -73,7 +73,7 @@ Maker = Callable[["EventDecoder", int, float, float, float], tuple[str, str]]
 class Event:
     """An event in tick ``tick``, which begins at ``time_us``.
 
-    ``kind`` is a word, ``text`` gives its particulars (``fired``, ``17 line 5``). ``span`` is its
+    ``kind`` is a word, ``text`` gives the details (``fired``, ``17 line 5``). ``span`` is its
     position in a program. ``cycle`` is the realtime cycle that caused it: its programmed ID, or
     ``#1`` for the first cycle without ID; empty for the path, the decoder and the manager.
     ``channel`` is the number of its channel on a machine with several channels, else 0; cycles are

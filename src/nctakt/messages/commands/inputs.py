@@ -125,7 +125,7 @@ INVALID_EXPECTATION = error(
     remedy_de='Möglich sind fired, M100, message "…", error 22009, ended, X = 1.5 at 2s oder at '
     "end; siehe docs/testing.md.",
     text=(
-        "the expectation as it stands in the comment",
+        "the expectation as written in the comment",
         "die Erwartung, wie sie im Kommentar steht",
     ),
 )

@@ -39,7 +39,7 @@ UNUSUAL_END_WORD = note(
     de="'{word}' wird als Ende der Liste gelesen",
     remedy_en="Write End or Ende.",
     remedy_de="End oder Ende schreiben.",
-    word=("the word as it stands in the list", "das Wort, wie es in der Liste steht"),
+    word=("the word as written in the list", "das Wort, wie es in der Liste steht"),
 )
 TEXT_AFTER_END = note(
     900004,
@@ -239,7 +239,7 @@ INVALID_PARAMETER_REFERENCE = warning(
     "Standardwert {default}",
     remedy_en="Name a numeric parameter of the same list, or write the number itself.",
     remedy_de="Einen Zahlenparameter derselben Liste nennen oder die Zahl selbst schreiben.",
-    value=("the reference as it stands in the list", "der Verweis, wie er in der Liste steht"),
+    value=("the reference as written in the list", "der Verweis, wie er in der Liste steht"),
 )
 PARAMETER_WITHOUT_EFFECT = note(
     900026,

@@ -102,7 +102,7 @@ NO_SUCH_BYTES = error(
     remedy_en="nctakt explain elements shows where each element begins.",
     remedy_de="nctakt explain elements zeigt, wo jedes Element beginnt.",
     path=_PATH,
-    size=("the bytes behind the pointer", "die Bytes hinter dem Zeiger"),
+    size=("the bytes that the pointer leads to", "die Bytes hinter dem Zeiger"),
 )
 TRANSITION_DROPPED = note(
     902322,

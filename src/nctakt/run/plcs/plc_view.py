@@ -234,7 +234,7 @@ class PlcView(OperatorPanel):
         return owner
 
     def axis_answer(self, owner: int) -> int:
-        """Return 0 if a request is accepted, -1 before it is latched, else the error's number."""
+        """Return 0 if a request is accepted, -1 before it is latched, or the error's number."""
         return self._machine.kernel.requests.answer_to(owner)
 
     def is_axis_open(self, owner: int) -> bool:

@@ -34,10 +34,10 @@ VAR_INPUT nBy : INT; END_VAR
 VAR nLocal : INT; END_VAR
 nLocal := nBy * 2;
 nCount := nCount + nLocal;
-END_METHOD
+END_METHOD PROPERTY nTwice : INT GET nTwice := 2 * nCount; END_GET END_PROPERTY
 END_FUNCTION_BLOCK
 PROGRAM MAIN
-VAR n, i : INT; fbGate : FB_Gate; END_VAR
+VAR n, i : INT; fbGate : FB_Gate; pN : POINTER TO INT; END_VAR
 n := n + 1;
 fbGate.Tick(n);
 FOR i := 1 TO 2 DO
@@ -150,6 +150,32 @@ def test_scopes_are_trees_and_set_values_count_from_the_next_tick(
     client.ask("setExpression", expression="nCount", value="7", frameId=frames[0]["id"])
     frames = client.go()["frames"]
     assert value(client, frames, "nCount") == "7"
+
+
+def test_what_is_set_is_checked(client: DebugClient, cell: Path) -> None:
+    """ST-204, ST-311, ST-315: literals, pointers, and the reason where nothing can be set."""
+    set_lines(client, cell, {"line": 14})
+    frame = client.go()["frames"][0]["id"]
+
+    def set_to(name: str, text: str) -> str:
+        try:
+            answer = client.ask("setExpression", expression=name, value=text, frameId=frame)
+        except Refused as refused:
+            return str(refused)
+        return str(answer["value"])
+
+    assert (set_to("n", "16#10"), set_to("pN", "null")) == ("16#10", "null")
+    assert set_to("pN", "4096").endswith("from outside it can only be set to 0")
+    assert set_to("fbGate", "0") == "fbGate cannot be set: it has parts, which can"
+    assert set_to("n.3", "TRUE") == "n.3 cannot be set: it is a single bit"
+    assert set_to("n + 1", "3") == "n + 1 cannot be set: it is computed"
+    assert set_to("fbGate.aList[4]", "1").startswith("there is no fbGate.aList[4]: fbGate.aList is")
+    assert set_to("V.E.VALUE", "3") == "3"
+    assert client.ask("evaluate", expression="X.ACS.ACT_POS", frameId=frame)["result"] == "0.002"
+    with pytest.raises(Refused, match=r"12 / i has no value here: division by zero"):
+        client.ask("evaluate", expression="12 / i", frameId=frame)
+    with pytest.raises(Refused, match="a call of the property nTwice"):
+        client.ask("evaluate", expression="fbGate.nTwice", frameId=frame)
 
 
 @pytest.mark.parametrize("text", ["fbGate.Tick(1)", "nCount := 3", "nMissing"])

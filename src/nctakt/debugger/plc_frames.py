@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from nctakt.base.diagnostics import Language
+from nctakt.base.diagnostics import NOTHING, Language
 from nctakt.base.failure import Failure
 from nctakt.debugger.values import DEBUGGER, Values, read_value
 from nctakt.messages import diagnostic
-from nctakt.messages.plc_debugging import LIVES_IN_A_CALL
+from nctakt.messages.plc_debugging import NOT_SET_FROM_OUTSIDE
 from nctakt.plc.stepping.shown import PlcValue
 from nctakt.session.session import Session
 
@@ -77,13 +77,14 @@ class PlcFrames:
     def write(self, found: PlcValue, text: str) -> str:
         """Let a variable have another value from the next tick on; return it as text."""
         if not found.settable:
-            raise Failure(diagnostic(LIVES_IN_A_CALL, name=found.path))
+            reason = found.fixed or NOTHING
+            raise Failure(diagnostic(NOT_SET_FROM_OUTSIDE, name=found.path, reason=reason))
         self._values.write_value(found.settable, _written(text), DEBUGGER)
         return text.strip()
 
 
 def _written(text: str) -> float | bool | str:
-    """Return the value of a text: a number, a truth, a text in quotes, an item by its name."""
+    """Return the value of a text: a number, a truth, a text in quotes, an item, a literal."""
     text = text.strip()
     if len(text) > 1 and text[0] == text[-1] == "'":
         return text[1:-1]
@@ -92,6 +93,6 @@ def _written(text: str) -> float | bool | str:
     try:
         return read_value(text)
     except Failure:
-        if text.replace(".", "").replace("_", "").isalnum():
+        if "#" in text or text.replace(".", "").replace("_", "").isalnum():
             return text
         raise

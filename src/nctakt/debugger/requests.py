@@ -286,12 +286,18 @@ class Requests:
         return {"value": value}
 
     def _set_expression(self, arguments: Arguments) -> Body:
-        level = self._debuggee.scopes.level_of(arguments.number("frameId", 0))
-        if level is not None:
-            found = self._debuggee.scopes.plc.value(arguments.text("expression"), level)
-            return self._write_plc(found, arguments.text("value"))
-        channel = self._debuggee.scopes.channel_of_frame(arguments.number("frameId", 0))
-        return self._write(arguments.text("expression"), arguments.text("value"), channel)
+        scopes, text = self._debuggee.scopes, arguments.text("expression")
+        level = scopes.level_of(arguments.number("frameId", 0))
+        channel = scopes.channel_of_frame(arguments.number("frameId", 0))
+        if scopes.plc.is_there:
+            try:
+                found = scopes.plc.value(text, level)
+            except Failure:
+                if level is not None and not self._is_of_channel(text, channel):
+                    raise
+            else:
+                return self._write_plc(found, arguments.text("value"))
+        return self._write(text, arguments.text("value"), channel)
 
     def _write(self, name: str, text: str, channel: int) -> Body:
         debuggee = self._debuggee
@@ -345,10 +351,21 @@ class Requests:
         try:
             found = scopes.of_plc(scopes.plc.value(text, level), level)
         except Failure:
-            if level is None:
+            channel = scopes.channel_of_frame(arguments.number("frameId", 0))
+            if level is None or self._is_of_channel(text, channel):
                 return None  # a name or an expression of the NC's language
             raise
         return {"result": found.pop("value"), **found}
+
+    def _is_of_channel(self, text: str, channel: int) -> bool:
+        """Return whether a channel has a value by a name or an expression."""
+        if self._debuggee.scopes.structure(text, channel) is not None:
+            return True
+        try:
+            self._debuggee.values.evaluate(text, channel)
+        except Failure:
+            return False
+        return True
 
     def _completions(self, arguments: Arguments) -> Body:
         debuggee = self._debuggee

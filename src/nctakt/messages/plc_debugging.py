@@ -51,10 +51,10 @@ POINTER_FROM_OUTSIDE = error(
     remedy_en="Let the code of the PLC set it.",
     remedy_de="Es vom Code der SPS setzen lassen.",
 )
-LIVES_IN_A_CALL = error(
+NOT_SET_FROM_OUTSIDE = error(
     902816,
-    en="{name} cannot be set: it is local to a call, which ends with this cycle",
-    de="{name} lässt sich nicht setzen: es ist lokal in einem Aufruf, der mit diesem Zyklus endet",
+    en="{name} cannot be set: {reason}",
+    de="{name} lässt sich nicht setzen: {reason}",
     remedy_en="Set a variable of an instance, a program or a global list; it takes effect in the "
     "next tick.",
     remedy_de="Eine Variable einer Instanz, eines Programms oder einer Liste setzen; sie wirkt ab "

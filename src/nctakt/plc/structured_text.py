@@ -8,6 +8,7 @@ translated anew for each run, so that each run begins with its initial values.
 from __future__ import annotations
 
 import math
+import re
 import struct
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -28,12 +29,15 @@ from nctakt.messages.plc_debugging import POINTER_FROM_OUTSIDE
 from nctakt.messages.plcs.plc import INVALID_AXIS_COMMAND
 from nctakt.messages.plcs.plc_code import (
     AXIS_NOT_RELEASED,
+    CONSTANT_FROM_OUTSIDE,
     CONVERSION_OUTSIDE,
     CYCLE_TOO_LONG,
     DIVISION_BY_ZERO,
     EXCEPTION_RAISED,
     IGNORED_EXECUTE,
     INVALID_OPERATION,
+    NO_NUMBER,
+    NO_PART,
     NO_TASK,
     NOT_TRANSLATED,
     PLC_INDEX_OUTSIDE,
@@ -57,6 +61,7 @@ from nctakt.run.plcs.realtime_plc import PlcGroup, RealtimePlc, is_structured, p
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
 from nctakt.st.types import (
+    BlockType,
     Callable,
     EnumType,
     InterfaceType,
@@ -65,8 +70,10 @@ from nctakt.st.types import (
     Pou,
     ReferenceType,
     StringType,
+    StructType,
     Type,
 )
+from nctakt.st.vocabulary.elementary import NUMBERS
 from nctakt.translation.layout import as_word, is_real, kind_of
 from nctakt.translation.observing.branches import BranchNumbers
 from nctakt.translation.observing.noting import NoteRows
@@ -93,6 +100,8 @@ _SYSTEM = "TwinCAT_SystemInfoVarList"
 _REPORTED, _MAX_MESSAGES = "__Messages", 16
 #: What a task counts in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
+#: Where a part of a path begins.
+_PART_BEGINS = re.compile(r"[.\[]")
 #: Elementary instructions per µs of a task's cycle (ST-830).
 _STEPS_PER_US = 1000
 _MESSAGES = {
@@ -485,6 +494,8 @@ class StructuredPlc(RealtimePlc):
         words: dict[str, str | Text] = {"time": f"{context.now / 1e6:g} ms", "calls": self._calls()}
         if context.fault == kinds.INDEX:
             words["index"] = str(context.fault_a)
+            lowest, count = divmod(context.fault_b, kinds.BOUND)
+            words["bounds"] = f"{lowest}..{lowest + count - 1}"
         if context.fault == kinds.BUDGET:
             words["limit"] = str(context.fault_a)
         if context.fault == kinds.RAISED:
@@ -544,6 +555,22 @@ class StructuredPlc(RealtimePlc):
         """Return whether a name is the path of a variable."""
         return find_variable(self.program, name) is not None
 
+    def mistake(self, name: str) -> Diagnostic | None:
+        """Return what is wrong with an element or member that there is not, or with no signal."""
+        whole = find_variable(self.program, name)
+        if whole is not None:
+            is_number = kind_of(whole.type) is not None
+            return None if is_number else diagnostic(NO_NUMBER, name=name, type=whole.type.name)
+        for end in reversed([found.start() for found in _PART_BEGINS.finditer(name)]):
+            part = find_variable(self.program, name[:end].strip())
+            if part is None:
+                continue
+            if name[end] == "." and isinstance(part.type, BlockType | StructType):
+                return None  # it may be misspelt
+            words = {"name": name, "part": name[:end].strip(), "type": part.type.name}
+            return diagnostic(NO_PART, **words)
+        return None
+
     def names(self, *, are_numbers: bool) -> Iterator[str]:
         """Yield the paths of its own values, no element of an array; if so, only of numbers."""
         for path, sought in own_values(self.program):
@@ -591,6 +618,8 @@ class StructuredPlc(RealtimePlc):
         variable = find_variable(self.program, name)
         if variable is None:
             raise KeyError(name)
+        if variable.is_constant:
+            raise Failure(diagnostic(CONSTANT_FROM_OUTSIDE, name=name))
         sought, kind = variable.type, kind_of(variable.type)
         refused = diagnostic(PLC_VALUE_REFUSED, name=name, type=sought.name, value=value)
         if isinstance(sought, StringType) and isinstance(value, str):
@@ -602,8 +631,10 @@ class StructuredPlc(RealtimePlc):
             if len(data) > unit * sought.length or "\0" in value:
                 raise Failure(refused)
             return data + bytes(unit)
-        if isinstance(sought, EnumType) and isinstance(value, str):
+        if isinstance(sought, EnumType) and isinstance(value, str) and "#" not in value:
             value = _enumeration_value(sought, value, refused)
+        elif isinstance(value, str):
+            value = self._literal(sought, value, refused)
         if kind is None or isinstance(value, str) or variable.bit >= 0:
             raise Failure(refused)
         if isinstance(sought, PointerType | ReferenceType | InterfaceType) and value != 0:
@@ -617,6 +648,21 @@ class StructuredPlc(RealtimePlc):
         if not math.isfinite(value) or value != int(value) or not low <= value <= high:
             raise Failure(refused)
         return struct.pack("<q", as_word(int(value)))[: sought.size]
+
+    def _literal(self, sought: Type, text: str, refused: Diagnostic) -> float:
+        """Return the value of a literal with its type or base: ``T#2s``, ``16#FF`` (ST-204)."""
+        single = self.program.single
+        if single is None or "#" not in text:
+            raise Failure(refused)
+        try:
+            literal = single.read(text, None)
+        except Failure:
+            raise Failure(refused) from None
+        kinds_of_both = {getattr(one, "family", None) for one in (literal.type, sought)}
+        is_same = literal.type is not None and literal.type.name == sought.name
+        if not isinstance(literal.value, int | float) or not (is_same or kinds_of_both <= NUMBERS):
+            raise Failure(refused)
+        return literal.value
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from the next cycle on."""

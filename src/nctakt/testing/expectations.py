@@ -186,8 +186,8 @@ class Script:
 
     def _placed(self, found: Diagnostic) -> Diagnostic:
         is_signal = found.message in (UNKNOWN_SIGNAL, MISSPELLED_SIGNAL)
-        expected = [(one.name, one.position) for one in self.expectations]
-        places = expected if is_signal else [(one.name, one.position) for one in self.givens]
+        places = [] if is_signal else [(one.name, one.position) for one in self.givens]
+        places += [(one.name, one.position) for one in self.expectations]
         name = found.values.get("name")
         position = next((position for other, position in places if other == name), None)
         return found if position is None else position.of(found)

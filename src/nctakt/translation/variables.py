@@ -37,6 +37,7 @@ class PlacedVariable:
     address: int
     type: Type
     bit: int = -1
+    is_constant: bool = False
 
 
 def find_variable(program: Program, path: str) -> PlacedVariable | None:
@@ -220,7 +221,8 @@ def _first(program: Program, name: str) -> tuple[PlacedVariable | None, dict[str
 def _global(variable: Variable) -> PlacedVariable | None:
     if variable.storage is not Storage.GLOBAL:
         return None
-    return PlacedVariable(kinds.NULL_BYTES + variable.offset, variable.type)
+    address = kinds.NULL_BYTES + variable.offset
+    return PlacedVariable(address, variable.type, is_constant=variable.is_constant)
 
 
 def _member(found: PlacedVariable, name: str) -> PlacedVariable | None:
@@ -234,7 +236,8 @@ def _member(found: PlacedVariable, name: str) -> PlacedVariable | None:
         variable = None
     if variable is None:
         return None
-    return PlacedVariable(found.address + variable.offset, variable.type, variable.bit)
+    is_constant = found.is_constant or variable.is_constant
+    return PlacedVariable(found.address + variable.offset, variable.type, variable.bit, is_constant)
 
 
 def _element(found: PlacedVariable, indices: str) -> PlacedVariable | None:
@@ -247,4 +250,5 @@ def _element(found: PlacedVariable, indices: str) -> PlacedVariable | None:
         if not low <= index <= high:
             return None
         number = number * (high - low + 1) + index - low
-    return PlacedVariable(found.address + number * sought.element.size, sought.element)
+    address = found.address + number * sought.element.size
+    return PlacedVariable(address, sought.element, is_constant=found.is_constant)

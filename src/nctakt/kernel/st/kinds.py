@@ -54,6 +54,8 @@ TIME_OF_DAY, DATE, DATE_AND_TIME = range(3)
 #: Faults at run time (ST-560).
 DIVISION = 902265
 INDEX = 902266
+#: What the lowest index is multiplied by where it stands in one number with the count.
+BOUND = 1 << 32
 PLACE = 902267
 STACK = 902268
 BUDGET = 902269

@@ -68,7 +68,7 @@ cdef class OpenElementPlace(Whole):
     cdef Whole stride
     @cython.locals(
         address=cython.longlong, bounds=cython.longlong, index=cython.longlong,
-        lowest=cython.longlong
+        lowest=cython.longlong, highest=cython.longlong
     )
     cdef long long value(self, PlcContext context) noexcept nogil
 

@@ -170,7 +170,7 @@ class ElementPlace(Whole):
         index = leaves.value_of(self.index, context)
         number = words.subtract(index, self.lowest)
         if number < 0 or number >= self.count:
-            context.fail(kinds.INDEX, index, self.lowest)
+            context.fail(kinds.INDEX, index, self.lowest * kinds.BOUND + self.count)
             return address
         return address + number * self.stride
 
@@ -206,7 +206,7 @@ class LoadElement(ElementPlace):
         index = leaves.value_of(self.index, context)
         number = words.subtract(index, self.lowest)
         if number < 0 or number >= self.count:
-            context.fail(kinds.INDEX, index, self.lowest)
+            context.fail(kinds.INDEX, index, self.lowest * kinds.BOUND + self.count)
             return 0
         at += number * self.stride
         if at < kinds.NULL_BYTES or at > context.end:
@@ -229,8 +229,9 @@ class OpenElementPlace(Whole):
         bounds = context.checked(leaves.place_of(self.bounds, context), 8)
         index = leaves.value_of(self.index, context)
         lowest = words.load(context.memory, bounds, kinds.I32)
-        if index < lowest or index > words.load(context.memory, bounds + 4, kinds.I32):
-            context.fail(kinds.INDEX, index, lowest)
+        highest = words.load(context.memory, bounds + 4, kinds.I32)
+        if index < lowest or index > highest:
+            context.fail(kinds.INDEX, index, lowest * kinds.BOUND + highest - lowest + 1)
             return address
         return words.add(
             address,

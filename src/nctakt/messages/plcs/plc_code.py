@@ -24,11 +24,13 @@ DIVISION_BY_ZERO = error(
 )
 PLC_INDEX_OUTSIDE = error(
     902266,
-    en="the PLC stops at {time}: index {index} is outside of its array{values}{calls}",
-    de="die SPS stoppt bei {time}: Index {index} liegt außerhalb seines Felds{values}{calls}",
+    en="the PLC stops at {time}: index {index} is outside of its array [{bounds}]{values}{calls}",
+    de="die SPS stoppt bei {time}: Index {index} liegt außerhalb seines Felds [{bounds}]{values}"
+    "{calls}",
     remedy_en="Keep the index within the bounds of the array.",
     remedy_de="Den Index in den Grenzen des Felds halten.",
     index=("the index", "der Index"),
+    bounds=("lowest and highest index", "kleinster und größter Index"),
     values=_VALUES,
     calls=_CALLS,
     time=_TIME,
@@ -168,6 +170,28 @@ PLC_VALUE_REFUSED = error(
     de="{name} vom Typ {type} kann {value} nicht aufnehmen",
     remedy_en="Give a value of that type.",
     remedy_de="Einen Wert dieses Typs angeben.",
+)
+NO_PART = error(
+    902962,
+    en="there is no {name}: {part} is {type}",
+    de="{name} gibt es nicht: {part} ist {type}",
+    remedy_en="Keep to the bounds and members of the type.",
+    remedy_de="Grenzen und Elemente des Typs einhalten.",
+    part=("the variable that has no such part", "die Variable, die kein solches Teil hat"),
+)
+NO_NUMBER = error(
+    902963,
+    en="{name} is {type}, and a signal is a number or BOOL",
+    de="{name} ist {type}, und ein Signal ist eine Zahl oder BOOL",
+    remedy_en="Name an element or a member of it: MAIN.aList[1], MAIN.fbGate.nCount.",
+    remedy_de="Ein Element davon nennen: MAIN.aList[1], MAIN.fbGate.nCount.",
+)
+CONSTANT_FROM_OUTSIDE = error(
+    902964,
+    en="{name} is a constant, which nothing sets",
+    de="{name} ist eine Konstante, die sich nicht setzen lässt",
+    remedy_en="Change it in the declaration, or declare it without CONSTANT.",
+    remedy_de="Sie in der Deklaration ändern, oder sie ohne CONSTANT deklarieren.",
 )
 NO_TASK = error(
     902263,

@@ -22,6 +22,7 @@ from nctakt.kernel.st.observing.probes import ALWAYS, Sought, SoughtStatement, S
 from nctakt.kernel.st.reals import Real
 from nctakt.kernel.st.wholes import Whole
 from nctakt.messages import diagnostic
+from nctakt.messages.connections.debugger import NO_VALUE
 from nctakt.messages.plc_debugging import (
     CONDITION_IS_NO_TRUTH,
     NOT_EVALUATED,
@@ -29,7 +30,7 @@ from nctakt.messages.plc_debugging import (
 )
 from nctakt.plc.stepping.beside import Beside, Branch, Line
 from nctakt.plc.stepping.places import Call, Place, Places
-from nctakt.plc.stepping.shown import PlcValue, Shown, whole_text
+from nctakt.plc.stepping.shown import COMPUTED, PlcValue, Shown, whole_text
 from nctakt.plc.structured_text import StructuredPlc
 from nctakt.st.types import (
     BlockType,
@@ -56,6 +57,14 @@ _OF_STATE = (
     "frame", "instance", "fault", "fault_source", "fault_a", "fault_b", "fault_frame",
     "fault_instance", "trail_length",
 )  # fmt: skip
+
+#: Why an expression has no value, by the fault that it would be.
+_FAULTS = {
+    kinds.DIVISION: Text("division by zero", "Division durch null"),
+    kinds.INDEX: Text("an index is outside of its array", "ein Index liegt außerhalb seines Felds"),
+    kinds.PLACE: Text("something in it refers to nothing", "etwas darin verweist auf nichts"),
+    kinds.CONVERSION: Text("a real number does not fit", "eine Realzahl passt nicht hinein"),
+}
 
 _START = itemgetter(0)
 
@@ -320,9 +329,22 @@ class StDebugging:
     def value(self, level: int | None, text: str) -> PlcValue:
         """Return the value of a path or an expression; raises ``Failure`` for mistakes in it."""
         call = self._call(level)
-        location = self._places.find(text, call)
+        try:
+            location = self._places.find(text, call)
+        except Failure as failure:
+            if failure.diagnostics[0].message is not UNKNOWN_PLC_VARIABLE:
+                raise
+            return self._property(text, call, failure)
         if location is not None:
             return self._shown.value(text.strip(), location)
+        return self._computed(text, call)
+
+    def _property(self, text: str, call: Call | None, failure: Failure) -> PlcValue:
+        """Say of a property that it is not asked; raises the ``failure`` for any other path."""
+        try:
+            self._read(text, None if call is None else call.called)
+        except Failure:
+            raise failure from None
         return self._computed(text, call)
 
     def _computed(self, text: str, call: Call | None) -> PlcValue:
@@ -334,10 +356,11 @@ class StDebugging:
             raise Failure(diagnostic(NOT_EVALUATED, what=text))
         number, failed = self._measured(node, call)
         if failed:
-            return PlcValue(text, text, sought.name, f"({failed})")
-        if isinstance(number, float):
-            return PlcValue(text, text, sought.name, number_text(number))
-        return PlcValue(text, text, sought.name, whole_text(sought, int(number)))
+            reason = _FAULTS.get(failed, str(failed))
+            raise Failure(diagnostic(NO_VALUE, text=text, reason=reason))
+        is_real = isinstance(number, float)
+        shown = number_text(number) if is_real else whole_text(sought, int(number))
+        return PlcValue(text, text, sought.name, shown, fixed=COMPUTED)
 
     def _measured(self, node: Whole | Real, call: Call | None) -> tuple[float, int]:
         """Return the value of a node in a call, and the number of its fault; all else stays."""

@@ -17,6 +17,7 @@ from nctakt.kernel.st import kinds
 from nctakt.kernel.st.context import PlcContext
 from nctakt.messages import diagnostic
 from nctakt.messages.plc_debugging import REFERS_TO_NOTHING, UNKNOWN_PLC_VARIABLE
+from nctakt.messages.plcs.plc_code import NO_PART
 from nctakt.st.program import Program
 from nctakt.st.types import (
     ArrayType,
@@ -94,7 +95,10 @@ class Places:
                     raise self._unknown(path)
                 found, scope = self._global(path[: match.end()], variable), None
             elif found is not None:
-                found = self._part(found, name, indices, call, path)
+                whole, found = found, self._part(found, name, indices, call, path)
+                if found is None and not (name and _has_members(whole.type)):
+                    part, kind = path[: match.start()].strip(), whole.type.name
+                    raise Failure(diagnostic(NO_PART, name=path.strip(), part=part, type=kind))
             if found is None and scope is None:
                 raise self._unknown(path)
         return None if found is None else replace(found, path=path.strip())
@@ -326,6 +330,10 @@ class Places:
             if inner is not None:
                 return inner
         return None
+
+
+def _has_members(sought: Type) -> bool:
+    return isinstance(sought, BlockType | StructType | InterfaceType | ReferenceType)
 
 
 def is_type(found: Type, sought: Type) -> bool:

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.kernel.st import kinds
 from nctakt.plc.stepping.places import Place, Places
@@ -34,6 +35,15 @@ from nctakt.translation.layout import is_real, kind_of
 #: Values that the line of a structure or an array shows.
 _PREVIEWED = 3
 _NULL = "null"
+_OF_CALL = Text(
+    "it is local to a call, which ends with this cycle",
+    "es ist lokal in einem Aufruf, der mit diesem Zyklus endet",
+)
+_BIT = Text("it is a single bit", "es ist ein einzelnes Bit")
+_PARTS = Text("it has parts, which can", "es hat Teile, die sich setzen lassen")
+_NAMELESS = Text("no variable of the PLC is there", "dort ist keine Variable der SPS")
+#: Why a value that is computed cannot be set.
+COMPUTED = Text("it is computed", "es ist berechnet")
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +51,8 @@ class PlcValue:
     """A variable at a location in a cycle.
 
     ``path``: by which it can be asked for again; ``settable``: its global path where it can be set
-    from outside, else empty. ``count``: how many values are below it, of which ``indexed`` says
-    whether they are elements.
+    from outside, else empty, and ``fixed``: why not. ``count``: how many values are below it, of
+    which ``indexed`` says whether they are elements.
     """
 
     name: str
@@ -50,6 +60,7 @@ class PlcValue:
     type: str
     text: str
     settable: str = ""
+    fixed: Text | None = None
     count: int = 0
     indexed: bool = False
 
@@ -74,7 +85,7 @@ class Shown:
             location.path,
             location.type.name,
             self._text(location, target, depth),
-            self._settable(target) if count == 0 else "",
+            *self._settable(target),
             count,
             isinstance(target.type, ArrayType),
         )
@@ -91,10 +102,16 @@ class Shown:
             else location
         )
 
-    def _settable(self, location: Place) -> str:
-        if location.is_of_call or location.bit >= 0:
-            return ""
-        return self._places.path_of(location.address, location.type) or ""
+    def _settable(self, location: Place) -> tuple[str, Text | None]:
+        """Return the path by which a value can be set from outside, else why it cannot."""
+        if location.is_of_call:
+            return "", _OF_CALL
+        if location.bit >= 0:
+            return "", _BIT
+        if isinstance(location.type, BlockType | StructType | ArrayType):
+            return "", _PARTS
+        path = self._places.path_of(location.address, location.type)
+        return (path, None) if path else ("", _NAMELESS)
 
     # --- below a value
 

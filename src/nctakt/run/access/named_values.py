@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager
 from typing import NamedTuple, Protocol
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import Diagnostic, Text
 
 #: Programs and lists of a PLC that are named, at most.
 _MAX_SCOPES = 5
@@ -47,6 +47,11 @@ class NamedValues(Protocol):
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from its next cycle on."""
+
+    def mistake(self, name: str) -> Diagnostic | None:
+        """Return what is wrong with the path of a part that one of its variables lacks, or of
+        what is no signal; ``None`` for any other name.
+        """
 
     def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""

@@ -27,8 +27,8 @@ from nctakt.run.access.input_words import WRITE
 from nctakt.run.access.inputs import STIMULI, Input
 
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.ASCII)
-#: An item of a PLC's enumeration, such as E_Gate.Open.
-_ITEM = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*", re.ASCII)
+#: An item of a PLC's enumeration, such as E_Gate.Open, or a literal such as T#2s or 16#FF.
+_ITEM = re.compile(r"[A-Za-z_]\w*\.[A-Za-z_]\w*|\w+#[\w.:#+-]+", re.ASCII)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
 _WHOLE = re.compile(r"[+-]?\d{1,20}", re.ASCII)

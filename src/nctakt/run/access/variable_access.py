@@ -97,6 +97,9 @@ class VariableAccess:
         if isinstance(location, NotFound):
             near = location.nearest or nearest(path, (other for other, _, _ in names.values()))
             meant = f"{prefix}{near}" if near else self._nearest_named(name)
+            mistake = None if self.named is None else self.named.mistake(name)
+            if mistake is not None:
+                raise Failure(mistake)
             raise Failure(_unknown(name, meant, scopes_text(self.named)), *self._remarks)
         return location
 

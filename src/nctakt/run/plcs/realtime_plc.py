@@ -255,6 +255,12 @@ class NamedGroup:
         part, path = self._of(name)
         part.write(path, value)
 
+    def mistake(self, name: str) -> Diagnostic | None:
+        """Return what is wrong with the path of a part that there is not, or of no signal."""
+        own = [name, *(name[len(one) + 1 :] for one in self._projects)]
+        asked = ((part, path) for part in self._parts for path in own if path)
+        return next(filter(None, (part.mistake(path) for part, path in asked)), None)
+
     def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` for what is no number."""
         part, path = self._of(name)

@@ -405,6 +405,9 @@ class AssembledMachine:
     def unknown_signal(self, name: str) -> Diagnostic:
         """Return the diagnostic of an unknown signal."""
         signals, named = self.signals(), self.access.named
+        mistake = None if named is None else named.mistake(name)
+        if mistake is not None:
+            return mistake
         near = _in_axis_system(name, signals) or nearest(name, signals)
         if not near and named is not None:
             near = nearest(name, named.names(are_numbers=True))

@@ -64,7 +64,7 @@ def test_what_is_no_signal_is_told_with_its_type(cell: Path) -> None:
         with pytest.raises(Failure, match="902963") as failure:
             Controller().run(NC, plc=load_plc(cell), signals=[name])
         assert failure.value.diagnostics[0].text().startswith(f"{name} is {type_}, ")
-    with pytest.raises(Failure, match="Did you mean MAIN.stPart.nLife"):
+    with pytest.raises(Failure, match=r"Did you mean MAIN\.stPart\.nLife"):
         Controller().run(NC, plc=load_plc(cell), signals=["MAIN.stPart.nLfe"])
 
 

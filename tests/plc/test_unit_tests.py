@@ -85,7 +85,7 @@ def test_values_are_compared_and_shown(tmp_path: Path) -> None:
             assert problems == [], statement
             continue
         where = f"{tmp_path}/suites.st:{first + number}: {body[number]}"
-        assert problems == [f"{where}\n    - {expected}\n    + {actual} at 0 s, tick 0"]
+        assert problems == [f"{where}\n    EXP: {expected}\n    ACT: {actual}\n    at 0 s, tick 0"]
 
 
 def test_tests_of_several_cycles(tmp_path: Path) -> None:

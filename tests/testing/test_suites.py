@@ -47,14 +47,25 @@ def test_each_test_of_a_suite_is_one_test(folder: Path, capsys: pytest.CaptureFi
     assert main(["test", ".", "--junit", "report.xml", *WORDS, "-rs"]) == 1
     shown = capsys.readouterr().out
     assert "3 passed, 1 failed" in shown or "1 failed, 3 passed, 2 skipped" in shown
-    assert "suites.st:5: number\n    - 2\n    + 3 at 0 s, tick 0" in shown
-    assert "the suite never opens this test" in shown
+    failure = "suites.st:5: number\n    EXP: 2\n    ACT: 3\n    at 0 s, tick 0"
+    assert failure in shown
+    assert "suites.st:7: the suite never opens this test" in shown
     cases = {one.get("name"): one for one in ElementTree.parse("report.xml").iter("testcase")}
     assert list(cases) == [
         "expectations", "right", "wrong", "later", "never", "tests with computed names",
     ]  # fmt: skip
-    assert cases["right"].get("classname") == "suites.st.MAIN.fbSuite"
+    assert cases["right"].get("classname") == "MAIN.fbSuite"
     assert cases["right"].get("time") == "0.020"
+    assert (cases["wrong"].get("file"), cases["wrong"].get("line")) == ("suites.st", "5")
+    assert cases["wrong"][0].text == failure
+    shown_as = [cases[name].get("status") for name in ("right", "wrong", "later", "expectations")]
+    assert shown_as == ["PASS", "FAIL", "SKIP", None]
+    other, suite = ElementTree.parse("report.xml").getroot()
+    assert (other.get("tests"), other.get("failures")) == ("1", "0")
+    counts = ("MAIN.fbSuite", "5", "1", "2", "0.020")
+    assert counts == tuple(
+        suite.get(name) for name in ("name", "tests", "failures", "skipped", "time")
+    )
 
 
 def test_a_report_is_told_by_its_name(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -237,6 +248,6 @@ def test_suites_speak_german(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     )
     assert main(["test", str(path), "--lang", "de", "--", "-rs", "-p", "no:cacheprovider"]) == 1
     out = capsys.readouterr().out
-    assert "+ 2 bei 0 s, Takt 0" in out
+    assert "ACT: 2\n    bei 0 s, Takt 0" in out
     assert "Fehler 902540" in out
     assert "abgeschaltet" in out

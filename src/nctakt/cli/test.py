@@ -158,10 +158,13 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
 
         def write(report: Path) -> None:
             nonlocal code
-            from nctakt.testing.report_name import ReportName  # noqa: PLC0415 - imports pytest
+            from nctakt.testing.junit import ReportName, group_suites  # noqa: PLC0415 - imports pytest
 
             own = [ReportName(report, Path(junit))]
-            code = int(pytest.main([*plugins, *words, f"--junitxml={report}", *paths], own))
+            files = [f"--junitxml={report}", "-o", "junit_family=xunit1"]  # with file and line
+            code = int(pytest.main([*plugins, *words, *files, *paths], own))
+            if report.exists() and report.stat().st_size:
+                group_suites(report)
 
         with OutputFile(junit, "--junit", access) as output:
             output.fill(write)

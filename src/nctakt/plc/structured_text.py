@@ -557,18 +557,18 @@ class StructuredPlc(RealtimePlc):
 
     def mistake(self, name: str) -> Diagnostic | None:
         """Return what is wrong with an element or member that there is not, or with no signal."""
-        whole = find_variable(self.program, name)
-        if whole is not None:
-            is_number = kind_of(whole.type) is not None
-            return None if is_number else diagnostic(NO_NUMBER, name=name, type=whole.type.name)
+        found = find_variable(self.program, name)
+        if found is not None:
+            is_number = kind_of(found.type) is not None
+            return None if is_number else diagnostic(NO_NUMBER, name=name, type=found.type.name)
         for end in reversed([found.start() for found in _PART_BEGINS.finditer(name)]):
             part = find_variable(self.program, name[:end].strip())
             if part is None:
                 continue
             if name[end] == "." and isinstance(part.type, BlockType | StructType):
                 return None  # it may be misspelt
-            words = {"name": name, "part": name[:end].strip(), "type": part.type.name}
-            return diagnostic(NO_PART, **words)
+            whole = name[:end].strip()
+            return diagnostic(NO_PART, name=name, part=whole, type=part.type.name)
         return None
 
     def names(self, *, are_numbers: bool) -> Iterator[str]:

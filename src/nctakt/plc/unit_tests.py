@@ -408,8 +408,9 @@ class SuiteRun:
         return "\n".join(
             (
                 f"{where}{message or line.strip()}",
-                f"    - {self._text(f'aFailures[{failed}].sExpected')}",
-                f"    + {self._text(f'aFailures[{failed}].sActual')} {when}",
+                f"    EXP: {self._text(f'aFailures[{failed}].sExpected')}",
+                f"    ACT: {self._text(f'aFailures[{failed}].sActual')}",
+                f"    {when}",
             )
         )
 

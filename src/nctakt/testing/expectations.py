@@ -186,8 +186,10 @@ class Script:
 
     def _placed(self, found: Diagnostic) -> Diagnostic:
         is_signal = found.message in (UNKNOWN_SIGNAL, MISSPELLED_SIGNAL)
-        places = [] if is_signal else [(one.name, one.position) for one in self.givens]
-        places += [(one.name, one.position) for one in self.expectations]
+        places: list[tuple[str, Place | None]] = [
+            *(() if is_signal else ((one.name, one.position) for one in self.givens)),
+            *((one.name, one.position) for one in self.expectations),
+        ]
         name = found.values.get("name")
         position = next((position for other, position in places if other == name), None)
         return found if position is None else position.of(found)

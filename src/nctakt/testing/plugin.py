@@ -133,6 +133,9 @@ def pytest_runtest_makereport(
     seconds = getattr(item, "virtual_seconds", None)
     if seconds is not None:
         report.duration = seconds if call.when == "call" else 0.0
+        if isinstance(report.longrepr, tuple):  # why it is skipped, at its own place
+            file, line, _ = item.reportinfo()
+            report.longrepr = str(file), (line or 0) + 1, report.longrepr[2]
     return report
 
 

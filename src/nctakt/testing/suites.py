@@ -30,6 +30,7 @@ from nctakt.plc.unit_tests import (
 from nctakt.project.run_settings import Named, RunSettings
 from nctakt.testing.collecting import UnmetError
 from nctakt.testing.coverage import session_coverage
+from nctakt.testing.junit import SUITE
 from nctakt.testing.language import language_of_tests, rendered
 from nctakt.testing.settings_under_test import settings_of_test
 
@@ -106,6 +107,7 @@ class SuiteItem(pytest.Item):
         self.funcargs: dict[str, object] = {}
         self.virtual_seconds = 0.0
         self._test = test
+        self.user_properties.append((SUITE, self._suite.path))
 
     @property
     def _suite(self) -> Suite:

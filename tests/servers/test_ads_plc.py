@@ -95,11 +95,24 @@ def test_methods_and_unknown_parts_are_refused(symbols: PlcSymbols) -> None:
     """No RPC methods: 0x710; nothing at this offset: 0x703."""
     with pytest.raises(AdsError) as raised:
         symbols.find("MAIN.fbGate#Open")
-    assert raised.value.code is Error.SYMBOL
+    assert (raised.value.code, raised.value.kind) == (Error.SYMBOL, "rpc")
     assert symbols.find("MAIN.fbGate.nNone") is None
     with pytest.raises(AdsError) as raised:
         symbols.item(0x4060, 3, 1)
     assert raised.value.code is Error.OFFSET
+
+
+def test_the_first_members_are_read_and_written_alone(symbols: PlcSymbols) -> None:
+    """As on the controller: a read of fewer bytes than a symbol has gives its first ones."""
+    tool = symbols.find("MAIN.aTools[1]")
+    assert tool is not None
+    item = symbols.item(tool.group, tool.offset, 16)  # nNumber, 6 bytes between, fLength
+    names = ("MAIN.aTools[1].nNumber", "MAIN.aTools[1].fLength")
+    assert item.names == names
+    assert item.read(dict(zip(names, (7, 1.5), strict=True))) == pack("<H6xd", 7, 1.5)
+    with pytest.raises(AdsError) as raised:
+        symbols.item(tool.group, tool.offset, 12)  # within fLength
+    assert raised.value.code is Error.SIZE
 
 
 @pytest.mark.slow

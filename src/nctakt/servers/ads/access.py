@@ -72,7 +72,7 @@ class Access:
 
     def log_refusal(self, client: Client, error: AdsError) -> None:
         """Tell in the log that something was refused."""
-        name = f"{error.code.value:#x} {error.code.name.lower()}"
+        name = f"{error.code.value:#x} {error.kind}"
         self._host.log.refuse(DOOR, client.name, name, detail=error.reason)
 
     # --- reading ---------------------------------------------------------------------------------

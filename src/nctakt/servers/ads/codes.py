@@ -100,9 +100,10 @@ class Transmission(IntEnum):
 
 
 class AdsError(Exception):
-    """A request that is refused; ``reason`` for the log."""
+    """A request that is refused; ``reason`` for the log, which has a line for each ``kind``."""
 
-    def __init__(self, code: Error, reason: str = "") -> None:
+    def __init__(self, code: Error, reason: str = "", kind: str = "") -> None:
         super().__init__(code, reason)
         self.code = code
         self.reason = reason
+        self.kind = kind or code.name.lower()

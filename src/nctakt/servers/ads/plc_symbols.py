@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import operator
 import struct
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -146,7 +147,7 @@ class PlcSymbols:
     def find(self, name: str) -> Symbol | None:
         """Return the symbol of a path, ``None`` if no PLC has it; raises ``AdsError``."""
         if "#" in name:
-            raise AdsError(Error.SYMBOL, f"methods cannot be called: {name[:64]}")
+            raise AdsError(Error.SYMBOL, f"methods cannot be called: {name[:64]}", "rpc")
         for number in range(len(self._programs)):
             found = self._symbol(number, name)
             if found is not None:
@@ -160,21 +161,33 @@ class PlcSymbols:
     def item(self, group: int, offset: int, size_bytes: int) -> PlcItem:
         """Return the bytes of a symbol; raises ``AdsError`` where none of this size begins.
 
-        A text may be read into a longer buffer.
+        A text may be read into a longer buffer; of a structure or array the first members alone.
         """
         size_bytes = min(size_bytes, self._texts.get((group, offset), size_bytes))
         key = group, offset, size_bytes
         if key not in self._items:
-            if key not in self._given:
-                raise AdsError(Error.OFFSET, f"no symbol at {group:#x}, {offset:#x}")
-            path, sought = self._given[key]
+            path, sought = self._given.get(key) or self._longer(*key)
             parts = list(itertools.islice(_parts(path, sought, 0), _MAX_PARTS + 1))
+            parts = [part for part in parts if part.offset < size_bytes]
+            if parts and parts[-1].offset + parts[-1].type.size > size_bytes:
+                raise AdsError(Error.SIZE, f"{size_bytes} bytes end within {parts[-1].path}")
             if len(parts) > _MAX_PARTS:
                 raise AdsError(Error.SIZE, f"{path} has more than {_MAX_PARTS} values")
             if len(self._items) >= _MAX_ITEMS:
                 self._items.clear()
             self._items[key] = PlcItem(parts, size_bytes)
         return self._items[key]
+
+    def _longer(self, group: int, offset: int, size_bytes: int) -> tuple[str, Type]:
+        """Return the smallest symbol that begins at a place and has more bytes."""
+        longer = [
+            (size, given)
+            for (own, begin, size), given in self._given.items()
+            if (own, begin) == (group, offset) and size > size_bytes
+        ]
+        if not longer or size_bytes <= 0:
+            raise AdsError(Error.OFFSET, f"no symbol at {group:#x}, {offset:#x}")
+        return min(longer, key=operator.itemgetter(0))[1]
 
     def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
         """Return data for a text with zero bytes up to its end; any other data as they are."""

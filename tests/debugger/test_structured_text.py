@@ -215,3 +215,21 @@ def test_a_fault_is_an_exception_with_its_calls(tmp_path: Path) -> None:
         assert own.go()["reason"] == "end"
         again = own.go("reverseContinue")
         assert (again["reason"], again["line"]) == ("exception", 3)
+
+
+def test_a_file_that_changes_in_the_run_is_told_with_its_place(
+    client: DebugClient, cell: Path, tmp_path: Path
+) -> None:
+    """902969: once for each change, at a stop and where breakpoints are set; not for a touch."""
+    set_lines(client, cell, {"line": 14})
+    assert client.go()["line"] == 14
+    cell.write_text(cell.read_text("utf-8").replace("n := n + 1;", "// new\nn := n + 2;"), "utf-8")
+    set_lines(client, cell, {"line": 15})
+    told = client.event("output", lambda one: "902969" in one["output"])
+    assert (told["line"], told["source"]["name"], told["category"]) == (14, "cell.st", "console")
+    part = tmp_path / "part.nc"
+    part.write_text(part.read_text("utf-8"), "utf-8")
+    assert client.go()["line"] == 15
+    part.write_text("G01 X20 F1000\n", "utf-8")
+    client.ask("continue", threadId=1)
+    assert client.event("output", lambda one: "902969" in one["output"])["line"] == 2

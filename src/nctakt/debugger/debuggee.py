@@ -10,6 +10,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
@@ -27,7 +28,7 @@ from nctakt.debugger.sources import Sources
 from nctakt.debugger.values import Values
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
-from nctakt.messages.connections.debugger import RUN_IS_ON
+from nctakt.messages.connections.debugger import FILE_CHANGED_IN_RUN, RUN_IS_ON
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.summary import headline
 from nctakt.session.cursor import FAULT
@@ -384,7 +385,15 @@ class Debuggee:
             body |= {"description": text, "text": text}
         if numbers:
             body["hitBreakpointIds"] = list(numbers)
+        self.tell_changed_files()
         self._tell("stopped", body)
+
+    def tell_changed_files(self) -> None:
+        """Tell of files that are not any more as they were when the run began."""
+        changed = self.sources.newly_changed()
+        self.report.diagnostics(
+            [diagnostic(FILE_CHANGED_IN_RUN, span, file=Path(span.file).name) for span in changed]
+        )
 
     def stop_on_entry(self) -> None:
         """Tell that it is before its first tick."""

@@ -90,6 +90,7 @@ class Requests:
             entries = [Arguments({"line": line}) for line in arguments.items("lines")]
         shown_name = asked.text("path", "") or asked.text("name", "")
         new = [self._at_line(one, asked) for one in entries]
+        self._debuggee.tell_changed_files()
         return self._put(f"source {file or shown_name}", new)
 
     def _at_line(self, arguments: Arguments, source: Arguments) -> Breakpoint:

@@ -8,11 +8,17 @@ a text that is no file has a number instead, by which the client asks for it.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 
+from nctakt.base.diagnostics import Span
+from nctakt.base.text import decode_text, split_lines
 from nctakt.debugger.arguments import Arguments
+
+#: Files of more bytes are not read to see whether they are still as in the run.
+_LONG_BYTES = 4_000_000
 
 
 class Sources:
@@ -22,6 +28,28 @@ class Sources:
         self._texts = texts
         self._names = list(texts)
         self._paths = {name: _real_path(name) for name in self._names}
+        self._states: dict[str, tuple[int, int] | None] = {}
+
+    def newly_changed(self) -> Iterator[Span]:
+        """Yield the first line that differs in each file that has changed since the last look.
+
+        Of a long file the first look tells nothing: it would read all of it.
+        """
+        for name, path in self._paths.items():
+            state = _state(path)
+            before, self._states[name] = self._states.get(name), state
+            if path is None or state is None or state == before:
+                continue
+            if before is None and state[1] > _LONG_BYTES:
+                continue
+            try:
+                lines = split_lines(decode_text(Path(path).read_bytes()).text)
+            except OSError:
+                continue
+            both = zip_longest(self._texts[name], lines)
+            line = next((i for i, (own, now) in enumerate(both, 1) if own != now), 0)
+            if line:
+                yield Span(name, line, 1, 1)
 
     @property
     def all(self) -> list[dict[str, Any]]:
@@ -62,6 +90,15 @@ class Sources:
             if path is not None and os.path.normcase(path) == os.path.normcase(real):
                 return name
         return None
+
+
+def _state(path: str | None) -> tuple[int, int] | None:
+    """Return time and length of a file; ``None`` without one."""
+    try:
+        state = None if path is None else Path(path).stat()
+    except OSError:
+        return None
+    return None if state is None else (state.st_mtime_ns, state.st_size)
 
 
 def _real_path(name: str) -> str | None:

@@ -3,8 +3,17 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error, note
+from nctakt.messages.catalogue import error, note, warning
 
+FILE_CHANGED_IN_RUN = warning(
+    902969,
+    en="{file} has changed on disk, from this line on: lines of the run are those of its old text",
+    de="{file} ist ab dieser Zeile auf der Platte geändert: Zeilen des Laufs sind die des alten "
+    "Textes",
+    remedy_en="Start again to run the new text.",
+    remedy_de="Neu starten, damit der neue Text läuft.",
+    file=("the file", "die Datei"),
+)
 NOT_A_HEADER = error(
     901220,
     en='this is not the header of a message: "{text}"',

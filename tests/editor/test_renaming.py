@@ -7,6 +7,7 @@ Labels: grammar.txt, ``label`` and ``jump``; a label belongs to its program or s
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,7 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 
 from lsprotocol.types import Position
 
+import nctakt.machines
 from nctakt.base.failure import Failure
 from nctakt.editor.display.hover import hover
 from nctakt.editor.display.outline import document_symbols
@@ -192,3 +194,14 @@ def test_each_function_of_the_channel_list_is_explained(folder: Folder) -> None:
     found = hover(document, Position(0, 1), machine, [], "en")
     assert found is not None
     assert "M function of the channel list" in found.contents.value
+
+
+def test_a_variable_of_the_machine_changes_in_comments_that_are_read(folder: Folder) -> None:
+    """``; expect:`` and ``; given:`` name it, too, and so it is renamed from there."""
+    lists = Path(nctakt.machines.__file__).parent / "demo"
+    shutil.copytree(lists, folder.folder / "lists", dirs_exist_ok=True)
+    (folder.folder / "nctakt.toml").write_text('machine = "lists"\n', "utf-8")
+    text = "; given: V.E.VALUE = 1\nV.E.VALUE = 3 ; a VALUE\nM30 ; expect: CH2.V.E.VALUE = 3\n"
+    new = text.replace("V.E.VALUE", "V.E.SPEED")
+    assert folder.renamed(text, "\nV.E.", "SPEED") == new
+    assert folder.renamed(text, "given: V.E.", "SPEED") == new

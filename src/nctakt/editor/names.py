@@ -39,6 +39,9 @@ class Occurrence(NamedTuple):
     is_definition: bool
 
 
+#: Comments of programs that nctakt reads: inputs and expectations.
+READ_COMMENT = re.compile(r";\s*(?:expect|given)\b.*", re.IGNORECASE)
+_OF_CHANNEL = re.compile(r"\bCH\d+\.(?=V)", re.IGNORECASE)
 _CYCLE = re.compile(
     r"#\s*RT\s+CYCLE\b(?P<action>[^\[]*)\[[^\]]*?\bID\s*=\s*(?P<id>\d+)", re.IGNORECASE
 )
@@ -252,6 +255,15 @@ def occurrences(
         for item in occurrences_in(line, number, declares=declares):
             if same(item.symbol, symbol):
                 yield item
+
+
+def read_comments(lines: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """Yield what comments with inputs and expectations say, at its columns, with the lines."""
+    for number, line in enumerate(lines):
+        comment = READ_COMMENT.search(line) if ";" in line else None
+        if comment is not None:
+            said = _OF_CHANNEL.sub(lambda found: " " * len(found[0]), comment[0])
+            yield number, " " * comment.start() + said.replace(";", " ")
 
 
 def called_files(lines: Sequence[str]) -> list[str]:

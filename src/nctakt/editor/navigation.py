@@ -23,7 +23,10 @@ from nctakt.editor.names import (
     Symbol,
     called_files,
     occurrences,
+    occurrences_in,
     outside_comments,
+    read_comments,
+    same,
     section_of,
     symbol_at,
     variable_name,
@@ -186,7 +189,7 @@ def rename(
     programs that it calls and that call it. Raises ``Failure`` for a name that must not become the
     new one.
     """
-    item = found_at(document, position, loaded)
+    item = found_at(document, position, loaded) or _variable_in_comment(document, position)
     if item is None:
         return None
     symbol = item.symbol
@@ -218,8 +221,28 @@ def _places(
         documents = list(programs())
     else:
         documents = linked_programs(document, programs(), loaded)
+    is_read = symbol.kind == "variable" and is_of_machine(symbol)
     for program in documents:
-        yield program, list(occurrences(program.lines, symbol))
+        found = list(occurrences(program.lines, symbol))
+        yield program, [*found, *(_in_comments(program, symbol) if is_read else ())]
+
+
+def _in_comments(program: Document, symbol: Symbol) -> Iterator[Occurrence]:
+    """Yield the places of a variable in comments that nctakt reads (``; expect: V.E.N = 1``)."""
+    for number, text in read_comments(program.lines):
+        for one in occurrences_in(text, number):
+            if same(one.symbol, symbol):
+                yield one
+
+
+def _variable_in_comment(document: Document, position: Position) -> Occurrence | None:
+    """Return the variable of the machine at a place in a comment that nctakt reads."""
+    index = document.index(position)
+    for number, text in read_comments([document.line(position.line)]):
+        for one in occurrences_in(text, position.line + number):
+            if one.symbol.kind == "variable" and one.start <= index <= one.end:
+                return one if is_of_machine(one.symbol) else None
+    return None
 
 
 def linked_programs(

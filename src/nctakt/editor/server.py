@@ -12,7 +12,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, cast
 
@@ -404,6 +404,7 @@ def _register_renaming(server: Server) -> None:
     @feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
     def on_prepare_rename(params: types.PrepareRenameParams) -> types.Range | None:
         from nctakt.editor.navigation import can_rename, found_at, renamed_part  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.structured_text.renaming import part_at  # noqa: PLC0415 - the same
 
         document = server.document(params.text_document.uri)
         if document is None:
@@ -412,6 +413,9 @@ def _register_renaming(server: Server) -> None:
             with refusing(server):
                 return server.structured.renamed_range(document, params.position)
         item = found_at(document, params.position, server.work.machine_of(document))
+        if item is None and not document.is_list:
+            part = part_at(document, params.position)
+            return None if part is None else part.range
         if item is None or not can_rename(item.symbol):
             return None
         return document.range(item.line, *renamed_part(document, item))
@@ -419,16 +423,24 @@ def _register_renaming(server: Server) -> None:
     @feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
     def on_rename(params: types.RenameParams) -> types.WorkspaceEdit | None:
         from nctakt.editor.navigation import rename  # noqa: PLC0415 - when it is asked for
+        from nctakt.editor.structured_text.renaming import part_at  # noqa: PLC0415 - the same
 
         document = server.document(params.text_document.uri)
         if document is None:
             return None
         position, new = params.position, params.new_name
+
+        def programs() -> Iterable[Document]:
+            return server.work.programs(server.folders)
+
         with refusing(server):
             if document.is_structured:
-                return server.structured.rename(
-                    document, position, new, lambda: server.work.programs(server.folders)
-                )
+                return server.structured.rename(document, position, new, programs)
+            part = None if document.is_list else part_at(document, position)
+            if part is not None:
+                edit = server.structured.rename_from_program(document, part, new, programs)
+                if edit is not None:
+                    return edit
             return rename(
                 document,
                 position,

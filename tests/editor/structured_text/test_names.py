@@ -9,11 +9,13 @@ import pytest
 
 pytest.importorskip("pygls", reason="the language server needs pygls (extra editor)")
 
+from lsprotocol.types import Position
 from support.plc_text import pou_file
 from support.structured_documents import Typed
 
 from nctakt.base.failure import Failure
 from nctakt.editor.document import Document, split_text
+from nctakt.editor.structured_text.renaming import part_at
 
 CELL = """\
 // Steps of the gate.
@@ -201,6 +203,32 @@ def test_a_name_changes_in_all_files(typed: Typed) -> None:
     cell, main = renamed(typed, "cell.st", "Twi", "Double")
     assert "Double := nValue * 2" in cell
     assert "Double(nValue := cMax)" in main
+
+
+@pytest.mark.parametrize("is_open", [True, False])
+def test_a_name_changes_from_a_comment_of_a_program(tmp_path: Path, is_open: bool) -> None:
+    """Each part of the path, in the PLC that is open or that the project file names."""
+    typed = Typed(tmp_path, {"cell.st": CELL, "main.st": MAIN} if is_open else {})
+    if not is_open:
+        (tmp_path / "plc").mkdir()
+        (tmp_path / "plc" / "cell.st").write_text(CELL, "utf-8")
+        (tmp_path / "plc" / "main.st").write_text(MAIN, "utf-8")
+        (tmp_path / "nctakt.toml").write_text('[plc]\nfile = "plc/main.st"\n', "utf-8")
+    program = tmp_path / "part.nc"
+    text = "M30 ; expect: MAIN.fbGate.nCount = 1\n; MAIN.fbGate.nCount\n"
+    nc = Document(program.as_uri(), program, program.as_posix(), "nctakt", 0, split_text(text))
+    part = part_at(nc, Position(0, 28))
+    assert part is not None and part.path == "MAIN.fbGate.nCount"
+    edit = typed.answers.rename_from_program(nc, part, "nMoves", lambda: [nc])
+    assert edit is not None and edit.changes is not None
+    (found,) = edit.changes.pop(nc.uri)
+    assert (found.range.start.line, found.range.start.character) == (0, 26)
+    assert [Path(uri).name for uri in edit.changes] == ["cell.st"]
+    part = part_at(nc, Position(0, 20))
+    assert part is not None and part.path == "MAIN.fbGate"
+    with pytest.raises(Failure):
+        typed.answers.rename_from_program(nc, part, "IF", lambda: [nc])
+    assert part_at(nc, Position(1, 10)) is None
 
 
 def test_a_name_changes_in_comments_of_programs(typed: Typed) -> None:

@@ -23,7 +23,13 @@ from nctakt.editor.structured_text.plc_projects import PlcProjects
 from nctakt.editor.structured_text.positions import range_of
 from nctakt.editor.structured_text.project_names import ProjectNames
 from nctakt.editor.structured_text.remedies import structured_actions
-from nctakt.editor.structured_text.renaming import Programs, check_fixed, rename
+from nctakt.editor.structured_text.renaming import (
+    PathPart,
+    Programs,
+    check_fixed,
+    rename,
+    rename_part,
+)
 from nctakt.editor.structured_text.signatures import signature_help
 
 
@@ -94,6 +100,20 @@ class StructuredAnswers:
         """Return the edits for another name; raises ``Failure``."""
         with self._names(document) as names:
             return rename(names, document, position, new, programs)
+
+    def rename_from_program(
+        self, program: Document, part: PathPart, new: str, programs: Programs
+    ) -> types.WorkspaceEdit | None:
+        """Return the edits for another name of what a comment of a program names.
+
+        ``None`` where no PLC of the program has it; raises ``Failure``.
+        """
+        for document in self._projects.of_program(program):
+            with self._names(document) as names:
+                edit = rename_part(names, document, part, new, programs)
+            if edit is not None:
+                return edit
+        return None
 
     def symbols(self, document: Document) -> list[types.DocumentSymbol]:
         """Return the outline."""

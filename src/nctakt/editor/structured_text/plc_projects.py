@@ -16,13 +16,13 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
-from nctakt.editor.document import Document
+from nctakt.editor.document import STRUCTURED_LANGUAGE, Document, uri_of
 from nctakt.editor.open_buffers import Buffers, OpenBuffers
 from nctakt.editor.structured_text.plc_project import PlcProject, Texts, same_files
 from nctakt.messages import Collector
 from nctakt.project.project_file import find_project
 from nctakt.st.files.project import PlcSources, project_around, read_project
-from nctakt.st.files.suffixes import OBJECT_SUFFIXES, SOURCE_SUFFIXES
+from nctakt.st.files.suffixes import OBJECT_SUFFIXES, PROJECT_SUFFIXES, SOURCE_SUFFIXES
 from nctakt.st.reporting import Reporter
 from nctakt.st.sources import Sources
 
@@ -67,6 +67,40 @@ class PlcProjects:
             for other in self._documents.values()
             if other is not document and other.is_structured and self.of(other) is project
         ]
+
+    def of_program(self, program: Document) -> Iterator[Document]:
+        """Yield a document of each PLC that may be that of a program.
+
+        First those that its project names, then open ones, then those of its folder.
+        """
+        path = program.location
+        files: list[Path] = []
+        if path is not None:
+            try:
+                project = find_project(path, self._access)
+            except Failure:
+                project = None
+            for plc in () if project is None else project.plcs:
+                files += self._first_of(plc)
+        yield from (self._document(one, program) for one in files)
+        yield from [one for one in self._documents.values() if one.is_structured]
+        if path is not None:
+            yield from (self._document(one, program) for one in _sources_in(path.parent))
+
+    def _first_of(self, plc: Path) -> list[Path]:
+        """Return a file of each project that a file names: the file itself, or the first object."""
+        if plc.suffix.lower() in SOURCE_SUFFIXES:
+            return [plc]
+        if plc.suffix.lower() not in PROJECT_SUFFIXES:
+            return []
+        reporter = Reporter(Sources(), Collector())
+        return [one.files[0] for one in read_project(plc, self._bytes, reporter) if one.files]
+
+    def _document(self, path: Path, like: Document) -> Document:
+        path = path.resolve()
+        lines = decode_text(self._bytes(path) or b"").text.split("\n")
+        name, language = path.as_posix(), STRUCTURED_LANGUAGE
+        return Document(uri_of(path), path, name, language, 0, lines, like.encoding)
 
     def tidy(self) -> None:
         """Collect what earlier checks have left, while no request waits for an answer."""

@@ -13,11 +13,13 @@ import re
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from lsprotocol.types import Position, TextEdit, WorkspaceEdit
+from lsprotocol.types import Position, Range, TextEdit, WorkspaceEdit
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.base.failure import Failure
 from nctakt.editor.document import Document
+from nctakt.editor.names import READ_COMMENT
 from nctakt.editor.structured_text.navigation import document_of
 from nctakt.editor.structured_text.occurrences import Occurrence, key_of
 from nctakt.editor.structured_text.plc_project import PlcFile
@@ -43,8 +45,7 @@ _OF_SYSTEM = Text("the system calls it by this name", "das System ruft es mit di
 _LIST_IS_FILE = Text("it is the name of a file", "es ist der Name einer Datei")
 #: Methods that the system calls (ST-403, ST-606).
 _SYSTEM_METHODS = frozenset(("fb_init", "fb_reinit", "fb_exit"))
-#: Comments of programs that name variables of a PLC.
-_COMMENT = re.compile(r";\s*(?:expect|given)\b.*", re.IGNORECASE)
+_PART = re.compile(r"[^\W\d]\w*")
 _PATH = re.compile(r"[^\W\d]\w*(?:\[[^\]]*\])?(?:\.[^\W\d]\w*(?:\[[^\]]*\])?)+")
 
 #: The programs of the same folders.
@@ -59,8 +60,50 @@ def rename(
     Raises ``Failure`` for a name that must not change, or must not become the new one.
     """
     found = names.at(document, position)
-    if found is None:
+    return None if found is None else _renamed(names, document, found, new, programs)
+
+
+@dataclass(frozen=True, slots=True)
+class PathPart:
+    """A part of a path that a comment of a program names: the path up to it, and where it is."""
+
+    path: str
+    range: Range
+
+
+def part_at(program: Document, position: Position) -> PathPart | None:
+    """Return the part of a PLC's path at a place in a comment of a program, if one is there."""
+    line, index = program.line(position.line), program.index(position)
+    comment = READ_COMMENT.search(line)
+    for match in () if comment is None else _PATH.finditer(line, comment.start()):
+        for part in _PART.finditer(match[0]):
+            first, last = match.start() + part.start(), match.start() + part.end()
+            if first <= index <= last:
+                shown = program.range(position.line, first, last)
+                return PathPart(match[0][: part.end()], shown)
+    return None
+
+
+def rename_part(
+    names: ProjectNames, document: Document, part: PathPart, new: str, programs: Programs
+) -> WorkspaceEdit | None:
+    """Return the edits that rename what a path means; ``None`` where the project has none such.
+
+    Raises ``Failure`` as ``rename``.
+    """
+    node = names.expression(part.path, names.scope_of(""))
+    target = getattr(node, "target", None)
+    if target is None:
         return None
+    name = part.path.rpartition(".")[2]
+    found = next((one for _, one in names.all_of(target, name)), None)
+    return None if found is None else _renamed(names, document, found, new, programs)
+
+
+def _renamed(
+    names: ProjectNames, document: Document, found: Occurrence, new: str, programs: Programs
+) -> WorkspaceEdit:
+    """Return the edits that rename what stands at one of its places."""
     new = new.strip()
     places = list(names.all_of(found.target, found.name))
     check_fixed(names, found, places)
@@ -268,7 +311,7 @@ def _in_comments(
     """Yield the edits of paths in comments of an NC program."""
     lower, keys = found.name.lower(), {key_of(one) for one in names.family(found.target)}
     for number, line in enumerate(program.lines):
-        comment = _COMMENT.search(line) if lower in line.lower() else None
+        comment = READ_COMMENT.search(line) if lower in line.lower() else None
         if comment is None:
             continue
         for match in _PATH.finditer(line, comment.start()):
@@ -281,7 +324,7 @@ def _parts(
     names: ProjectNames, path: str, name: str, keys: set[object]
 ) -> Iterator[tuple[int, int]]:
     """Yield the parts of a path that are a name, and mean what it means."""
-    for part in re.finditer(r"[^\W\d]\w*", path):
+    for part in _PART.finditer(path):
         if part[0].lower() != name:
             continue
         node = names.expression(path[: part.end()], names.scope_of(""))

@@ -153,7 +153,7 @@ def test_scopes_are_trees_and_set_values_count_from_the_next_tick(
 
 
 def test_what_is_set_is_checked(client: DebugClient, cell: Path) -> None:
-    """ST-204, ST-311, ST-315: literals, pointers, and the reason where nothing can be set."""
+    """ST-206, ST-311, ST-315: literals, pointers, and the reason where nothing can be set."""
     set_lines(client, cell, {"line": 14})
     frame = client.go()["frames"][0]["id"]
 

@@ -95,7 +95,7 @@ def test_an_index_that_stops_the_plc_is_told_with_the_bounds(cell: Path) -> None
     ],
 )
 def test_values_are_literals_of_the_language(cell: Path, text: str, value: object) -> None:
-    """ST-204."""
+    """ST-206, ST-207."""
     plc, (name, given) = load_plc(cell), parse_assignment(text)
     Controller().run(NC, plc=plc, at=[("1 ms", name, given)])
     assert plc.read(name) == value

@@ -650,7 +650,7 @@ class StructuredPlc(RealtimePlc):
         return struct.pack("<q", as_word(int(value)))[: sought.size]
 
     def _literal(self, sought: Type, text: str, refused: Diagnostic) -> float:
-        """Return the value of a literal with its type or base: ``T#2s``, ``16#FF`` (ST-204)."""
+        """Return the value of a literal with its type or base: ``T#2s``, ``16#FF`` (ST-206)."""
         single = self.program.single
         if single is None or "#" not in text:
             raise Failure(refused)

@@ -127,11 +127,12 @@ class Entry:
         return 1.0 if tie is None or tie.kind == "fact" else float(tie.factor)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Structure:
     """A structure of values; ``units``: names of the arrays of ``UNIT`` after them.
 
-    ``is_command``: the PLC writes it; the CNC writes all others.
+    ``is_command``: the PLC writes it; the CNC writes all others. Equal only to itself, so that what
+    is computed of it can be kept.
     """
 
     name: str

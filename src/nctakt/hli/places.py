@@ -11,7 +11,7 @@ variables, which both write.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from functools import cache
 
 from nctakt.base.dataclass import dataclass
 from nctakt.hli.layout import (
@@ -49,15 +49,19 @@ class PlacedEntry:
         return TYPE_BYTES[self.entry.image_type] * max(1, self.entry.count)
 
 
-def entries(structure: Structure) -> Iterator[PlacedEntry]:
-    """Yield the values of a structure with their offsets, without its units."""
+@cache
+def entries(structure: Structure) -> tuple[PlacedEntry, ...]:
+    """Return the values of a structure with their offsets, without its units."""
     end = 0
+    found = []
     for entry in structure.entries:
         placed = PlacedEntry(entry, _aligned(end, TYPE_BYTES[entry.image_type]))
         end = placed.offset + placed.size_bytes
-        yield placed
+        found.append(placed)
+    return tuple(found)
 
 
+@cache
 def entry(structure: Structure, name: str) -> PlacedEntry:
     """Return the value of a structure with this name, the short one or that in the image."""
     return next(
@@ -65,11 +69,13 @@ def entry(structure: Structure, name: str) -> PlacedEntry:
     )
 
 
+@cache
 def unit_offset(structure: Structure, name: str) -> int:
     """Return the offset of an array of units in a structure."""
     return _entries_end(structure) + structure.units.index(name) * SLOT_COUNT * size_of(UNIT)
 
 
+@cache
 def size_of(structure: Structure) -> int:
     """Return the size of a structure in bytes."""
     units = len(structure.units) * SLOT_COUNT

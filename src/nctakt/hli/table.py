@@ -32,7 +32,7 @@ from __future__ import annotations
 import ast
 import re
 from collections.abc import Iterator, Mapping
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
@@ -83,6 +83,8 @@ _ARRAY = re.compile(r"ARRAY\[(\d+)\.\.(\d+)\] OF (.+)")
 _SEGMENT = re.compile(r"(\w+)((?:\[[^\]]*\])*)(\^?)")
 #: A dot between two names, and not within an index.
 _DOT = re.compile(r"\.(?![^\[]*\])")
+#: Of how many paths the elements are kept: all that the image has, and what PLCs and clients name.
+_KEPT_PATHS = 4096
 _INDEXED_NAME = re.compile(r"(\w+)\[(\d+)\.\.(\d+)\]")
 _TIE = re.compile(
     r"(?P<spindle>spindle )?(?:(?P<kind>acts|shows|fact|unserved) )?(?P<name>[A-Za-z_.][\w.]*)"
@@ -530,6 +532,7 @@ def root(name: str, index: int = 0) -> Element:
     return Element(path, name, index, 0, type_of(row.type), (), row)
 
 
+@lru_cache(_KEPT_PATHS)
 def find(path: str) -> Element:
     """Return the element of a path, in any case, with or without ``HLI_Global_Variables.``.
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cache
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.misspelling import nearest
@@ -89,9 +90,7 @@ def search(words: str, language: Language) -> list[Article]:
     phrase = " ".join(words.casefold().split())
     whole = re.compile(rf"(?<!\w){re.escape(phrase)}(?!\w)")
     found: tuple[list[Article], ...] = ([], [], [], [])
-    for article in (article for topic in TOPICS for article in topic.articles()):
-        head = _folded(article.name, article.meaning.get(language))
-        facts = _folded(*(fact.value.get(language) for fact in article.facts))
+    for article, head, facts in _texts(language):
         if phrase in head:
             found[0 if whole.search(head) else 2].append(article)
         elif phrase in facts:
@@ -118,6 +117,20 @@ def answer_question(words: str, language: Language) -> list[Article]:
     lists = [search(word, language) for word in asked]
     names = [{article.name for article in one} for one in lists]
     return [article for article in lists[0] if all(article.name in one for one in names)]
+
+
+@cache
+def _texts(language: Language) -> tuple[tuple[Article, str, str], ...]:
+    """Return all articles, each with its name and meaning, and its facts, as they are searched."""
+    return tuple(
+        (
+            article,
+            _folded(article.name, article.meaning.get(language)),
+            _folded(*(fact.value.get(language) for fact in article.facts)),
+        )
+        for topic in TOPICS
+        for article in topic.articles()
+    )
 
 
 def _folded(*texts: str) -> str:

@@ -21,7 +21,7 @@ from bisect import bisect_left
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import cache, partial
-from typing import cast
+from typing import TypeGuard, cast
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.version import __version__
@@ -198,6 +198,31 @@ def _in_order(root: str) -> tuple[tuple[Slot, ...], tuple[int, ...]]:
     return found, tuple(slot.offset for slot in found)
 
 
+@cache
+def _with_values(root: str) -> tuple[Slot, ...]:
+    """Return the slots behind a pointer that may show a value of the session, or begin with one."""
+    return tuple(
+        slot
+        for slot in slots(root).values()
+        if _is_of_session(slot.element.tie)
+        or slot.path == ERROR_FLAG
+        or slot.path.startswith(f"{MODE}.state_r.")
+        or slot.unit in RELEASES
+    )
+
+
+@cache
+def _with_facts(root: str) -> tuple[tuple[Slot, str], ...]:
+    """Return the slots behind a pointer that hold facts about the machine, and whose name."""
+    ties = ((slot, slot.element.tie) for slot in slots(root).values())
+    return tuple((slot, tie.name) for slot, tie in ties if tie is not None and tie.kind == "fact")
+
+
+def _is_of_session(tie: Tie | None) -> TypeGuard[Tie]:
+    """Return whether a tie leads to a value of the session."""
+    return tie is not None and tie.kind not in ("fact", UNSERVED) and tie.name not in MANAGED
+
+
 class AreaShape:
     """What is behind one pointer, such as ``gpCh[0]``, and what it shows.
 
@@ -234,7 +259,7 @@ class AreaShape:
     def session_name(self, element: Element) -> str:
         """Return the value of the session that an element shows or sets; empty for none."""
         tie = element.tie
-        if tie is None or tie.kind in ("fact", UNSERVED) or tie.name in MANAGED:
+        if not _is_of_session(tie):
             return ""
         if tie.for_spindles:
             if not self.spindle:
@@ -334,7 +359,7 @@ class Area:
             self._units = FunctionUnits(
                 root, self.memory, self._put_number, self._takes, has_spindle=has_spindle
             )
-        for slot in slots(root).values():
+        for slot in _with_values(root):
             self._prepare(slot)
 
     def _takes(self, entry: Waiting) -> bool:
@@ -366,11 +391,10 @@ class Area:
 
     def tell(self, facts: Mapping[str, Scalar], inside: str = "") -> None:
         """Keep facts about the machine by the names of their ties, in the slots below a path."""
-        for slot in slots(self.shape.root).values():
-            tie = slot.element.tie
+        for slot, name in _with_facts(self.shape.root):
             is_own = slot.path.startswith(inside) if inside else "coord_r" not in slot.path
-            if is_own and tie is not None and tie.kind == "fact" and tie.name in facts:
-                self._put(slot, facts[tie.name])
+            if is_own and name in facts:
+                self._put(slot, facts[name])
 
     # --- what is shown --------------------------------------------------------------------------
 
@@ -444,7 +468,7 @@ class Area:
 
     def control_units(self) -> Iterator[tuple[str, str, Tie, bool]]:
         """Yield path, value, tie of each control unit that acts; whether by its edge."""
-        for slot in slots(self.shape.root).values():
+        for slot in _with_values(self.shape.root):
             element = slot.element
             name = self.shape.session_name(element)
             if slot.is_commanded and not element.is_enable and name and slot.unit not in RELEASES:
@@ -564,7 +588,7 @@ class Area:
 
     def _enabled(self) -> Iterator[Slot]:
         """Yield the switches of the control units that are enabled."""
-        for slot in slots(self.shape.root).values():
+        for slot in _with_values(self.shape.root):
             is_switch = slot.is_commanded and slot.element.is_enable
             if is_switch and self.shape.session_name(slot.element) and self._get(slot):
                 yield slot

@@ -94,9 +94,14 @@ def declarations(module: str) -> dict[str, Declared]:
     return found
 
 
-@functools.lru_cache(4)  # a file's tests stand together
 def tree_of(path: Path) -> ast.Module:
-    """The syntax tree of a Python file."""
+    """The syntax tree of a Python file; those of the realtime part are kept for all tests."""
+    return kept_tree(path) if KERNEL in path.parents else ast.parse(path.read_text("utf-8"))
+
+
+@functools.cache
+def kept_tree(path: Path) -> ast.Module:
+    """The syntax tree of a Python file of the realtime part."""
     return ast.parse(path.read_text("utf-8"))
 
 
@@ -374,19 +379,22 @@ class Facts:
 
     ``functions``: each with its number of lines. ``names``: the vague ones with their lines.
     ``uneven``: lines of texts whose German has fewer values than its English.
+    ``looks``: where a value is looked for in a range.
     """
 
     imports: tuple[str, ...]
     functions: tuple[tuple[str, int], ...]
     names: tuple[tuple[str, int], ...]
     uneven: tuple[int, ...]
+    looks: tuple[str, ...]
     has_docstring: bool
 
 
 @functools.cache
 def facts_of(path: Path) -> Facts:
     """What a file holds; its imports include those of ``from package import module``."""
-    tree = ast.parse(path.read_text("utf-8"))
+    text = path.read_text("utf-8")
+    tree = ast.parse(text)
     imported: list[str] = []
     functions: list[tuple[str, int]] = []
     uneven: list[int] = []
@@ -400,13 +408,14 @@ def facts_of(path: Path) -> Facts:
         elif isinstance(node, ast.Call) and is_uneven(node):
             uneven.append(node.lineno)
     names = tuple(one for one in identifiers(tree) if is_vague(one[0]))
+    looks = tuple(looks_in_ranges(tree)) if "range(" in text else ()
     has_docstring = not tree.body or bool(ast.get_docstring(tree))
-    return Facts(tuple(imported), tuple(functions), names, tuple(uneven), has_docstring)
+    return Facts(tuple(imported), tuple(functions), names, tuple(uneven), looks, has_docstring)
 
 
 def is_uneven(call: ast.Call) -> bool:
     """Whether a call makes a text in both languages of which the German lacks a value."""
-    if ast.unparse(call.func) != "Text" or len(call.args) != 2:
+    if len(call.args) != 2 or getattr(call.func, "id", "") != "Text":
         return False
     english, german = (
         {ast.unparse(one.value) for one in ast.walk(text) if isinstance(one, ast.FormattedValue)}
@@ -525,19 +534,21 @@ def names_of_ranges(tree: ast.Module) -> set[str]:
 ASKED_FOR_INTEGERS = ("_channels", "CYCLE_FUNCTIONS", "own")
 
 
+def looks_in_ranges(tree: ast.Module) -> Iterator[str]:
+    """The comparisons that look for a value in a range."""
+    ranges = names_of_ranges(tree).difference(ASKED_FOR_INTEGERS)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Compare) and isinstance(node.ops[-1], ast.In | ast.NotIn):
+            asked = ast.unparse(node.comparators[-1])
+            if asked.startswith("range(") or asked.split(".")[-1] in ranges:
+                yield ast.unparse(node)
+
+
 def test_no_value_is_looked_for_in_a_range() -> None:
     """``0.5 in range(…)`` walks through all of it and holds Ctrl-C up: ``is_whole`` instead."""
-    found = []
-    for path in SOURCES:
-        if "range(" not in path.read_text("utf-8"):
-            continue
-        tree = tree_of(path)
-        ranges = names_of_ranges(tree).difference(ASKED_FOR_INTEGERS)
-        for node in ast.walk(tree):
-            if isinstance(node, ast.Compare) and isinstance(node.ops[-1], ast.In | ast.NotIn):
-                asked = ast.unparse(node.comparators[-1])
-                if asked.startswith("range(") or asked.split(".")[-1] in ranges:
-                    found.append(f"{path.relative_to(PACKAGE)}: {ast.unparse(node)}")
+    found = [
+        f"{path.relative_to(PACKAGE)}: {look}" for path in SOURCES for look in facts_of(path).looks
+    ]
     assert found == []
 
 
@@ -563,6 +574,7 @@ STEP = 2
 LAYERS = layers()
 
 
+@functools.cache
 def layer_of(module: str) -> str:
     """The package or subpackage in ``LAYERS`` that a module (``nctakt.nc.tree``) is in."""
     path = "/".join(module.split(".")[1:])
@@ -582,6 +594,7 @@ def may_import(importer: str, module: str) -> bool:
     return LAYERS.index("/".join(below[:common])) <= LAYERS.index("/".join(above[:common]))
 
 
+@functools.cache
 def module_of(name: str) -> str | None:
     """The module that an imported name leads to: itself, or the one that holds the object."""
     parts = name.split(".")

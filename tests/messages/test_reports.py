@@ -32,14 +32,8 @@ NAMES = {
 }
 
 
-@functools.cache
-def trees() -> dict[str, ast.Module]:
-    """The syntax trees of all modules but the catalogue's, by their paths."""
-    return {
-        path.relative_to(SOURCES).as_posix(): ast.parse(path.read_text("utf-8"))
-        for path in sorted(SOURCES.rglob("*.py"))
-        if MESSAGES not in path.parents
-    }
+#: All modules but the catalogue's.
+MODULES = [path for path in sorted(SOURCES.rglob("*.py")) if MESSAGES not in path.parents]
 
 
 def reported(node: ast.expr) -> list[str]:
@@ -60,12 +54,16 @@ def given(call: ast.Call) -> set[str | None]:
 
 def calls() -> Iterator[tuple[str, ast.Call, Message]]:
     """Each call that has a message as an argument, with its place."""
-    for file, tree in trees().items():
-        for node in ast.walk(tree):
+    for path in MODULES:
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
             if isinstance(node, ast.Call):
                 for argument in node.args:
                     for name in reported(argument):
-                        yield f"{file}:{node.lineno}: {name}", node, NAMES[name]
+                        yield (
+                            f"{path.relative_to(SOURCES)}:{node.lineno}: {name}",
+                            node,
+                            NAMES[name],
+                        )
 
 
 #: What a call adds of its own to the parameters that it is given.
@@ -126,15 +124,15 @@ NUMBERS = {
 }
 
 
-def names_in(tree: ast.Module) -> set[str]:
-    """The names that a module reads."""
-    return {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-
-
-def numbers_in(tree: ast.Module) -> set[int]:
-    """The numbers of messages that stand in a module."""
-    constants = (node.value for node in ast.walk(tree) if isinstance(node, ast.Constant))
-    return {value for value in constants if type(value) is int and value in NUMBERS}
+@functools.cache
+def read_in(path: Path) -> tuple[frozenset[str], frozenset[int]]:
+    """The names that a module reads, and the numbers of messages that stand in it."""
+    nodes = [*ast.walk(ast.parse(path.read_text("utf-8")))]
+    constants = (node.value for node in nodes if isinstance(node, ast.Constant))
+    return (
+        frozenset(node.id for node in nodes if isinstance(node, ast.Name)),
+        frozenset(value for value in constants if type(value) is int and value in NUMBERS),
+    )
 
 
 def numbers_of_libraries() -> set[int]:
@@ -145,8 +143,8 @@ def numbers_of_libraries() -> set[int]:
 
 def test_each_message_is_in_use() -> None:
     """Each message is reported somewhere by its name, or by the realtime part as a number."""
-    names = set().union(*map(names_in, trees().values()))
-    numbers = numbers_of_libraries().union(*map(numbers_in, trees().values()))
+    names = set().union(*(read_in(path)[0] for path in MODULES))
+    numbers = numbers_of_libraries().union(*(read_in(path)[1] for path in MODULES))
     unused = [
         name for name, one in NAMES.items() if name not in names and numbers.isdisjoint(one.leading)
     ]
@@ -156,14 +154,14 @@ def test_each_message_is_in_use() -> None:
 def test_what_is_declared_as_unreached_is_reported_nowhere() -> None:
     """errors.md: the numbers that the checker makes impossible are reported nowhere."""
     silent = {message.id for message in UNREACHED}
-    assert silent.isdisjoint(set().union(*map(numbers_in, trees().values())))
+    assert silent.isdisjoint(set().union(*(read_in(path)[1] for path in MODULES)))
 
 
 def test_no_bare_number_stands_for_a_message() -> None:
     """Outside of the realtime part a message has its name."""
     bare = {
-        file: numbers
-        for file, tree in trees().items()
-        if not (SOURCES / file).is_relative_to(KERNEL) and (numbers := numbers_in(tree))
+        path: numbers
+        for path in MODULES
+        if KERNEL not in path.parents and (numbers := read_in(path)[1])
     }
     assert bare == {}

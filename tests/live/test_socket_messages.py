@@ -124,8 +124,10 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 def again(address: str) -> SocketBrowser:
     """A browser, once there is room for it."""
     while True:
-        with contextlib.suppress(urllib.error.HTTPError):
+        try:
             return SocketBrowser(address)
+        except urllib.error.HTTPError as error:
+            error.close()
         time.sleep(0.2)
 
 
@@ -271,7 +273,8 @@ def test_what_stands_for_a_websocket(address: str) -> None:
     for path in ("no_such_page", "_nicegui_ws/socket.io/?EIO=4&transport=polling"):
         with pytest.raises(urllib.error.HTTPError, match=r"40[34]") as refused:
             urllib.request.urlopen(address + path, timeout=60)
-        assert len(refused.value.read()) < 100
+        with refused.value as answer:
+            assert len(answer.read()) < 100
 
 
 @pytest.mark.nightly

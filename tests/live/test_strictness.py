@@ -73,7 +73,8 @@ def status_of(address: str, **headers: str) -> tuple[int, str]:
         with urllib.request.urlopen(request, timeout=60) as answer:
             return answer.status, answer.read(200).decode("utf-8", "replace")
     except urllib.error.HTTPError as error:
-        return error.code, error.read(200).decode("utf-8", "replace")
+        with error:
+            return error.code, error.read(200).decode("utf-8", "replace")
 
 
 def program(folder: Path) -> str:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -13,6 +14,7 @@ import pytest
 from support.plc_text import pou_file
 
 from nctakt.cli import main
+from nctakt.testing.suites import SuiteFile, SuiteRunResult
 
 pytestmark = pytest.mark.slow
 
@@ -251,3 +253,33 @@ def test_suites_speak_german(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "ACT: 2\n    bei 0 s, Takt 0" in out
     assert "Fehler 902540" in out
     assert "abgeschaltet" in out
+
+
+def test_suites_of_several_files_run_at_the_same_time(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """``-j``: each file in a copy of the process; results and coverage are the same."""
+    (tmp_path / "pytest.ini").write_text("[pytest]\n", "utf-8")
+    monkeypatch.chdir(tmp_path)
+    for name in ("first", "second"):
+        (tmp_path / f"{name}.st").write_text(SUITES, "utf-8")
+    found = []
+    run = SuiteFile.run
+
+    def noted(file: SuiteFile) -> SuiteRunResult:
+        (tmp_path / f"{os.getpid()}.{file.path.name}").touch()
+        return run(file)
+
+    monkeypatch.setattr(SuiteFile, "run", noted)
+    for count in ("1", "2"):
+        words = ["test", ".", "-j", count, "--junit", f"{count}.xml", *WORDS, "-q"]
+        assert main([*words, "--nctakt-coverage-file", f"{count}.json"]) == 1
+        shown = capsys.readouterr().out
+        assert "2 failed, 4 passed, 4 skipped" in shown
+        cases = ElementTree.parse(f"{count}.xml").iter("testcase")
+        found.append([(*sorted(one.attrib.items()), *(part.text for part in one)) for one in cases])
+    assert found[0] == found[1]
+    own = [one.name for one in tmp_path.glob("*.*.st") if one.name.startswith(f"{os.getpid()}.")]
+    assert (len(own), len(list(tmp_path.glob("*.*.st")))) == (2, 4)
+    counted = [Path(f"{count}.json").read_text("utf-8") for count in ("1", "2")]
+    assert counted[0] == counted[1]

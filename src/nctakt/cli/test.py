@@ -94,6 +94,17 @@ _TESTS = ("conftest.py", "test_*.py", "*_test.py")
     text=Text("End at the first failure.", "Beim ersten Fehler enden."),
 )
 @option(
+    "-j",
+    "--processes",
+    type=click.IntRange(1),
+    default=1,
+    metavar="N",
+    text=Text(
+        "Suites of how many files run at the same time [default: 1].",
+        "Suiten von wie vielen Dateien gleichzeitig laufen [Vorgabe: 1].",
+    ),
+)
+@option(
     "--junit",
     metavar="FILE",
     group="files",
@@ -105,11 +116,13 @@ def command(
     paths: tuple[str, ...],
     expression: str | None,
     at_first: bool,
+    processes: int,
     junit: str | None,
     language: Language,
 ) -> int:
     """Run tests."""
     words = [*(["-k", expression] if expression else ()), *(["-x"] if at_first else ())]
+    words.append(f"--nctakt-processes={processes}")
     try:
         with _telling_in(language):
             return _tested([*paths], words, junit, language)

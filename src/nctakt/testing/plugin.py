@@ -49,6 +49,13 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         help="tell which branches of realtime cycles ran in the tests",
     )
     group.addoption(
+        "--nctakt-processes",
+        type=int,
+        default=1,
+        metavar="N",
+        help="run the suites of up to N files at the same time",
+    )
+    group.addoption(
         "--nctakt-coverage-file",
         action="append",
         metavar="FILE",
@@ -105,6 +112,18 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     from nctakt.testing.collecting import NcFile  # noqa: PLC0415 - see above
 
     return NcFile.from_parent(parent, path=file_path)
+
+
+def pytest_collection_finish(session: pytest.Session) -> None:
+    """Begin to run the suites of several files at the same time, if that is asked for."""
+    config = session.config
+    count: int = config.getoption("nctakt_processes")
+    if count < 2 or config.option.collectonly or hasattr(config, "workerinput"):
+        return
+    if "nctakt.testing.suites" in sys.modules:
+        from nctakt.testing.suite_processes import run_ahead  # noqa: PLC0415 - see above
+
+        run_ahead(session, count)
 
 
 def pytest_terminal_summary(

@@ -7,9 +7,10 @@ The suites of a file run together, once in a process, when the first of their te
 from __future__ import annotations
 
 from collections.abc import Iterator
+from concurrent.futures import Future
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
 
@@ -34,12 +35,28 @@ from nctakt.testing.junit import SUITE
 from nctakt.testing.language import language_of_tests, rendered
 from nctakt.testing.settings_under_test import settings_of_test
 
+if TYPE_CHECKING:
+    from nctakt.results.coverage import Coverage
+
 _NEVER_OPENED = Text("the suite never opens this test", "die Suite öffnet diesen Test nie")
 _DISABLED = Text("disabled", "abgeschaltet")
 
 
+class SuiteRunResult(NamedTuple):
+    """What has become of the tests of a file, or why there was no run; what was counted."""
+
+    found: SuiteResults | None
+    coverage: Coverage | None = None
+    failure: str = ""
+
+
 class SuiteFile(pytest.File):
-    """A file with suites: a project, or a text that is checked with the project's PLC."""
+    """A file with suites: a project, or a text that is checked with the project's PLC.
+
+    ``ahead``: its run, where another process has begun it.
+    """
+
+    ahead: Future[SuiteRunResult] | None = None
 
     def collect(self) -> Iterator[pytest.Collector]:
         """Yield the suites of the file; raises ``CollectError`` with all its mistakes."""
@@ -60,24 +77,31 @@ class SuiteFile(pytest.File):
     def results(self) -> SuiteResults:
         """Return what has become of all tests; the first call runs them, and lets go of the PLC.
 
-        pytest looks for garbage several times at its end, in all that is still there.
+        pytest looks for garbage several times at its end, in all that is still there. Raises
+        ``UnmetError`` with what the run cannot begin with.
         """
         if self._found is None:
-            self._found = self._run()
+            done = self.run() if self.ahead is None else self.ahead.result()
+            if done.found is None:
+                raise UnmetError(done.failure)
+            session = session_coverage(self.config)
+            if session is not None and done.coverage is not None:
+                session.add(replace(done.coverage, runs=1))
+            self._found = done.found
             del self._plc, self._suites
         return self._found
 
-    def _run(self) -> SuiteResults:
-        machine = load_machine(self._settings.machine)
-        session = session_coverage(self.config)
-        if session is not None:
+    def run(self) -> SuiteRunResult:
+        """Run the suites."""
+        if session_coverage(self.config) is not None:
             self._plc.count_branches()
         until, language = self._settings.until, language_of_tests()
-        found = run_suites(self._plc, machine, until, language, self._suites)
-        counted = self._plc.coverage()
-        if session is not None and counted is not None:
-            session.add(replace(counted, runs=1))
-        return found
+        try:
+            machine = load_machine(self._settings.machine)
+            found = run_suites(self._plc, machine, until, language, self._suites)
+        except Failure as failure:
+            return SuiteRunResult(None, failure=rendered(failure.diagnostics))
+        return SuiteRunResult(found, self._plc.coverage())
 
 
 class SuiteNode(pytest.Collector):
@@ -117,10 +141,7 @@ class SuiteItem(pytest.Item):
     def runtest(self) -> None:
         """Look up what has become of the test; raises ``UnmetError`` with what is wrong."""
         assert self.parent is not None and isinstance(self.parent.parent, SuiteFile)
-        try:
-            results = self.parent.parent.results()
-        except Failure as failure:
-            raise UnmetError(rendered(failure.diagnostics)) from failure
+        results = self.parent.parent.results()
         outcomes = self._outcomes(results.outcomes.get(self._suite.path, {}))
         self.virtual_seconds = sum(one.duration_us for one in outcomes) / 1e6
         problems = [*results.problems.get(self._suite.path, [])]

@@ -438,10 +438,11 @@ PACING = (
     "session/process/worker.py",  # how long a request took, by which slices get their length
 )  # fmt: skip
 
-#: The files that hand out the runs of a study; what a run yields does not depend on who makes it.
+#: The files that hand out runs, of a study or suites; what they yield does not depend on who does.
 HANDING_OUT = (
     "studies/runs/blocks.py", "studies/workers/cluster.py", "studies/workers/processes.py",
     "studies/runs/shared_beginning.py", "studies/workers/worker_process.py",
+    "testing/suite_processes.py",  # suites of files, each of which runs as a whole
 )  # fmt: skip
 
 

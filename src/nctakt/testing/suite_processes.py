@@ -10,19 +10,16 @@ from __future__ import annotations
 import multiprocessing
 import threading
 from collections.abc import Sequence
-from concurrent.futures import ProcessPoolExecutor
+from functools import partial
+from multiprocessing.connection import Connection
 
 import pytest
 
 from nctakt.testing.suites import SuiteFile, SuiteRunResult
 
-#: The files that copies of this process run.
-_files: Sequence[SuiteFile] = ()
-
 
 def run_ahead(session: pytest.Session, count: int) -> None:
     """Begin to run all files with suites that have tests to run, ``count`` at a time."""
-    global _files  # noqa: PLW0603 - it is what a copy of this process finds
     found: dict[SuiteFile, None] = {}
     for item in session.items:
         file = item.getparent(SuiteFile)
@@ -31,12 +28,38 @@ def run_ahead(session: pytest.Session, count: int) -> None:
     is_possible = "fork" in multiprocessing.get_all_start_methods()
     if len(found) < 2 or not is_possible or threading.active_count() > 1:
         return
-    _files = list(found)
-    executor = ProcessPoolExecutor(min(count, len(found)), multiprocessing.get_context("fork"))
-    session.config.add_cleanup(lambda: executor.shutdown(cancel_futures=True))
-    for number, file in enumerate(_files):
-        file.ahead = executor.submit(_run, number)
+    files, context = list(found), multiprocessing.get_context("fork")
+    for first in range(min(count, len(files))):
+        own = files[first::count]
+        answers, answered = context.Pipe(duplex=False)
+        process = context.Process(target=_run_all, args=(own, answered), daemon=True)
+        process.start()
+        answered.close()
+        session.config.add_cleanup(process.kill)
+        copy = _Copy(own, answers)
+        for file in own:
+            file.ahead = partial(copy.result, file)
 
 
-def _run(number: int) -> SuiteRunResult:
-    return _files[number].run()
+def _run_all(files: Sequence[SuiteFile], answered: Connection) -> None:
+    for file in files:
+        answered.send(file.run())
+
+
+class _Copy:
+    """A copy of this process, which answers for its files in their order."""
+
+    def __init__(self, files: Sequence[SuiteFile], answers: Connection) -> None:
+        self._waiting = list(files)
+        self._answers = answers
+        self._done: dict[SuiteFile, SuiteRunResult] = {}
+
+    def result(self, file: SuiteFile) -> SuiteRunResult:
+        """Wait for what has become of a file; where the copy has died it runs here."""
+        while file not in self._done:
+            try:
+                self._done[self._waiting[0]] = self._answers.recv()
+            except EOFError:
+                return file.run()
+            del self._waiting[0]
+        return self._done.pop(file)

@@ -6,8 +6,7 @@ The suites of a file run together, once in a process, when the first of their te
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from concurrent.futures import Future
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -53,10 +52,10 @@ class SuiteRunResult(NamedTuple):
 class SuiteFile(pytest.File):
     """A file with suites: a project, or a text that is checked with the project's PLC.
 
-    ``ahead``: its run, where another process has begun it.
+    ``ahead``: waits for its run, where another process has begun it.
     """
 
-    ahead: Future[SuiteRunResult] | None = None
+    ahead: Callable[[], SuiteRunResult] | None = None
 
     def collect(self) -> Iterator[pytest.Collector]:
         """Yield the suites of the file; raises ``CollectError`` with all its mistakes."""
@@ -81,7 +80,7 @@ class SuiteFile(pytest.File):
         ``UnmetError`` with what the run cannot begin with.
         """
         if self._found is None:
-            done = self.run() if self.ahead is None else self.ahead.result()
+            done = self.run() if self.ahead is None else self.ahead()
             if done.found is None:
                 raise UnmetError(done.failure)
             session = session_coverage(self.config)

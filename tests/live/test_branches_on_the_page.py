@@ -214,6 +214,30 @@ def test_after_travel_lanes_reach_as_far_as_the_curves() -> None:
         shared.close()
 
 
+def test_a_branch_taken_up_again_has_all_of_its_past() -> None:
+    """An input before the first tick begins branch 2, which has no tick; branch 1 has 300."""
+
+    def opener(_: str | None, __: bool) -> Session:
+        return Session(NcText(FILE, PROGRAM))
+
+    shared = SharedSession(opener, FILE, acknowledges=True)
+    try:
+        track, session = shared.track, shared.session
+        shared.do(lambda session: session.step(300))
+        marks = marks_of(session.events(0, 300)[0], FILE)
+        assert marks
+        for _ in range(2):
+            until(lambda: track.marks.entries() == marks and len(track.rows) == 300)
+            shared.do(lambda session: session.go_to(0))
+            shared.do(lambda session: session.write({"V.E.VALUE": 1}, "page"))
+            until(lambda: shared.snapshot.branch > 1 and not len(track.rows))
+            shared.do(lambda session: session.go_to(300, 1))
+            until(lambda: shared.snapshot.branch == 1)
+        until(lambda: track.marks.entries() == marks and len(track.rows) == 300)
+    finally:
+        shared.close()
+
+
 def until(is_so: Callable[[], bool]) -> None:
     """Wait until something is so; pytest's own limit ends a test where it never comes."""
     while not is_so():

@@ -6,10 +6,13 @@ import struct
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from nctakt import NcText, Session
 from nctakt.session.history.comparing import first_difference
+from nctakt.session.outline import outlined
 
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]
   $IF EDGE V.RTA.ACS.ACT_POS.X > 5
@@ -34,6 +37,53 @@ def test_the_future_is_what_comes_then() -> None:
         fired = [event.tick for event in future.events if event.kind == "fired"]
         assert fired == [one.tick for one in session.events(0, done.tick)[0] if one.kind == "fired"]
         assert len(fired) == 1
+
+
+def test_rows_where_the_way_bends_are_kept() -> None:
+    """It goes up to tick 7, then stands: that row is kept, beside the first and even ones.
+
+    Of a straight way only the even ones are. Between rows it is known in which tick it is where.
+    """
+    ticks = np.arange(21)
+    way = ticks.astype(np.float64)[:, np.newaxis]
+    assert outlined(ticks, np.clip(way, 0, 7), 4).tolist() == [0, 7, 10, 20]
+    assert outlined(ticks, way, 4).tolist() == [0, 10, 20]
+    times = np.array([0, 1, 5, 6, 7, 8, 9, 10])  # at one speed
+    assert outlined(times, way[times], 4).tolist() == [0, 3, 7]
+    assert outlined(ticks, way, 21).tolist() == ticks.tolist()
+    assert outlined(ticks[:1], way[:1], 1).tolist() == [0]
+
+
+def test_long_paths_are_drawn_as_they_are() -> None:
+    """A square of 10 mm at 100 mm/s again and again: few rows show its corners, past and future.
+
+    Rows at even distances, as many, cut the corners by more than a millimetre.
+    """
+    side = ["X10 Y0", "X10 Y10", "X0 Y10", "X0 Y0"]
+    text = "\n".join([f"G01 {place} F6000" for _ in range(60) for place in side])
+    names = [X, "Y.ACS.ACT_POS"]
+    with Session(NcText("squares.nc", f"{text}\nM30")) as session:
+        *_, future = session.future(*names)
+        end = session.run().tick
+        whole = np.array(session.look(0, 20_000, names)[1]).reshape(-1, 2)
+        whole = np.concatenate(
+            (whole, np.array(session.look(20_000, end, names)[1]).reshape(-1, 2))
+        )
+        every, cells = session.look(0, end, names, 1000)
+        evenly = np.array(cells).reshape(-1, 2).T
+        ticks, columns = session.outline(0, end, [*names, "PATH.SPEED"], 2, 1000)
+        assert len(ticks) <= 1000
+        assert ticks[-1] == end - 1
+        assert columns[0] == [whole[tick][0] for tick in ticks]
+        assert away(whole, np.arange(len(evenly[0])) * every + every - 1, evenly) > 1.0
+        assert away(whole, ticks, columns) < 0.5
+        assert away(whole, future.ticks, future.columns) < 0.2
+
+
+def away(whole: NDArray[np.float64], ticks: Any, columns: Any) -> float:
+    """Return how far a path is from lines between some of its places, at the same times, in mm."""
+    drawn = [np.interp(np.arange(len(whole)), ticks, column) for column in columns[:2]]
+    return float(np.max(np.hypot(*(whole.T - drawn))))
 
 
 @pytest.mark.nightly

@@ -416,6 +416,20 @@ def test_a_controller_that_is_gone_is_told_and_left_behind() -> None:
         assert session.run().run_state == "ended"
 
 
+def test_who_listens_hears_all_that_was_before_a_pause() -> None:
+    """Slices that were not due for a frame come with the pause, not with the next frame."""
+    text = "#RT CYCLE [ID=1]\nV.E.COUNT = V.E.COUNT + 1\n#RT CYCLE END\nG04 X3600\nM30"
+    with Session(NcText("p.nc", text)) as own, own.listen(rate_hz=0.1) as listener:
+        assert listener.take(10.0) is not None
+        own.play(1.0)
+        while own.tick < 100:
+            time.sleep(0.01)
+        end = own.pause().tick
+        frame = listener.take(10.0)
+        assert frame is not None
+        assert (frame.tick, frame.events[-1].tick) == (end, end - 1)
+
+
 def test_without_listeners_to_events_the_slice_that_ends_play_still_has_them() -> None:
     with Session(NcText("move.nc", "M100\nG01 X10 F6000\nM30"), until="1 s") as session:
         with session.listen("X.ACS.ACT_POS", events=False) as listener:

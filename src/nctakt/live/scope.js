@@ -3,7 +3,7 @@
 import { clamp, colour, cut, short, sized, ticks } from "nctakt-drawing";
 import { blockAt, changed, compared, curves, fit, indexAt, laneBars, listen, mark, pan, run, seconds, show, shownUnit, take, zoom } from "nctakt-store";
 
-const LEFT = 50, RIGHT = 8, LANE = 15, ROW = 20, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6;
+const LEFT = 50, RIGHT = 8, LANE = 15, ROW = 20, AXIS = 17, LABEL = 12, LABEL_ROWS = 3, MAX_PANELS = 4, MAX_LANES = 6, LEGEND = 14;
 const FILTER = "nctakt filter of conditions"; // kept when this page is loaded anew
 const LANES_TOP = LABEL * LABEL_ROWS + 3;
 const COLOURS = ["#3b82f6", "#e8833a", "#22a06b", "#c2549d", "#b08900", "#7c6ff0", "#0ea5b7", "#d64545",
@@ -250,10 +250,11 @@ export default {
       if (!(low <= high)) { low = 0; high = 1; }
       const margin = high > low ? 0.06 * (high - low) : Math.max(1, Math.abs(high)) * 0.5;
       low -= margin; high += margin;
-      const legend = 14, inside = Math.max(4, height - legend);
-      const yOf = (value) => top + legend + inside - ((value - low) / (high - low)) * inside;
       const isAlike = indices.every((index) => run.units[index] === unit);
       const [label, factor] = isAlike ? shownUnit(unit) : [unit, 1];
+      const entries = this.legendPlaces(pen, shown, factor, indices, width, height);
+      const legend = LEGEND * (entries[entries.length - 1].row + 1), inside = Math.max(4, height - legend);
+      const yOf = (value) => top + legend + inside - ((value - low) / (high - low)) * inside;
       const scale = ticks(low * factor, high * factor, inside / 28);
       pen.textAlign = "right"; pen.textBaseline = "middle";
       for (const value of scale.result) {
@@ -269,7 +270,7 @@ export default {
       indices.forEach((index, place) => this.drawLogged(pen, shown, index, tints[place], unit === "", yOf, top + height));
       indices.forEach((index, place) => this.drawCurve(pen, shown, index, tints[place], begin, end, unit === "", yOf));
       pen.restore();
-      this.drawLegend(pen, shown, label, factor, indices, tints, top, width);
+      this.drawLegend(pen, label, entries, tints, top);
     },
     // The rows of the stretch that is shown, and one more on either side.
     rowsOf(shown) {
@@ -393,20 +394,27 @@ export default {
       const away = known && Number.isFinite(before) ? ` Δ ${short((value - before) * factor)}` : "";
       return `${name} ${known ? short(value * factor) : ""}${away}${logged}`;
     },
-    drawLegend(pen, shown, label, factor, indices, tints, top, width) {
+    // Where the names and values of a panel stand: in as many rows as they need, but half of it at most.
+    legendPlaces(pen, shown, factor, indices, width, height) {
+      const right = width - RIGHT, rows = Math.max(1, Math.floor(height / 2 / LEGEND));
+      let x = LEFT + 4, row = 0;
+      return indices.map((index) => {
+        const text = this.legendOf(shown, index, factor), wide = 14 + pen.measureText(text).width;
+        if (x > LEFT + 4 && x + wide > right && row + 1 < rows) { x = LEFT + 4; row += 1; }
+        const place = { x, row, text: right - x < 38 ? "" : cut(pen, text, right - x - 14) };
+        x += wide + 10;
+        return place;
+      });
+    },
+    drawLegend(pen, label, entries, tints, top) {
       pen.textAlign = "right"; pen.textBaseline = "middle"; pen.fillStyle = colour("--nc-soft");
       pen.fillText(label, LEFT - 5, top + 6);
-      let x = LEFT + 4;
       pen.textAlign = "left";
-      indices.forEach((index, place) => {
-        const text = this.legendOf(shown, index, factor);
-        const room = width - RIGHT - x - 14;
-        if (room < 24) return;
-        pen.fillStyle = tints[place]; pen.fillRect(x, top + 4, 9, 4);
+      entries.forEach(({ x, row, text }, place) => {
+        if (!text) return;
+        pen.fillStyle = tints[place]; pen.fillRect(x, top + row * LEGEND + 4, 9, 4);
         pen.fillStyle = colour("--nc-ink");
-        const drawn = cut(pen, text, room);
-        pen.fillText(drawn, x + 12, top + 6.5);
-        x += 12 + pen.measureText(`${drawn}  `).width + 6;
+        pen.fillText(text, x + 12, top + row * LEGEND + 6.5);
       });
     },
     // What is compared: the stretch between two ticks, with its length.

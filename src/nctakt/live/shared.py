@@ -42,7 +42,8 @@ _WAIT_S = 0.2
 #: How long nothing is new before the past is looked at, so that it holds up nobody, in seconds.
 _REST_S = 0.1
 
-#: Rows of the curves that are taken from the past, and how many of its ticks are shown.
+#: Rows of the curves that are taken from the past at even distances, as many more where the path
+#: bends, and how many of its ticks are shown.
 SCOPE_ROWS, SCOPE_TICKS = 1000, 200_000
 
 #: Paths of other channels that are drawn.
@@ -382,8 +383,13 @@ class SharedSession:
     def _note(self, frame: Frame) -> None:
         """Note the events and messages of a frame."""
         self.log.note(frame, self.session.fork)
-        self.track.turn_to(frame.branch, self.session.fork)
+        self._turn_to(frame.branch)
         self.track.note(frame.events, self.channel, self.file)
+
+    def _turn_to(self, branch: int) -> None:
+        """Let the track be of a branch; what is cut off it is looked for again."""
+        if self.track.turn_to(branch, self.session.fork):
+            self._looked_at = ()
 
     def snapshot_of(self, frame: Frame | None) -> Snapshot:
         """Return what there is to see of the session now."""
@@ -394,7 +400,7 @@ class SharedSession:
         state_view = session.state_view(*names)
         latest = session.latest
         values = dict(zip(names, state_view.values, strict=True))
-        self.track.turn_to(branch, session.fork)
+        self._turn_to(branch)
         is_known = branch == session.branch
         if is_known:  # what was read is of this branch
             self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
@@ -484,6 +490,19 @@ class SharedSession:
         ticks = [min(first + (row + 1) * every - 1, last) for row in range(len(flat) // width)]
         return every, ticks, [flat[index::width] for index in range(width)]
 
+    def _outline(
+        self, session: Session, first: int, end: int
+    ) -> tuple[list[int], list[list[float | None]]]:
+        """Return ticks that show the path of a stretch of the past, and the columns after them."""
+        names, paths = self.track.shown.signals, self._drawn_signals
+        if not names:
+            return [], []
+        followed = [name for name in names if name in paths]
+        asked = [*followed, *(name for name in names if name not in paths)]
+        ticks, cells = session.outline(first, end, asked, len(followed), 2 * SCOPE_ROWS)
+        columns = dict(zip(asked, cells, strict=True))
+        return ticks, [[view.rounded(cell) for cell in columns[name]] for name in names]
+
     def _look_back(self, session: Session) -> None:
         """Take lists, curves, marks and blocks from the past, unless they are there already.
 
@@ -498,7 +517,7 @@ class SharedSession:
         if key == self._looked_at or end == 0:
             return
         first = max(0, end - SCOPE_TICKS)
-        _, ticks, columns = self._past(session, first, end)
+        ticks, columns = self._outline(session, first, end)
         rows = zip(*columns, strict=True) if columns else ((),) * len(ticks)
         events, left_out = session.events(first, end)
         with self.lock:

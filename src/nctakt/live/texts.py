@@ -137,7 +137,10 @@ WORDS: dict[str, tuple[str, str]] = {
     "no_messages": ("No messages.", "Keine Meldungen."),
     "no_events": ("No events.", "Keine Ereignisse."),
     "begins": ("events before tick {tick} left out", "Ereignisse vor Takt {tick} ausgelassen"),
-    "left_out": ("{count} older events left out", "{count} ältere Ereignisse ausgelassen"),
+    "left_out": ("{count} older ones left out", "{count} ältere ausgelassen"),
+    "older_left_out": ("older ones left out", "ältere ausgelassen"),
+    "not_searched": ("{count} older ones not searched", "{count} ältere nicht durchsucht"),
+    "further": ("{count} further ones", "{count} weitere"),
     "ask_why": (
         "Click the mark beside a condition (or press F8 in its line) to see why it is so.",
         "Auf den Text neben einer Bedingung klicken (oder F8 in ihrer Zeile): hier steht, warum.",

@@ -18,7 +18,7 @@ from nctakt.live.conditions import Condition
 from nctakt.trace.events import Event
 
 #: Entries that are kept: of rows, of marks, of blocks, of samples of the lanes.
-MAX_ROWS, MAX_MARKS, MAX_BLOCKS, MAX_SAMPLES = 2000, 2000, 20_000, 5000
+MAX_ROWS, MAX_MARKS, MAX_BLOCKS, MAX_SAMPLES = 3000, 2000, 20_000, 5000
 
 #: An entry: a tick, and what belongs to it.
 Entry = tuple[Any, ...]
@@ -126,16 +126,18 @@ class Track:
         for part in self.parts.values():
             part.replace(())
 
-    def turn_to(self, branch: int, fork: Callable[[int, int], int]) -> None:
+    def turn_to(self, branch: int, fork: Callable[[int, int], int]) -> bool:
         """Be of a branch from now on, and forget what the one before does not share with it.
 
-        ``fork``: the tick before which two branches are the same.
+        Return whether it was of another one. ``fork``: the tick before which two are the same.
         """
-        if branch != self._branch:
-            tick = fork(self._branch, branch)
-            self._branch = branch
-            for part in self.parts.values():
-                part.cut(tick)
+        if branch == self._branch:
+            return False
+        tick = fork(self._branch, branch)
+        self._branch = branch
+        for part in self.parts.values():
+            part.cut(tick)
+        return True
 
     def note(self, events: Sequence[Event], channel: int, file: str) -> None:
         """Add the marks and blocks of events that are newer than those there."""

@@ -10,8 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Literal
 
+import numpy as np
+
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.session.outline import outlined
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.stops import StopAt
 from nctakt.trace.events import Event
@@ -19,7 +22,7 @@ from nctakt.trace.events import Event
 #: Ticks that a copy runs ahead at most.
 MAX_AHEAD = 500_000
 
-#: Rows and events that are kept; beyond as many rows every second one is left out.
+#: Rows and events that are kept; of more rows the half that shows best where the signals go.
 MAX_POINTS, MAX_EVENTS = 4000, 2000
 
 #: Rows between two looks whether the run is over or waits.
@@ -49,24 +52,21 @@ UNKNOWN = Future((), (), (), "unknown")
 
 def run_ahead(engine: RemoteEngine, signals: Sequence[str]) -> Iterator[Future]:
     """Run a copy ahead; what is known of the future grows with each item. Closes the copy."""
-    ticks: list[int] = []
-    rows: list[tuple[float, ...]] = []
+    width = len(signals)
+    rows = np.empty((0, width + 1))  # the tick, and the signals after it
     events: list[Event] = []
     errors: list[Diagnostic] = []
-    first, every, width = engine.tick, 1, len(signals)
+    first, every = engine.tick, 1
     try:
         while True:
-            begin = engine.tick
-            end = min(begin + every * _PART, first + MAX_AHEAD)
-            cells = memoryview(engine.ask("look", end, list(signals), every)).cast("d").tolist()
+            end = min(engine.tick + every * _PART, first + MAX_AHEAD)
+            data = engine.ask("outline", end, list(signals), width, _PART)
             done = engine.run(end, (_BLOCK,), rests=True)
-            last = done.tick - 1
-            for row in range(len(cells) // width):
-                ticks.append(min(begin + (row + 1) * every - 1, last))
-                rows.append(tuple(cells[row * width : (row + 1) * width]))
+            rows = np.concatenate((rows, np.frombuffer(data).reshape(-1, width + 1)))
             events = [*events, *done.events][:MAX_EVENTS]
-            while len(rows) > MAX_POINTS:
-                ticks, rows, every = ticks[1::2], rows[1::2], 2 * every
+            if len(rows) > MAX_POINTS:
+                kept = outlined(rows[:, 0].astype(np.int64), rows[:, 1:], MAX_POINTS // 2)
+                rows, every = rows[kept], 2 * every
             reason: Literal["over", "wait", "later"] = "later"
             if done.run_state is not None:
                 reason = "over"
@@ -74,8 +74,9 @@ def run_ahead(engine: RemoteEngine, signals: Sequence[str]) -> Iterator[Future]:
                 reason = "wait"
             errors += [one for one in done.diagnostics if one.severity is Severity.ERROR]
             causes = tuple(done.diagnostics if reason == "wait" else errors)
-            columns = tuple(zip(*rows, strict=True)) if rows else ((),) * width
-            yield Future(tuple(ticks), columns, tuple(events), reason, causes)
+            ticks, *columns = (tuple(column) for column in rows.T.tolist())
+            known = tuple(int(tick) for tick in ticks)
+            yield Future(known, tuple(columns), tuple(events), reason, causes)
             if reason != "later" or done.tick >= first + MAX_AHEAD:
                 return
     finally:

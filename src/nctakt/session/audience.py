@@ -83,6 +83,10 @@ class Subscribers:
         if done.run_state is not None:
             self.tell("ended", done.run_state)
 
+    def give_rest(self) -> None:
+        """Hand out what waits for the next frames of listeners: the session stands now."""
+        self._give([one for one in self._listeners if self._pending[id(one)]], None)
+
     def _give(self, listeners: Sequence[Listener], speed: float | None) -> None:
         """Give these listeners their frames; the signals of all are read at once."""
         names = list(dict.fromkeys(name for one in listeners for name in one.signals))

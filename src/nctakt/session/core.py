@@ -331,6 +331,24 @@ class SessionCore:
             engine.close()
         return every, memoryview(data).cast("d")
 
+    def outline(
+        self, first: int, end: int, signals: Sequence[str], followed: int, count: int
+    ) -> tuple[list[int], list[list[float]]]:
+        """Return some ticks from ``first`` up to ``end``, and signals after them, by columns.
+
+        At most ``count`` ticks: those that show best where the first ``followed`` signals go.
+        """
+        end = min(end, self.branch.latest)
+        engine = self.timeline.trial(min(max(0, first), end))
+        try:
+            data = engine.ask("outline", end, list(signals), followed, count)
+            self.timeline.confirm(engine, end)
+        finally:
+            engine.close()
+        rows = memoryview(data).cast("d").tolist()
+        ticks, *columns = (rows[cell :: len(signals) + 1] for cell in range(len(signals) + 1))
+        return [int(tick) for tick in ticks], columns
+
     def ahead(self) -> RemoteEngine | None:
         """Return a copy that can run ahead, or ``None`` if the future cannot be predicted."""
         return self.timeline.ahead()

@@ -16,6 +16,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from nctakt.base.dataclass import dataclass, field, write_initialisers
 from nctakt.base.diagnostics import Diagnostic, Span, Text
 from nctakt.base.failure import Failure
@@ -48,6 +50,7 @@ from nctakt.session.decoders import DecoderState, decoder_state
 from nctakt.session.history.columns import MAX_SIGNALS, Extent, Necessary, extent_end
 from nctakt.session.history.evidence import necessary
 from nctakt.session.history.trail import Mark, Trail, now_us
+from nctakt.session.outline import outlined
 from nctakt.session.rest import LOOK_TICKS, PAUSED, rest
 from nctakt.session.schedules import EngineSchedule
 from nctakt.session.setup import Description, Inventory, Setup
@@ -55,6 +58,9 @@ from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
 from nctakt.session.tick_log import MAX_EVENTS, SignalRows, TickLog
 from nctakt.trace.events import Event
+
+#: Ticks whose rows are held at once where only some of them are kept.
+OUTLINED_AT = 20_000
 
 #: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.
 Found = tuple[int, int, tuple[Mark, ...]]
@@ -735,6 +741,23 @@ class Engine:
         self._loop.recording.add(collector)
         self._run.advance(end)
         self._loop.recording.remove(collector)
+        return bytes(found)
+
+    def outline(self, end: int, signals: Sequence[str], followed: int, count: int) -> bytes:
+        """Run up to tick ``end``; return the signals after ``count`` ticks at most.
+
+        Rows of float64: the tick, a cell for each signal. The first ``followed`` of these are near
+        a straight line between two rows, as far as so few rows can show where they go.
+        """
+        first, found = self.tick, bytearray()
+        while self._run.state is None and self.tick < end:
+            begin = self.tick
+            data = self.look(min(end, begin + OUTLINED_AT), signals, 1)
+            rows = np.frombuffer(data).reshape(-1, len(signals))
+            ticks = np.arange(begin, begin + len(rows))
+            share = max(1, count * len(rows) // (end - first))
+            kept = outlined(ticks, rows[:, :followed], share)
+            found += np.column_stack((ticks[kept], rows[kept])).tobytes()
         return bytes(found)
 
     # --- the end --------------------------------------------------------------------------------

@@ -443,7 +443,10 @@ class Session:
 
     def _pause(self) -> StepResult:
         clock, self._thread.clock = self._thread.clock, None
-        return self._core.latest if clock is None else self._core.with_events()
+        if clock is None:
+            return self._core.latest
+        self._audience.give_rest()
+        return self._core.with_events()
 
     @property
     def speed(self) -> float | None:
@@ -604,6 +607,16 @@ class Session:
         distance comes with them. The session stays where it is.
         """
         return self._ask(self._core.look, first, end, signals, rows)
+
+    def outline(
+        self, first: int, end: int, signals: Sequence[str], followed: int, count: int
+    ) -> tuple[list[int], list[list[float]]]:
+        """Return some ticks from ``first`` up to ``end``, and signals after them, by columns.
+
+        At most ``count`` ticks: those that show best where the first ``followed`` signals go. The
+        session stays where it is.
+        """
+        return self._ask(self._core.outline, first, end, signals, followed, count)
 
     def inventory(self) -> Inventory:
         """Return the variables of the machine, and the realtime cycles of its programs."""

@@ -23,6 +23,7 @@ from nctakt.live.parts.explaining import Moment
 from nctakt.live.parts.naming import card, explained, named
 from nctakt.live.parts.program_card import ProgramCard
 from nctakt.live.plc_view import places_in
+from nctakt.live.run_log import MAX_LOG
 from nctakt.live.view import LogRow
 
 NAMES = ("findings", "messages", "events", "why", "stops", "branches")
@@ -120,22 +121,40 @@ class Lists:
         if shared.snapshot.is_playing and time.monotonic() < self._due_s:
             return
         self._due_s = time.monotonic() + _DISTANCE_S
-        messages = [view.message_row(one) for one in log.messages[-_MAX_SHOWN:]]
-        self._show_rows("messages", messages[::-1])
-        searched = (self._search.value or "").casefold()
-        file, plc = program.document.file, shared.session.description.plc_texts
-        rows = (view.event_row(one, language, file, plc) for one in log.events)
-        events = [row for row in rows if searched in row.text.casefold()][-_MAX_SHOWN:]
-        if log.begin:
-            events.insert(0, LogRow("note", 0, self._texts["begins"].format(tick=log.begin)))
-        elif log.left_out:
-            events.insert(0, LogRow("note", 0, self._texts["left_out"].format(count=log.left_out)))
-        self._show_rows("events", events[::-1])
+        if self._tabs.value == "messages":
+            messages = [view.message_row(one) for one in log.messages]
+            self._show_rows("messages", self._newest(messages, len(messages) == MAX_LOG))
+        elif self._tabs.value == "events":
+            searched = (self._search.value or "").casefold()
+            file, plc = program.document.file, shared.session.description.plc_texts
+            rows = [view.event_row(one, language, file, plc) for one in log.events]
+            found = [row for row in rows if searched in row.text.casefold()]
+            note = self._texts["begins"].format(tick=log.begin) if log.begin else ""
+            if searched and log.left_out:
+                note = self._texts["not_searched"].format(count=log.left_out)
+            is_partial = log.lacks_some or log.begin > 0
+            self._show_rows("events", self._newest(found, is_partial, log.left_out, note))
         self.show_findings(program)
         self._show_stops()
         self._renew_why()
         if self._tabs.value == "branches":
             self._branches.show()
+
+    def _newest(
+        self, rows: Sequence[LogRow], is_partial: bool, left_out: int = 0, note: str = ""
+    ) -> list[LogRow]:
+        """Return the newest rows, the last one first, and then that older ones are not shown.
+
+        ``is_partial``: nobody knows how many there are. ``note``: what is said if all of the rows
+        are shown, nevertheless not all that there are.
+        """
+        shown = list(rows[-_MAX_SHOWN:])[::-1]
+        count = len(rows) - len(shown)
+        if is_partial and (count or (left_out and not note)):
+            note = self._texts["older_left_out"]
+        elif count or (left_out and not note):
+            note = self._texts["left_out"].format(count=count + left_out)
+        return [*shown, LogRow("note", 0, note)] if note else shown
 
     def show_findings(self, program: ProgramCard) -> None:
         """Show findings of the texts, and those of the run, but not in a text that is changed."""
@@ -147,10 +166,12 @@ class Lists:
         rows = view.finding_rows(
             list(found.values()), program.document.file, self._texts.language, plc
         )
-        self._show_rows("findings", rows)
+        count = max(0, len(rows) - _MAX_SHOWN)
+        note = [LogRow("note", 0, self._texts["further"].format(count=count))] if count else []
+        self._show_rows("findings", [*rows[:_MAX_SHOWN], *note])
 
     def _show_rows(self, name: str, rows: Sequence[LogRow]) -> None:
-        shown = tuple(rows[: _MAX_SHOWN + 1])
+        shown = tuple(rows)
         if self._shown.get(name) == shown or self._tabs.value != name:
             return
         self._shown[name] = shown

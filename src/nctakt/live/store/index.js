@@ -2,7 +2,7 @@
 // What a browser knows of the session: curves, marks, blocks, the cursor. Scope, path and editor
 // share it; the server adds to it (track.py).
 
-const MAX_POINTS = 2000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 5000;
+const MAX_POINTS = 3000, MAX_MARKS = 2000, MAX_BLOCKS = 20000, MAX_SAMPLES = 5000;
 
 export const run = {
   names: [], units: [], booleans: [], hidden: 0, now: [], ticks: [], columns: [], marks: [], blocks: [],

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: MIT
+"""Which of many rows show where something goes: some at even distances, others where it bends.
+
+In: rows, a column for each thing that is followed. Out: the places of those that are kept. Between
+two of them it goes in a straight line and at one speed, nearly.
+"""
+
+from __future__ import annotations
+
+import heapq
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: How far from a straight line a row may be left out, as a share of all the way.
+TOLERANCE = 1e-5
+
+#: What is between two kept rows: how far the farthest row is away (negative), its place, the ends.
+_Gap = tuple[float, int, int, int]
+
+
+def outlined(ticks: NDArray[np.int64], rows: NDArray[np.float64], count: int) -> NDArray[np.int64]:
+    """Return the places of ``count`` rows at most, in their order, first and last among them.
+
+    Half of them are at even distances; the others are those that are farthest from where they
+    would be in between. ``ticks``: those of the rows.
+    """
+    if len(rows) <= count or count < 4:
+        return _evenly(len(rows), max(1, -(-len(rows) // max(count, 1))))
+    found = [0, *_evenly(len(rows), -(-2 * len(rows) // count)).tolist()]
+    finite = np.where(np.isfinite(rows), rows, 0.0)
+    least = TOLERANCE * float(np.max(np.ptp(finite, axis=0), initial=0.0))
+    gaps = [_farthest(ticks, finite, begin, end) for begin, end in pairwise(found)]
+    heapq.heapify(gaps)
+    while len(found) < count and -gaps[0][0] > least:
+        _, place, begin, end = heapq.heappop(gaps)
+        found.append(place)
+        heapq.heappush(gaps, _farthest(ticks, finite, begin, place))
+        heapq.heappush(gaps, _farthest(ticks, finite, place, end))
+    return np.unique(np.array(found, np.int64))
+
+
+def _evenly(count: int, every: int) -> NDArray[np.int64]:
+    """Return each ``every``-th of some places, and the last one."""
+    return np.minimum(np.arange(every - 1, count + every - 1, every, dtype=np.int64), count - 1)
+
+
+def _farthest(ticks: NDArray[np.int64], rows: NDArray[np.float64], begin: int, end: int) -> _Gap:
+    """Return the row between two that is farthest from the line between them."""
+    if end - begin < 2:
+        return 0.0, begin, begin, end
+    first, last = rows[begin], rows[end]
+    share = (ticks[begin + 1 : end] - ticks[begin]) / (ticks[end] - ticks[begin])
+    away = rows[begin + 1 : end] - first - share[:, np.newaxis] * (last - first)
+    squares = np.einsum("ij,ij->i", away, away)
+    place = int(squares.argmax())
+    return -(float(squares[place]) ** 0.5), begin + 1 + place, begin, end

@@ -70,6 +70,10 @@ READ = """async () => {
   };
 }"""
 
+#: Whether it plays, or has found that the run is over.
+_HAS_BEGUN = """(before) => document.querySelector("[data-testid=clock]").textContent !== before
+  || document.querySelector("[data-testid=state]").textContent.startsWith("ended")"""
+
 _BAR = """() => ["clock", "state"]
   .map((name) => document.querySelector(`[data-testid=${name}]`).textContent)"""
 
@@ -407,10 +411,7 @@ def act(page: Any, session: Session, choice: random.Random) -> tuple[str, tuple[
         case "play" if not session.is_over:
             before = page.get_by_test_id("clock").inner_text()
             page.keyboard.press("Space")
-            page.wait_for_function(
-                f"document.querySelector('[data-testid=clock]').textContent "
-                f"!== {json.dumps(before)}"
-            )
+            page.wait_for_function(_HAS_BEGUN, arg=before)
             page.wait_for_timeout(choice.randrange(400))
             page.get_by_test_id("toggle").click()
             return kind, None

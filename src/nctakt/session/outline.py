@@ -30,14 +30,14 @@ def outlined(ticks: NDArray[np.int64], rows: NDArray[np.float64], count: int) ->
         return _evenly(len(rows), max(1, -(-len(rows) // max(count, 1))))
     found = [0, *_evenly(len(rows), -(-2 * len(rows) // count)).tolist()]
     finite = np.where(np.isfinite(rows), rows, 0.0)
-    least = TOLERANCE * float(np.max(np.ptp(finite, axis=0), initial=0.0))
+    tolerance = TOLERANCE * float(np.max(np.ptp(finite, axis=0), initial=0.0))
     gaps = [_farthest(ticks, finite, begin, end) for begin, end in pairwise(found)]
     heapq.heapify(gaps)
-    while len(found) < count and -gaps[0][0] > least:
-        _, place, begin, end = heapq.heappop(gaps)
-        found.append(place)
-        heapq.heappush(gaps, _farthest(ticks, finite, begin, place))
-        heapq.heappush(gaps, _farthest(ticks, finite, place, end))
+    while len(found) < count and -gaps[0][0] > tolerance:
+        _, farthest, begin, end = heapq.heappop(gaps)
+        found.append(farthest)
+        heapq.heappush(gaps, _farthest(ticks, finite, begin, farthest))
+        heapq.heappush(gaps, _farthest(ticks, finite, farthest, end))
     return np.unique(np.array(found, np.int64))
 
 
@@ -54,5 +54,5 @@ def _farthest(ticks: NDArray[np.int64], rows: NDArray[np.float64], begin: int, e
     share = (ticks[begin + 1 : end] - ticks[begin]) / (ticks[end] - ticks[begin])
     away = rows[begin + 1 : end] - first - share[:, np.newaxis] * (last - first)
     squares = np.einsum("ij,ij->i", away, away)
-    place = int(squares.argmax())
-    return -(float(squares[place]) ** 0.5), begin + 1 + place, begin, end
+    index = int(squares.argmax())
+    return -(float(squares[index]) ** 0.5), begin + 1 + index, begin, end

@@ -96,7 +96,7 @@ def walk(browser: Any, path: Path, seed: int) -> None:
         page = opened(browser, address)
         page.get_by_test_id("speed").click()
         page.get_by_role("option", name="max").click()
-        page.keyboard.press("Escape")
+        page.evaluate("document.activeElement.blur()")
         page.keyboard.press("3")
         beside, seen = Beside(session, str(path), text.split("\n")), []
         done: list[tuple[str, tuple[int, int] | None]] = []

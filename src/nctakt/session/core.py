@@ -7,6 +7,7 @@ In: commands such as step, run, back, post. Out: slices, values. A session is be
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import cast
@@ -345,7 +346,7 @@ class SessionCore:
             self.timeline.confirm(engine, end)
         finally:
             engine.close()
-        rows = memoryview(data).cast("d").tolist()
+        rows = array("d", data).tolist()
         ticks, *columns = (rows[cell :: len(signals) + 1] for cell in range(len(signals) + 1))
         return [int(tick) for tick in ticks], columns
 

@@ -133,10 +133,10 @@ def test_at_or_below_0_the_header_alone_is_left(limit: int) -> None:
 
 
 def test_the_note_says_what_the_manuals_says() -> None:
-    """Manual 5: messages may be missing, and the documentation tells how to influence that."""
+    """Manual 5: messages may be missing, and the documentation says how to influence that."""
     english, german = (" ".join(manual_example().render(3, one).split()) for one in ("en", "de"))
     assert "Note: Messages may be hidden here. The documentation of the realtime" in english
-    assert "tells how to influence the diagnosis" in english
+    assert "how to influence the diagnosis" in english
     assert "Hinweis: Hier koennen Nachrichten ausgeblendet sein." in german
     assert (
         "Die Dokumentation der Echtzeit-Zyklen sagt, wie sich die Diagnose beeinflussen" in german

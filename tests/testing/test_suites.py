@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -13,8 +12,8 @@ from xml.etree import ElementTree
 import pytest
 from support.plc_text import pou_file
 
+from nctakt.base.python_process import python_command, python_environment
 from nctakt.cli import main
-from nctakt.testing.suites import SuiteFile, SuiteRunResult
 
 pytestmark = pytest.mark.slow
 
@@ -32,6 +31,17 @@ PROGRAM MAIN VAR fbSuite : FB_Suite; END_VAR TcUnit.RUN(); END_PROGRAM
 """
 #: pytest-asyncio warns without its configuration; no file is left behind.
 WORDS = ("--", "-p", "no:asyncio", "-p", "no:cacheprovider")
+
+#: A conftest that notes which process has run which file.
+NOTED = """\
+from pathlib import Path
+from nctakt.testing.suites import SuiteFile
+run = SuiteFile.run
+def noted(file):
+    Path(f"{os.getpid()}.{file.path.name}.note").touch()
+    return run(file)
+SuiteFile.run = noted
+"""
 
 
 @pytest.fixture
@@ -255,31 +265,31 @@ def test_suites_speak_german(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     assert "abgeschaltet" in out
 
 
-def test_suites_of_several_files_run_at_the_same_time(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_suites_of_several_files_run_at_the_same_time(tmp_path: Path) -> None:
     """``-j``: each file in a copy of the process; results and coverage are the same."""
     (tmp_path / "pytest.ini").write_text("[pytest]\n", "utf-8")
-    monkeypatch.chdir(tmp_path)
+    (tmp_path / "conftest.py").write_text(NOTED, "utf-8")
     for name in ("first", "second"):
         (tmp_path / f"{name}.st").write_text(SUITES, "utf-8")
-    found = []
-    run = SuiteFile.run
-
-    def noted(file: SuiteFile) -> SuiteRunResult:
-        (tmp_path / f"{os.getpid()}.{file.path.name}").touch()
-        return run(file)
-
-    monkeypatch.setattr(SuiteFile, "run", noted)
+    found, makers = [], []
     for count in ("1", "2"):
+        # a process of its own: a thread of another test would keep this one from copying itself
         words = ["test", ".", "-j", count, "--junit", f"{count}.xml", *WORDS, "-q"]
-        assert main([*words, "--nctakt-coverage-file", f"{count}.json"]) == 1
-        shown = capsys.readouterr().out
-        assert "2 failed, 4 passed, 4 skipped" in shown
-        cases = ElementTree.parse(f"{count}.xml").iter("testcase")
+        command = [*python_command("nctakt", *words), "--nctakt-coverage-file", f"{count}.json"]
+        environment = python_environment()
+        done = subprocess.run(
+            command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+        )
+        assert done.returncode == 1
+        assert "2 failed, 4 passed, 4 skipped" in done.stdout
+        cases = ElementTree.parse(tmp_path / f"{count}.xml").iter("testcase")
         found.append([(*sorted(one.attrib.items()), *(part.text for part in one)) for one in cases])
+        notes = list(tmp_path.glob("*.note"))
+        makers.append(len({one.name.partition(".")[0] for one in notes}))
+        assert len(notes) == 2
+        for note in notes:
+            note.unlink()
+    assert makers == [1, 2]
     assert found[0] == found[1]
-    own = [one.name for one in tmp_path.glob("*.*.st") if one.name.startswith(f"{os.getpid()}.")]
-    assert (len(own), len(list(tmp_path.glob("*.*.st")))) == (2, 4)
-    counted = [Path(f"{count}.json").read_text("utf-8") for count in ("1", "2")]
+    counted = [(tmp_path / f"{count}.json").read_text("utf-8") for count in ("1", "2")]
     assert counted[0] == counted[1]

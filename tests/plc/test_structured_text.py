@@ -323,6 +323,76 @@ def test_several_plcs_run_in_one_tick(tmp_path: Path) -> None:
     assert python.seen == 1
 
 
+#: A block whose interface is here, and which a PLC in Python carries out.
+STUB = """
+FUNCTION_BLOCK FB_Sdo
+VAR_INPUT bExecute : BOOL; nIndex : UINT; END_VAR
+VAR_OUTPUT bDone : BOOL; nData : UDINT; sText : STRING(9); END_VAR
+END_FUNCTION_BLOCK
+PROGRAM MAIN
+VAR fbSdo : FB_Sdo; nGot : UDINT; n : INT; END_VAR
+n := n + 1;
+fbSdo(bExecute := n >= 3, nIndex := 16#1018);
+IF fbSdo.bDone THEN nGot := fbSdo.nData; END_IF
+END_PROGRAM
+"""
+
+
+class _Sdo(Plc):
+    """Answers the block in the tick in which it is asked."""
+
+    def cycle(self, hli: PlcView) -> None:
+        if hli.read("MAIN.fbSdo.bExecute") and not hli.read("MAIN.fbSdo.bDone"):
+            assert hli.read("MAIN.fbSdo.nIndex") == 0x1018
+            hli.write("MAIN.fbSdo.nData", 42)
+            hli.write("MAIN.fbSdo.sText", "ok")
+            hli.write("MAIN.fbSdo.bDone", True)
+
+
+def test_a_plc_in_python_carries_out_a_block(tmp_path: Path) -> None:
+    """ST-803: it reads after cycle 2 that the block is asked; cycle 3 has what it has written.
+
+    The tape has what it wrote, and gives the same run without it.
+    """
+    plc, noted = loaded(tmp_path, STUB), list[object]()
+    nc, signals = NcText("part.nc", "N10 G04 1\nM30"), ["MAIN.nGot", "MAIN.fbSdo.bDone"]
+    run = Controller().run(
+        nc, plc=PlcGroup([plc, _Sdo()]), ticks=6, signals=signals, record=noted.extend
+    )
+    assert [int(value) for value in run.trace["MAIN.fbSdo.bDone"]] == [0, 0, 0, 1, 1, 1]
+    assert [int(value) for value in run.trace["MAIN.nGot"]] == [0, 0, 0, 42, 42, 42]
+    assert plc.read("MAIN.fbSdo.sText") == "ok"
+    inputs = tuple(unpack(noted))
+    assert [(one.tick, one.values[0]) for one in inputs] == [
+        (3, f"MAIN.fbSdo.{name}") for name in ("nData", "sText", "bDone")
+    ]
+    tape = Tape({}, {}, False, inputs, {}, 6, "", {})
+    again = Controller().run(nc, plc=loaded(tmp_path, STUB), ticks=6, signals=signals, replay=tape)
+    assert all((again.trace[name] == run.trace[name]).all() for name in signals)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "number"),
+    [
+        ("MAIN.fbSdo.nData", -1, "902262"),
+        ("MAIN.fbSdo.nData", "ok", "902262"),
+        ("MAIN.fbSdo.nDat", 1, "900541"),
+        ("MAIN.fbSdo", 1, "902262"),
+    ],
+)
+def test_a_plc_in_python_writes_what_a_variable_can_hold(
+    name: str, value: float | str, number: str, tmp_path: Path
+) -> None:
+    """A wrong name or value is an error of the PLC, with its number."""
+
+    class Wrong(Plc):
+        def cycle(self, hli: PlcView) -> None:
+            hli.write(name, value)
+
+    with pytest.raises(Failure, match=number):
+        run_nc(PlcGroup([loaded(tmp_path, STUB), Wrong()]), "N10 G04 1\nM30", 3, [])
+
+
 ADDRESSES = """
 TYPE E_Gate : (Closed, Opening, Open := 10); END_TYPE
 PROGRAM MAIN

@@ -105,7 +105,8 @@ class VariableAccess:
 
     def _nearest_named(self, name: str) -> str:
         """Return the variable of a PLC that a name is meant for, else an empty text."""
-        return nearest(name, () if self.named is None else self.named.names(are_numbers=False))
+        names = () if self.named is None else self.named.names(are_numbers=False)
+        return nearest(name, (other for other in names if other != name))
 
     def _find_panel(self, name: str) -> PanelValue | None:
         """Return the operator's value of this name; ``None`` for a variable."""

@@ -310,12 +310,28 @@ class PlcView(OperatorPanel):
                 self.acknowledge(entry)
 
     def read(self, name: str) -> float | bool | str:
-        """Return a V. variable after this tick; raises ``Failure`` for V.CH (RC-309)."""
+        """Return a V. variable, or one of a PLC in Structured Text, after this tick.
+
+        Raises ``Failure`` for V.CH (RC-309).
+        """
+        if name not in self._bound and self._is_structured(name):
+            return self._machine.access.read(name)
         return (self._bound.get(name) or self.variable(name)).value
 
     def write(self, name: str, value: float | bool | str) -> None:
-        """Write a V.E variable; raises ``Failure`` for a wrong name or value."""
+        """Write a V.E variable, or one of a PLC in Structured Text from its next cycle on.
+
+        Raises ``Failure`` for a wrong name or value.
+        """
+        if name not in self._bound and self._is_structured(name):
+            self._machine.access.write(name, value, PLC)
+            return
         (self._bound.get(name) or self.variable(name)).write(value, PLC)
+
+    def _is_structured(self, name: str) -> bool:
+        """Return whether a name is a variable of a PLC in Structured Text that runs beside."""
+        named = self._machine.access.named
+        return named is not None and isinstance(name, str) and named.knows(name)
 
     def __getitem__(self, path: str) -> float | bool | str:
         """Return an element of the interface by the controller's path; raises ``Failure``.

@@ -34,6 +34,7 @@ WORDS = ("--", "-p", "no:asyncio", "-p", "no:cacheprovider")
 
 #: A conftest that notes which process has run which file.
 NOTED = """\
+import os
 from pathlib import Path
 from nctakt.testing.suites import SuiteFile
 run = SuiteFile.run

@@ -107,12 +107,14 @@ def test_axe_finds_nothing_in_colours_filter_and_path(
             expect(page.locator(f".nc-t-{kind}").first).to_be_visible()
         expect(page.get_by_test_id("machine-axes")).to_be_visible()
         page.keyboard.press("f")
+        page.wait_for_function("document.activeElement.matches('input')")
         page.keyboard.type("#1")
         expect(page.get_by_test_id("lanes-fitting")).to_have_text("2/2")
         assert serious(page, axe) == []
         page.emulate_media(color_scheme="dark")
         expect(page.locator("body.body--dark")).to_have_count(1)
         expect(page.locator(".cm-editor")).to_have_css("background-color", "rgb(29, 33, 38)")
+        page.wait_for_function("document.getAnimations().length === 0")  # colours change slowly
         assert serious(page, axe) == []
         page.close()
 

@@ -8,6 +8,7 @@ a text that is no file has a number instead, by which the client asks for it.
 from __future__ import annotations
 
 import os
+import stat
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import zip_longest
 from pathlib import Path
@@ -33,7 +34,7 @@ class Sources:
     def newly_changed(self) -> Iterator[Span]:
         """Yield the first line that differs in each file that has changed since the last look.
 
-        Of a long file the first look tells nothing: it would read all of it.
+        A long file is not read at the first look.
         """
         for name, path in self._paths.items():
             state = _state(path)
@@ -93,12 +94,14 @@ class Sources:
 
 
 def _state(path: str | None) -> tuple[int, int] | None:
-    """Return time and length of a file; ``None`` without one."""
+    """Return time and length of a regular file; ``None`` for anything else, which may never end."""
     try:
         state = None if path is None else Path(path).stat()
     except OSError:
         return None
-    return None if state is None else (state.st_mtime_ns, state.st_size)
+    if state is None or not stat.S_ISREG(state.st_mode):
+        return None
+    return state.st_mtime_ns, state.st_size
 
 
 def _real_path(name: str) -> str | None:

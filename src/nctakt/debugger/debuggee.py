@@ -389,7 +389,7 @@ class Debuggee:
         self._tell("stopped", body)
 
     def tell_changed_files(self) -> None:
-        """Tell of files that are not any more as they were when the run began."""
+        """Report files that have changed since the run began."""
         changed = self.sources.newly_changed()
         self.report.diagnostics(
             [diagnostic(FILE_CHANGED_IN_RUN, span, file=Path(span.file).name) for span in changed]

@@ -103,7 +103,7 @@ def rename_part(
 def _renamed(
     names: ProjectNames, document: Document, found: Occurrence, new: str, programs: Programs
 ) -> WorkspaceEdit:
-    """Return the edits that rename what stands at one of its places."""
+    """Return the edits that rename a variable or type, given one of its places."""
     new = new.strip()
     places = list(names.all_of(found.target, found.name))
     check_fixed(names, found, places)

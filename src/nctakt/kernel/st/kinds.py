@@ -54,7 +54,7 @@ TIME_OF_DAY, DATE, DATE_AND_TIME = range(3)
 #: Faults at run time (ST-560).
 DIVISION = 902265
 INDEX = 902266
-#: What the lowest index is multiplied by where it stands in one number with the count.
+#: A fault of an index packs the bounds of the array: the lowest index times this, plus the count.
 BOUND = 1 << 32
 PLACE = 902267
 STACK = 902268

@@ -23,7 +23,7 @@ RUNNING_UNCOMPILED = note(
 )
 RECORDING_WITHOUT_TRACE = error(
     900817,
-    en="{option} selects signals to record, but there is no trace",
+    en="{option} selects signals, but no trace is recorded",
     de="{option} wählt aus, was aufgezeichnet wird, aber es gibt keine Aufzeichnung",
     remedy_en="Name a file for the trace: --trace out.csv; --signals chooses for --plot, too.",
     remedy_de="Eine Datei für die Aufzeichnung angeben: --trace out.csv; --signals wählt auch für "

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Where the realtime part writes what others read: cells of the memory, words of the image.
+"""Where the realtime part publishes its values: cells of the memory, words of the image.
 
 The order is that of the tables that others read by, which a test compares with these names.
 ``cells.pxd`` has the same names as constants of C; ``scripts/constants`` writes it from this file.
@@ -122,7 +122,7 @@ UNIT_WIDTH = 12
 #: The identifier of a unit: who has commanded it.
 IDENTIFIER_PROGRAM, POS_RT = range(1, 3)
 
-#: The synchronisation type of what a realtime cycle commands: output, and no wait.
+#: The synchronisation type of functions from a realtime cycle: output, and no wait.
 MOS = 1
 
 #: The letters of a unit.

@@ -12,7 +12,7 @@ from __future__ import annotations
 (
     DONE,  # all ticks are done
     REFILL,  # the queue of a channel runs low
-    ANSWER,  # what a decoder waits for is there
+    ANSWER,  # the value that a decoder waits for is there
     PROGRAM_END,
     ERROR,
     FULL,  # the record has no room for another tick
@@ -37,13 +37,13 @@ from __future__ import annotations
 #: Scopes.
 BLOCK_SCOPE, PROG_SCOPE, GLOBAL_SCOPE = range(3)
 
-#: Blocks of BLOCK cycles that are none of the path: it is over by now; it waits.
+#: Blocks of BLOCK cycles that are not on the path: already over; still waiting.
 BLOCK_IS_OVER, WAITING_BLOCK = -1, -2
 
 #: Management commands (RC-111).
 CONTROL_START, CONTROL_HOLD, CONTROL_CONTINUE, CONTROL_ABORT, CONTROL_DELETE = range(1, 6)
 
-#: What a condition or a branch has come to.
+#: Results of a condition or a branch.
 (
     UNKNOWN,  # a condition that was not evaluated yet
     FALSE,
@@ -82,12 +82,12 @@ OFFSETS_BUT_TOOL = ALL_OFFSETS - (1 << TOOL_OFFSET)
 #: The override of independent motion (P-AXIS-00491).
 CHANNEL_OVERRIDE, LOWER_OVERRIDE, OWN_OVERRIDE = range(3)
 
-#: What an axis does in independent motion; from ``BRAKING`` on it has no target.
+#: States of an axis in independent motion; from ``BRAKING`` on it has no target.
 (
     IDLE,
     TO_POSITION,
     ENDLESS,
-    BY_DISTANCE,  # only as what waits: it begins as ``TO_POSITION``
+    BY_DISTANCE,  # only for a waiting motion: it begins as ``TO_POSITION``
     OSCILLATION,  # likewise
     BRAKING,
 ) = range(6)
@@ -101,7 +101,7 @@ FINISHES, RETURNS, HALTS = range(3)
 #: How a command of independent motion begins: instead of the present motion, after it.
 ABORTING, BUFFERED = range(2)
 
-#: Directions of independent motion: as now, or of modulo axes the shorter one.
+#: Directions of independent motion: as now, or on modulo axes the shorter one.
 NEGATIVE, PRESENT, POSITIVE, SHORTEST = range(-1, 3)
 
 #: PLCopen states.
@@ -146,7 +146,7 @@ HIGHEST_SPEED, CROSSING, MIN_BRAKING = range(3)
 SPINDLE_FORWARD, SPINDLE_BACKWARD, SPINDLE_STOP = range(3, 6)
 SPINDLE_POSITION = 19
 
-#: What a spindle does.
+#: States of a spindle.
 (
     STANDING,
     TURNING,
@@ -154,13 +154,13 @@ SPINDLE_POSITION = 19
     COUPLED,  # tapping: its angle is that of the path
 ) = range(4)
 
-#: What the threads of a path are at.
+#: States of the threads of a path.
 (
     WITHOUT_THREAD,
     WITH_TAP,  # the spindle follows the path
     THREAD_ENTRY,  # the path accelerates, from an angle of the spindle on
     THREAD_CUT,  # the path is where the angle of the spindle says
-    THREAD_EXIT,  # the path brakes, or goes on into the next thread
+    THREAD_EXIT,  # the path brakes, or continues into the next thread
 ) = range(5)
 
 # --- signals between channels ---------------------------------------------------------------------
@@ -173,19 +173,19 @@ SIGNAL_VALUES = 12
 MAX_SIGNAL_CHANNEL = 30
 #: Numbers of owners for the cycles of a channel, one for each slot; those of channel 1 from 1 on.
 CYCLE_OWNERS = 1024
-#: What an event of the axis exchange tells.
+#: Kinds of events of the axis exchange.
 AXIS_AWAITED, AXIS_TAKEN, AXIS_GIVEN = range(3)
 #: A signal that is never used up.
 ENDLESS_SIGNAL = -1
 
-#: Whether the signals are there that a channel waits for.
+#: Whether the signals that a channel waits for are there.
 (
     SIGNAL_ABSENT,
     SIGNAL_THERE,
-    SIGNAL_OVERTAKES,  # another one of the same sender has to be taken before
+    SIGNAL_OVERTAKES,  # another one of the same sender must be taken first
 ) = range(3)
 
-#: What a channel is at.
+#: States of a channel.
 (
     AT_REST,  # no program runs
     STUCK,  # its program waits for a signal, and nothing else moves it on
@@ -235,13 +235,13 @@ PLC_SILENT = 902320
 
 # --- tool life ------------------------------------------------------------------------------------
 
-#: What becomes of the tool life, in ``LIFE_ACTION``.
+#: Changes of the tool life, in ``LIFE_ACTION``.
 (
     LIFE_SENT,  # it is sent, and that of another tool begins
     LIFE_BEGUN,  # that of another tool begins
-    LIFE_READ,  # it is sent for a tool, and goes on
+    LIFE_READ,  # it is sent for a tool, and counting continues
     LIFE_REMOVED,  # it begins at 0
-    LIFE_DEFINED,  # it goes on from other values, below 0: from its own
+    LIFE_DEFINED,  # it continues from other values, below 0: from its present ones
     LIFE_FACTORS,  # other factors count from here on
 ) = range(6)
 

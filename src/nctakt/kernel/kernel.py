@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """All channels and axes in lockstep: ``run(n)`` (RC-001, RC-002).
 
-``run`` goes on without Python objects until n ticks are done or something of Python's is due; where
-it is cut never changes a result. What comes from outside is put into an image (``post``) that the
+``run`` works without Python objects until n ticks are done or Python has something to do; where it
+is interrupted never changes a result. Values from outside are put into an image (``post``) that the
 next tick latches at its start.
 """
 
@@ -26,7 +26,7 @@ from nctakt.kernel.tick.plc_calls import PlcCalls
 from nctakt.kernel.tick.signals import SignalBoard
 from nctakt.kernel.tick.stops import Stops
 
-#: Ticks of one call at most, far from what an integer of 64 bits cannot hold.
+#: Maximum number of ticks of one call, far below the limit of a 64-bit integer.
 MAX_TICKS = 1 << 60
 
 
@@ -102,8 +102,8 @@ class Kernel:
     """The realtime part of one machine.
 
     ``ends_deadlock``: ``run`` returns when each running program waits for another one's signal.
-    ``plc``: a PLC in Structured Text. ``calls``: what a PLC in Python waits for; ``is_plc_due``:
-    ``run`` has returned after a tick after which it is to be called.
+    ``plc``: a PLC in Structured Text. ``calls``: the conditions that a PLC in Python waits for;
+    ``is_plc_due``: ``run`` has returned because it is to be called.
     """
 
     def __init__(
@@ -191,7 +191,7 @@ class Kernel:
         return slot
 
     def present(self, cell: int) -> float:
-        """Value of a cell of the memory; one that is posted counts before it is latched."""
+        """Value of a cell of the memory; a posted value counts even before it is latched."""
         slot = self.slot_of(cell)
         return self.cells[cell] if slot < 0 else self.input_values[slot]
 
@@ -217,7 +217,7 @@ class Kernel:
             self.input_words[i] = word
 
     def latch_posted(self) -> None:
-        """Put what is posted into the memory."""
+        """Put the posted values into the memory."""
         for i in range(self.input_count):
             self.words[self.input_cells[i]] = self.input_words[i]
         self.input_count = 0
@@ -227,7 +227,7 @@ class Kernel:
     def run(self, ticks: int) -> int:
         """Run up to ``ticks`` ticks; return why it ended, ``codes.DONE`` after all of them.
 
-        ``is_stopped`` tells whether a stop has ended it before.
+        ``is_stopped``: whether a stop has ended it early.
         """
         ticks = min(ticks, MAX_TICKS)
         self.is_stopped = False
@@ -241,8 +241,8 @@ class Kernel:
     def run_calling(self, ticks: int, call: Callable[[Any], object], view: object) -> int:
         """Run ticks as ``run``, with this call after each of them.
 
-        After a tick that Python has to do something for it returns without the call:
-        ``is_plc_due``. What the call raises comes through.
+        After a tick in which Python has something to do, it returns without the call:
+        ``is_plc_due``. Exceptions of the call pass through.
         """
         end = self.tick + min(ticks, MAX_TICKS)
         self.is_stopped = False
@@ -320,7 +320,7 @@ class Kernel:
         self.tick += 1
 
     def lose_tick(self) -> int:
-        """Pass a tick without interpolation (P-RTCF-00011): only time goes on."""
+        """Pass a tick without interpolation (P-RTCF-00011): only time advances."""
         self.record.tick = self.tick
         if self.image.is_attached:
             self.image.publish(self.tick + 1)
@@ -336,7 +336,7 @@ class Kernel:
         self.record.event(rows.EVENT_OVERFLOW, 0, thread)
 
     def latch_inputs(self) -> None:
-        """Latch what another process has written, a PLC in the tick, then the posted values."""
+        """Latch values written by another process, by a PLC in the tick, then the posted values."""
         if self.image.is_attached:
             self.image.latch()
         self.plc.latch()

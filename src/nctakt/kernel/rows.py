@@ -14,7 +14,7 @@ from nctakt.kernel import codes
 
 # --- commands of the queue ------------------------------------------------------------------------
 
-#: The first columns of each command; what a kind needs comes from ``ARGUMENTS`` on.
+#: The first columns of each command; the arguments of its kind begin at ``ARGUMENTS``.
 (
     KIND,  # one of the kinds below
     SOURCE,  # where in the program's text it comes from, a number of ``base/source_ids.py``
@@ -23,7 +23,7 @@ from nctakt.kernel import codes
 ) = range(4)
 
 
-#: What a column of a command holds; ``tick/command_bounds.py`` has the bounds of each.
+#: Contents of a column of a command; ``tick/command_bounds.py`` has the bounds of each.
 (
     HOLDS_NUMBER,  # without bounds
     HOLDS_CELL,  # of the memory
@@ -40,11 +40,11 @@ from nctakt.kernel import codes
 
 
 class CommandRecord(NamedTuple):
-    """What the queue knows of a kind of command.
+    """Properties of a kind of command, for the queue.
 
-    ``columns``: what those of its arguments hold, from ``ARGUMENTS`` on. ``min_length``: that of
-    its row. ``is_timed``: it takes or may take time. ``is_transparent``: the path passes it between
-    two blocks without a stop.
+    ``columns``: the contents of its arguments' columns, from ``ARGUMENTS`` on. ``min_length``: that
+    of its row. ``is_timed``: it takes or may take time. ``is_transparent``: the path passes it
+    between two blocks without a stop.
     """
 
     columns: tuple[int, ...]
@@ -53,7 +53,7 @@ class CommandRecord(NamedTuple):
     is_transparent: bool
 
 
-#: What the queue knows of each kind.
+#: Properties of each kind, for the queue.
 COMMANDS: dict[int, CommandRecord] = {}
 
 
@@ -74,7 +74,7 @@ def _command(
 
 
 # Each kind of command with the columns of its arguments, 0 is none; new kinds come last. A column
-# that several kinds have is the same in all of them.
+# shared by several kinds has the same number in all of them.
 (SEGMENT,) = _command(timed=True, transparent=True)  # the path moves; its columns are below
 (
     DWELL,  # the path is at rest
@@ -145,7 +145,7 @@ def _command(
     GIVE_UP_MESSAGE,  # number of the message
 ) = _command(HOLDS_NUMBER, timed=True)
 (
-    USER_ERROR,  # #ERROR; its values follow as commands of their own
+    USER_ERROR,  # #ERROR; its values follow as separate commands
     ERROR_IDENTITY,
     ERROR_REACTION,  # RC
 ) = _command(HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
@@ -280,7 +280,7 @@ def _command(
 ) = _command(*4 * (HOLDS_NUMBER,), transparent=True)
 (
     MODAL_MARK,  # other functions are in force from here on
-    MODAL_NUMBER,  # of what is in force
+    MODAL_NUMBER,  # of the values in force
 ) = _command(HOLDS_NUMBER, transparent=True)
 (
     CUTTING_SPEED,  # G96, G97: the speed of a spindle follows an axis, or no longer
@@ -288,7 +288,7 @@ def _command(
     CUTTING_SURFACE,  # mm/s that the surface has at the tool; 0: off
     CUTTING_AXIS,  # the face axis
     CUTTING_CENTRE,  # mm: where that axis has the radius 0
-    CUTTING_LIMIT,  # highest speed, degrees/s; 0: none but that of the spindle
+    CUTTING_LIMIT,  # highest speed, degrees/s; 0: only that of the spindle
 ) = _command(HOLDS_SPINDLE, HOLDS_NUMBER, HOLDS_AXIS, HOLDS_NUMBER, HOLDS_NUMBER, transparent=True)
 (
     SPINDLE_LIMITS,  # a spindle gets those of its tool when it starts from standstill; 0: none
@@ -352,18 +352,18 @@ def _command(
     LIFE_DISTANCE,  # mm, or a factor
 ) = _command(*5 * (HOLDS_NUMBER,), transparent=True)
 (
-    MOVE_ALONE,  # an axis moves beside the path (INDP_SYN, INDP_ASYN)
+    MOVE_ALONE,  # an axis moves independently of the path (INDP_SYN, INDP_ASYN)
     ALONE_AXIS,
     ALONE_VALUE,  # mm, degrees
     ALONE_SPEED,  # mm/s, degrees/s
     ALONE_IS_RELATIVE,  # 1: the value is a distance
 ) = _command(HOLDS_AXIS, *3 * (HOLDS_NUMBER,))
 (
-    OSCILLATE,  # an axis moves to and fro beside the path (OSC ON)
+    OSCILLATE,  # an axis moves to and fro, independently of the path (OSC ON)
     SWUNG_AXIS,
     SWING_FIRST,  # mm, degrees
     SWING_SECOND,
-    SWING_STROKE,  # the way from the first position to the second, with its sign
+    SWING_STROKE,  # the distance from the first position to the second, with its sign
     SWING_SPEED,  # mm/s, degrees/s
     SWING_FIRST_TICKS,  # how long the axis waits there
     SWING_SECOND_TICKS,
@@ -403,7 +403,7 @@ def is_transparent(kind: int) -> bool:
 #: Columns of a segment. A queue and a path have rows of this width; those of a dwell are 0 there.
 (
     LENGTH,  # from start to target
-    # what was programmed
+    # the programmed values
     MOTION,  # ``FEED_MOTION`` or ``RAPID_MOTION``
     SHAPE,  # ``LINE``, ``ARC``, ``ROUNDING`` or ``CUBIC``
     EXACT_STOP,  # 1: the path stops at its end
@@ -412,7 +412,7 @@ def is_transparent(kind: int) -> bool:
     DEVIATION,  # mm that the path may pass its target at
     TRANSFORMATION,  # number of the map from its positions to those of the axes; 0: they are these
     SHOWN_TRANSFORMATION,  # in the history: the map that MCS was shown by, 0: none
-    SPEED,  # /s; of a rapid motion what its axes can do
+    SPEED,  # /s; of a rapid motion the highest its axes can do
     SPEED_OVERRIDE,  # programmed override as a factor, 0: no pace is given
     IGNORES_OVERRIDE,  # 1: the operator's override has no effect (G166)
     FEED_SPINDLE,  # index of the spindle that the feed follows (G95), plus 1; 0: none
@@ -443,7 +443,7 @@ def is_transparent(kind: int) -> bool:
     NEXT_IGNORES_OVERRIDE,  # ``IGNORES_OVERRIDE`` of the next segment
     REMAINING_LENGTH,  # in the path: of its block after it, with a limit of the jerk
     REMAINING_SPEED,  # in the path: highest speed from which its block ends at a standstill
-    # zones beside corners, where part of the acceleration is kept in reserve
+    # zones next to corners, where part of the acceleration is kept in reserve
     ENTRY_LENGTH,
     EXIT_LENGTH,
     ENTRY_ACCELERATION,
@@ -523,7 +523,7 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EXEMPT_FEED_GOAL,  # it is a feed that the operator's override has no effect on
 ) = range(3)
 
-# --- what a tick records --------------------------------------------------------------------------
+# --- the record of a tick -------------------------------------------------------------------------
 
 #: Columns of an event.
 (
@@ -531,14 +531,14 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_KIND,  # one of the kinds below
     EVENT_CHANNEL,  # number of the channel where the machine has several, else 0
     EVENT_SOURCE,  # where in the program's text it comes from; 0: nowhere
-    EVENT_SUBJECT,  # serial of the realtime cycle, 0: none; or what is said at the kind
-    EVENT_A,  # what is said at the kind
+    EVENT_SUBJECT,  # serial of the realtime cycle, 0: none; or as given at the kind
+    EVENT_A,  # as given at the kind
     EVENT_B,
     EVENT_C,
     EVENT_WIDTH,
 ) = range(9)
 
-#: Kinds of events: what each has from ``EVENT_A`` on, and as its subject where that is no cycle.
+#: Kinds of events: the values of each from ``EVENT_A`` on, and its subject if that is not a cycle.
 (
     EVENT_CREATED,  # scope (``codes.BLOCK_SCOPE`` …)
     EVENT_STARTED,
@@ -560,18 +560,18 @@ LINE, ARC, ROUNDING, CUBIC = range(4)
     EVENT_AXIS_BEGUN,  # axis, target; without a cycle the PLC moves it
     EVENT_AXIS_ENDLESS,  # axis, direction
     EVENT_AXIS_ENDED,  # axis, ``MOTION_DONE`` …, of an aborted one ``WITH_CYCLE_…``
-    EVENT_AXIS_CHANGED,  # axis, ``MOTION_HELD`` …, of a stopped one what is left to its target
+    EVENT_AXIS_CHANGED,  # axis, ``MOTION_HELD`` …, of a stopped one the distance left to its target
     EVENT_SPINDLE,  # spindle, M function, revolutions per minute
     EVENT_SPINDLE_REACHED,  # spindle
     EVENT_SPINDLE_POSITION,  # spindle, degrees
     EVENT_FROZEN,  # number of the variable's text, value; the source is the access
     EVENT_BLOCK,  # subject: number of the block; tick in which it was decoded, open calls, depth
-    EVENT_WAIT,  # subject: reason; cell; the source is what waits
+    EVENT_WAIT,  # subject: reason; cell; the source is the waiting statement
     EVENT_LOOP,  # subject: ``LOOP_BEGUN`` …; the source is the loop
     EVENT_PROBED,  # length that is left of the block after the joint
     EVENT_FIXED_STOP,  # axis, position; the source is its command
     EVENT_RETRACED,  # subject: ``RETRACE_BACKWARD`` …; the source is the block
-    EVENT_PAUSED,  # the source is what waits
+    EVENT_PAUSED,  # the source is the waiting statement
     EVENT_STARVED,  # the source is the last command that was taken
     EVENT_FED,  # subject: ticks for which the queue was empty
     EVENT_OVERFLOW,  # subject: number of the thread
@@ -603,7 +603,8 @@ RETRACE_BACKWARD, RETRACE_FORWARD, RETRACE_START, RETRACE_FRONT = range(4)
 
 MOTION_DONE, MOTION_ABORTED, MOTION_FAILED = range(3)
 
-#: What END_ACTION = MOVE_ABORT gives up with its cycle: a motion, an endless one, one that waits.
+#: Motions that END_ACTION = MOVE_ABORT aborts with their cycle: one to a target, an endless one, a
+#: waiting one.
 NOT_WITH_CYCLE, WITH_CYCLE, WITH_CYCLE_ENDLESS, WITH_CYCLE_WAITING = range(4)
 
 MOTION_HELD, MOTION_CONTINUED, MOTION_STOPPED = range(3)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""What copies the state of the realtime part's objects, and what returns their arrays.
+"""Copies of the state of the realtime part's objects, and access to their arrays.
 
 In: the fields that ``state_fields`` finds in the C types. Out: ``ObjectCopies``, which keeps the
 numbers of objects; ``ARRAYS`` (class -> a function that returns the arrays whose content is kept)
 and ``ArrayCopies``, which keeps that content; ``COPIED`` and ``EXCHANGED``, the classes that have
-numbers to keep, and arrays that others may take the place of. What a base class declares, its own
-entries copy. Compiled, they are in ``_state``, which the build writes; plain, they are made here.
+numbers to keep, and arrays that may be exchanged for others. Fields of a base class are copied by
+its own entries. Compiled, they are in ``_state``, which the build writes; plain, they are made
+here.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ class KeptNumbers(Kept, Protocol):
 
 
 class Tables(NamedTuple):
-    """What there is for each class, and what keeps numbers of objects and content of arrays."""
+    """Functions for each class, and objects that keep numbers of objects and content of arrays."""
 
     copied: Collection[type]
     arrays: dict[type, Arrays]
@@ -91,7 +92,7 @@ class PlainObjectCopies:
 
 
 def _separate(value: Any) -> Any:
-    """Return a number as it is, a list as another one."""
+    """Return a number unchanged, a list copied."""
     return list(value) if type(value) is list else value
 
 
@@ -113,7 +114,7 @@ class PlainArrayCopies:
 
 
 def _arrays(found: TypedClass) -> Arrays:
-    """Return what returns the arrays of an object of a class in plain Python."""
+    """Return the function that returns the arrays of an object of a class in plain Python."""
     names = tuple(found.arrays)
     return lambda part: tuple(getattr(part, name) for name in names)
 

@@ -5,8 +5,8 @@ In: the C types of ``kernel/``. Out: for each class the fields that a copy of it
 the arrays whose memory is kept; and the source of the compiled module that copies them, which a
 build writes. Imports nothing of nctakt, since a build runs it, too.
 
-Numbers are state, all of them: to copy one that never changes is not wrong. A field that refers to
-something is state only where it is named here. The content of arrays is state unless it is written
+Numbers are state, all of them: it does no harm to copy one that never changes. A field that refers
+to an object is state only if it is named here. The content of arrays is state unless it is written
 before it is read again.
 """
 
@@ -17,8 +17,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-#: Fields that refer to something else later than at first: arrays that grow or are exchanged, and
-#: what a cycle manager has loaded.
+#: Fields whose reference changes: arrays that grow or are exchanged, and the cycles that a cycle
+#: manager has loaded.
 REFERENCES = {
     "ArcLimits": ("max_a", "max_v"),
     "CommandQueue": ("rows",),
@@ -52,8 +52,8 @@ CHANGING_IN_TREES = (
     "IfEdge", "IfOnce", "Notes", "PlcContext", "PlcSide", "PlcTasks", "Reaction",
     "RealtimeCycle", "SectionSource", "SpindleSource", "UnitBanks",
 )  # fmt: skip
-#: What no snapshot is taken of: a shared image, what stops the ticks, and what a debugger wants of
-#: a PLC's statements.
+#: Not part of a snapshot: a shared image, the stops of the ticks, and a debugger's probes of a
+#: PLC's statements.
 LEFT_OUT = (
     "InterfaceImage", "Probe", "SectionUnits", "Sought", "SoughtStatement", "SpindleUnits",
     "StatementCounter", "Watched",
@@ -125,8 +125,8 @@ from libc.stdlib cimport free, malloc
 from libc.string cimport memcpy
 ctypedef int (*Copier)(object, object) except -1
 ctypedef int (*Comparison)(object, object) except -1"""
-#: What copies objects, and what keeps the content of arrays, in the compiled module: one block of
-#: memory for all of them.
+#: Code of the compiled module that copies objects and keeps the content of arrays, in one block of
+#: memory for all.
 COPIES = """
 cdef class ObjectCopies:
     cdef list live

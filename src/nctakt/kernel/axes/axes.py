@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The machine's axes: command, actual and target position, and what cycles read of them.
+"""The machine's axes: command, actual and target position, and the values that cycles read.
 
 Arrays over the axes, since the tick walks over all of them. Each axis has cells in the memory
 (``cells.py``): positions in ACS, MCS, PCS and IPO (RC-304). PCS differs by the offsets in
@@ -10,19 +10,19 @@ position control whose gain is kv, of which feed-forward takes a share: the foll
 de/dt = (1 - share) * command speed - kv * e. With the command's speed constant within a tick that
 is solved exactly.
 
-With ``is_late`` a drive gets each command one tick later: the order STANDARD of P-RTCF-00018 puts
-out first what the tick before has computed.
+With ``is_late`` a drive gets each command one tick later: the order STANDARD of P-RTCF-00018 first
+puts out the results of the previous tick.
 
 Command and target of a modulo axis run on over the range while it moves; the cells show them within
 it. The cells of an axis are written where its positions are others than those shown last
 (``shown_…``), and where the systems have changed (``is_shifted``).
 
-``on_path`` tells which axes the current block moves, ``independent`` which ones move on their own
-(MO-13); ``independent_pct`` is the override of the latter (RC-305), ``plc_factor`` what a PLC
-multiplies it by (MC_SetOverride). ``on_path``, ``independent``, ``command`` and
-``target`` have one element more, for places of a channel without an axis (``path_axes.py``).
-So has ``locked``: the axes that a PLC does not release, which brake and stay at rest. Whoever
-changes what the override of an axis depends on raises ``override_version``.
+``on_path``: which axes the current block moves, ``independent`` which ones move on their own
+(MO-13); ``independent_pct`` is the override of the latter (RC-305), ``plc_factor`` the PLC's
+multiplier for it (MC_SetOverride). ``on_path``, ``independent``, ``command`` and ``target`` have
+one element more, for places of a channel without an axis (``path_axes.py``). So has ``locked``: the
+axes that a PLC does not release, which brake and stay at rest. Code that changes something on which
+an axis' override depends increments ``override_version``.
 """
 
 from __future__ import annotations
@@ -151,7 +151,7 @@ class Axes:
                 self.lag_d[i] = self.drive_d[i] + self.distance(i, sent, self.command[i])
 
     def distance(self, i: int, begin: float, end: float) -> float:
-        """Return how far it is from one command to another; on a modulo axis the shorter way."""
+        """Return the distance between two commands; on a modulo axis the shorter way round."""
         if self.modulo_range[i] > 0.0:
             half = 0.5 * self.modulo_range[i]
             return arithmetic.within(end - begin, 0.0 - half, self.modulo_range[i])
@@ -263,7 +263,7 @@ class Axes:
         self.cells[self.cell_of(axis) + cells.AXIS_PCS_ACT_POS + cell] = value
 
     def actual_position(self, i: int) -> float:
-        """Actual position: behind the command by the lag, never beyond an obstacle."""
+        """Actual position: lags the command, never beyond an obstacle."""
         actual = self.command[i] - self.lag_d[i]
         if self.has_stops:
             actual = max(min(actual, self.stop_high[i]), self.stop_low[i])
@@ -281,8 +281,8 @@ class Axes:
     def publish_override(self, i: int, operator_pct: float, is_held: int) -> None:
         """Publish the override of an axis in independent motion, in percent (P-AXIS-00491).
 
-        ``is_held``: the channel is on feed hold, which stops the motion unless P-AXIS-00540 says
-        that only the axis' own feed hold does.
+        ``is_held``: the channel is on feed hold, which stops the motion unless P-AXIS-00540 leaves
+        that to the feed hold of the axis itself.
         """
         cell = self.cell_of(i)
         pct = operator_pct
@@ -362,7 +362,7 @@ class Axes:
         self.modulo_range[index] = full
 
     def set_stop(self, index: int, position: float) -> None:
-        """Put an obstacle at ``position``, beside an axis that is at 0 (MO-12)."""
+        """Put an obstacle at ``position``, relative to an axis at 0 (MO-12)."""
         check_index(index, self.count, "axis")
         self.has_stops = True
         if position > 0.0:
@@ -371,7 +371,7 @@ class Axes:
             self.stop_low[index] = position
 
     def set_lag(self, index: int, kept: float, gained: float) -> None:
-        """Let an axis lag: the share of the error that a tick keeps, and what it adds to it.
+        """Let an axis lag: the share of the error that a tick keeps, and the amount it adds.
 
         Without feed-forward control."""
         check_index(index, self.count, "axis")
@@ -428,9 +428,9 @@ class Axes:
         self.publish()
 
     def set_gantry(self, index: int, master: int, allowed_d: float, offset: float) -> None:
-        """Let an axis follow ``master`` forever, ``offset`` beside it (P-AXIS-00070, 00073).
+        """Let an axis follow ``master`` forever, at a distance of ``offset`` (P-AXIS-00070, 00073).
 
-        ``allowed_d``: how far their actual positions may differ (P-AXIS-00072), 0: any way.
+        ``allowed_d``: how far their actual positions may differ (P-AXIS-00072), 0: no limit.
         """
         self.couplings.fix(index, master, allowed_d, offset)
         self.set_position(index, self.command[master] + offset)

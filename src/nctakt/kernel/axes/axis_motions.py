@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""What each axis does on its own, and its tick (MO-11): the motions behind ``single_axes.py``.
+"""Independent motion of each axis, tick by tick (MO-11): the motions of ``single_axes.py``.
 
-Each axis has at most one present motion and one that waits for it. ``begin`` only stores the
-command; ``step``, once a tick after the cycles and the paths, plans from the present state
+Each axis has at most one present motion and one waiting motion. ``begin`` only stores the command;
+``step``, once a tick after the cycles and the paths, plans from the present state
 (``trajectory.py``) wherever the motion or its speed limit has changed, and puts the axes where the
-plan has them. So another target, an override, a hold and its end take over speed and acceleration
+plan has them. So a new target, an override, a hold and its end carry speed and acceleration on
 without a step.
 
-Targets are those of the axis' own system (ACS), mm or degrees. Positions of modulo axes run on
-while they move, and are put back into the range when they are at rest.
+Targets are in axis coordinates (ACS), mm or degrees. Positions of modulo axes run on while they
+move, and are put back into the range when they are at rest.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class AxisMotions:
         self.end = memoryview(bytearray(8 * count)).cast("d")
         self.commanded_v = memoryview(bytearray(8 * count)).cast("d")
         self.direction = memoryview(bytearray(8 * count)).cast("d")
-        # The one that waits after it.
+        # The waiting motion.
         self.next_kind = memoryview(bytearray(8 * count)).cast("q")
         self.next_owner = memoryview(bytearray(8 * count)).cast("q")
         self.next_serial = memoryview(bytearray(8 * count)).cast("q")
@@ -93,16 +93,16 @@ class AxisMotions:
         self.fault = memoryview(bytearray(8 * count)).cast("q")
         self.failed = memoryview(bytearray(8 * count)).cast("q")
         self.arrived = memoryview(bytearray(8 * count)).cast("q")
-        # Whether a channel has the axis, and whether that one is in a reset.
+        # Whether a channel has the axis, and whether that channel is in a reset.
         self.in_channel = memoryview(bytearray(8 * count)).cast("q")
         self.closed = memoryview(bytearray(8 * count)).cast("q")
 
     def allocate_swings(self, count: int) -> None:
-        """Allocate what oscillating axes need besides their present motion.
+        """Allocate the arrays that oscillating axes need besides their present motion.
 
-        ``swings``: how often an axis still comes to its second position, -1 without an end, 0 if it
-        does not oscillate. ``swing_way``: ``codes.APPROACH`` …. ``pausing``: ticks for which it
-        waits before it goes on.
+        ``swings``: how often an axis will still reach its second position, -1 without an end, 0 if
+        it does not oscillate. ``swing_way``: ``codes.APPROACH`` …. ``pausing``: ticks that it waits
+        before it continues.
         """
         self.swings = memoryview(bytearray(8 * count)).cast("q")
         self.swing_way = memoryview(bytearray(8 * count)).cast("q")
@@ -156,7 +156,7 @@ class AxisMotions:
         return message
 
     def move_origin(self, axis: int, shift: float) -> None:
-        """Give the place of an axis another position; its motion goes the same way on."""
+        """Assign another position to the place of an axis; its motion covers the same distance."""
         if self.kind[axis] == codes.IDLE:
             self.axes.refer(axis, self.in_range(axis, self.axes.command[axis] + shift))
             return
@@ -165,7 +165,7 @@ class AxisMotions:
         self.first_d[axis] += shift
         self.second_d[axis] += shift
         if self.kind[axis] == codes.ENDLESS:
-            self.planned_v[axis] = -1.0  # the limit is another way off now
+            self.planned_v[axis] = -1.0  # the limit is at another distance now
         else:
             self.goal[axis] += shift
             self.end[axis] = self.in_range(axis, self.end[axis] + shift)
@@ -178,7 +178,7 @@ class AxisMotions:
         return 1 if self.speed[axis] == self.direction[axis] * self.planned_v[axis] else 0
 
     def event(self, kind: int, axis: int, value: float) -> None:
-        """Record what becomes of the present motion."""
+        """Record the outcome of the present motion."""
         self.record.event(kind, self.sources[axis], self.serials[axis], axis, value)
 
     # --- beginnings and ends --------------------------------------------------------------------
@@ -243,7 +243,7 @@ class AxisMotions:
     def turn(self, axis: int, distance_d: float) -> float:
         """Return how far a modulo axis goes to a target ``distance_d`` away in its direction.
 
-        In a given direction the axis never comes back: what it needs to brake is gone for it.
+        In a given direction the axis never comes back: its braking distance is already used up.
         """
         full_d = self.axes.modulo_range[axis]
         if self.next_direction[axis] == codes.SHORTEST:
@@ -257,7 +257,7 @@ class AxisMotions:
         return distance_d - full_d * arithmetic.ceiling(turns)
 
     def in_range(self, axis: int, position: float) -> float:
-        """Position of a modulo axis within its range; that of any other as it is."""
+        """Position of a modulo axis within its range; that of any other axis unchanged."""
         full_d = self.axes.modulo_range[axis]
         if full_d <= 0.0:
             return position
@@ -278,7 +278,7 @@ class AxisMotions:
         self.next_kind[axis] = codes.IDLE
 
     def drop_present(self, axis: int, why: int) -> None:
-        """Record that the present motion is given up; its owner may command another one."""
+        """Record that the present motion is dropped; its owner may command another."""
         source, serial = self.sources[axis], self.serials[axis]
         self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED, why)
         self.owner[axis] = 0
@@ -298,7 +298,7 @@ class AxisMotions:
         self.axes.show_state(axis, codes.STOPPING)
 
     def come_to_standstill(self, axis: int) -> None:
-        """End the motion of an axis, or begin the one that waits."""
+        """End the motion of an axis, or begin the waiting one."""
         self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
         self.held[axis] = 0
@@ -458,7 +458,7 @@ class AxisMotions:
         return 1
 
     def turn_round(self, axis: int) -> int:
-        """Let an oscillating axis go to its other position; return 0 where its last swing is over.
+        """Send an oscillating axis to its other position; return 0 after its last swing.
 
         Another motion that waits ends the oscillation here.
         """

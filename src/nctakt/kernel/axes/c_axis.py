@@ -13,7 +13,7 @@ from nctakt.kernel.base.bounds import check_index
 
 
 class CAxis:
-    """The axis and the spindle that are one; ``axis`` is -1 where no spindle can be an axis.
+    """An axis and a spindle that are one drive; ``axis`` is -1 if no spindle can be an axis.
 
     ``channel``: that of the spindle. ``is_active``: the spindle is an axis now. ``last``: the
     command that the spindle has followed.
@@ -29,7 +29,7 @@ class CAxis:
         self.is_active = False
 
     def configure(self, axis: int, spindles: Spindles, spindle: int, channel: int) -> None:
-        """Let a spindle of a channel, from 1, be able to become an axis."""
+        """Allow a spindle of a channel, counted from 1, to become an axis."""
         check_index(axis, self.axes.count, "axis")
         check_index(spindle, spindles.count, "spindle")
         self.spindles = spindles
@@ -44,7 +44,7 @@ class CAxis:
         return self.spindles.is_resting(self.spindle)
 
     def take(self, axis: int) -> None:
-        """Let the spindle be an axis, if it is this one; it begins at the angle of the axis."""
+        """Turn the spindle into an axis, if it is this axis; it begins at the angle of the axis."""
         if axis == self.axis:
             if self.spindles.has_no_axis[self.spindle]:
                 self.spindles.turn_to(self.spindle, self.axes.command[axis])
@@ -54,7 +54,7 @@ class CAxis:
             self.spindles.follow(self.spindle, self.last, 0.0)
 
     def give(self, axis: int) -> int:
-        """Let the spindle be one again, if its axis is this one, and has become one of a path.
+        """Turn the axis back into a spindle, if it is this axis and a path has had it.
 
         Return the channel whose spindle has it from here on, 0 for none.
         """

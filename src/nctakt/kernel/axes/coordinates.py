@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The coordinate systems: what lies between ACS, MCS and PCS for each axis (MO-8).
+"""The coordinate systems: offsets between ACS, MCS and PCS for each axis (MO-8).
 
 A position in PCS is the position in ACS less all active offsets of the axis, in mm or degrees. In a
 coordinate system of the program (``#CS``) three axes belong together: ACS is its origin and the

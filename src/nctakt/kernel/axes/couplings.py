@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Axes that follow others: pairs of a slave and its master (``#AX LINK``, gantries of the lists).
 
-The command of a slave is where it was when the pair began, plus a factor times the way of its
-master since then. The pairs of the lists come first and are computed last, since their masters may
-be slaves of a program.
+The command of a slave is its position when the pair began, plus a factor times the distance its
+master has moved since then. The pairs of the lists come first and are computed last, since their
+masters may be slaves of a program.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from nctakt.kernel.base.bounds import check_index, check_size
 class Couplings:
     """The ``count`` pairs of a machine, of which ``fixed_count`` come from its lists.
 
-    ``closed``: axes that take no motion of their own. ``watched_count``: pairs whose actual
-    positions are compared; ``allowed_d``: how far they may differ, 0: any way.
+    ``closed``: axes that accept no independent motion. ``watched_count``: pairs whose actual
+    positions are compared; ``allowed_d``: how far they may differ, 0: no limit.
     """
 
     def __init__(self, axis_count: int) -> None:
@@ -50,7 +50,7 @@ class Couplings:
         slave_position: float,
         master_position: float,
     ) -> None:
-        """Let an axis follow another one from these positions on, instead of any before."""
+        """Let an axis follow another from these positions on, in place of any earlier master."""
         self.uncouple(slave)
         k = self.count
         self.slave[k] = slave
@@ -63,7 +63,7 @@ class Couplings:
         self.close_axes()
 
     def uncouple(self, slave: int) -> None:
-        """Let an axis follow no other one any more; pairs of the lists stay."""
+        """Stop an axis from following another; pairs of the lists stay."""
         k = self.pair_of(slave)
         if k < self.fixed_count:
             return
@@ -78,7 +78,7 @@ class Couplings:
         self.close_axes()
 
     def close_axes(self) -> None:
-        """Note which axes take no motion of their own, and which pairs are watched."""
+        """Note which axes accept no independent motion, and which pairs are watched."""
         for i in range(self.axis_count):
             self.closed[i] = 0
         self.watched_count = 0
@@ -103,14 +103,14 @@ class Couplings:
     # --- Python's side --------------------------------------------------------------------------
 
     def check(self, slave: int, master: int) -> None:
-        """Raise ``ValueError`` where an axis cannot follow another one."""
+        """Raise ``ValueError`` if an axis cannot follow another."""
         check_index(slave, self.axis_count, "axis")
         check_index(master, self.axis_count, "axis")
         if slave == master or 0 <= self.pair_of(slave) < self.fixed_count:
             raise ValueError(f"axis {slave} cannot follow axis {master}")
 
     def fix(self, slave: int, master: int, allowed_d: float, offset: float) -> None:
-        """Let an axis follow another one forever, ``offset`` beside it; before the first tick."""
+        """Let an axis follow another forever, ``offset`` away from it; before the first tick."""
         self.check(slave, master)
         self.fixed_count += 1
         self.couple(slave, master, 1.0, allowed_d, offset, 0.0)

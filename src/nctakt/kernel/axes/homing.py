@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reference positions of the axes: how each one is homed, and whether it was.
+"""Reference positions of the axes: how each axis is homed, and whether it has been.
 
 A program homes axes by G74 and computes the positions itself; a PLC leaves that to the tick
-(MC_Home): at the end of the way the axis has the position of its list, or the one asked for.
+(MC_Home): at the end of the motion the axis has the position of its list, or the one requested.
 Homing outlives programs and resets.
 """
 
@@ -13,7 +13,7 @@ from nctakt.kernel.base.bounds import check_index
 
 
 class Homing:
-    """``distance``: signed, to where an axis stands after it, ``overrun`` beyond the zero pulse.
+    """``distance``: signed, to where the axis comes to rest, ``overrun`` beyond the zero pulse.
 
     ``position``: of the list, at the zero pulse; ``ordered``: of the homing that runs.
     """
@@ -33,7 +33,7 @@ class Homing:
     def configure(
         self, axis: int, *, distance: float, speed: float, overrun: float, position: float
     ) -> None:
-        """Let an axis be homed in this manner, in mm or degrees and those per s."""
+        """Set how an axis is homed, in mm or degrees, and the same per s."""
         check_index(axis, self.axes.count, "axis")
         self.is_allowed[axis] = 1
         self.distance[axis] = distance
@@ -47,7 +47,7 @@ class Homing:
         self.reference[axis] = reference
 
     def finish(self, axis: int) -> None:
-        """Give a homed axis, which stands beyond its zero pulse, its position."""
+        """Give a homed axis, at rest beyond its zero pulse, its position."""
         self.axes.refer(axis, self.ordered[axis] + self.overrun[axis])
         self.keep(axis, self.ordered[axis])
 

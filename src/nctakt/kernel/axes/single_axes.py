@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Independent motion: axes that cycles or the PLC move beside the path (MO-11, MO-13).
+"""Independent motion: axes that cycles or the PLC move independently of the path (MO-11, MO-13).
 
-Commands and questions; what the axes then do in each tick is in ``axis_motions.py``. An owner is a
-number: 0 none, channel * 1024 + slot + 1 a realtime cycle, ``codes.PROGRAM_OWNER`` programs, from
-``codes.PLC_OWNER`` on the PLC.
-Each command answers 0, or the number of the message that refuses it; then nothing changes.
+Commands and queries; the motions themselves, tick by tick, are in ``axis_motions.py``. An owner is
+a number: 0 none, channel * 1024 + slot + 1 a realtime cycle, ``codes.PROGRAM_OWNER`` programs, from
+``codes.PLC_OWNER`` on the PLC. Each command returns 0, or the number of the message that refuses
+it; then nothing changes.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ MAX_OWNER = (1 << 62) - 1
 
 
 class SingleAxes(AxisMotions):
-    """All axes of the machine, as far as they move on their own."""
+    """All axes of the machine, as far as they move independently."""
 
     # --- commands -------------------------------------------------------------------------------
 
@@ -61,7 +61,7 @@ class SingleAxes(AxisMotions):
         return message
 
     def stop(self, axis: int, owner: int) -> int:
-        """Brake to a standstill; give up the axis' motions, whoever commanded them."""
+        """Brake to a standstill; drop the axis' motions, no matter who commanded them."""
         message = self.refusal(axis, codes.ABORTING, owner)
         if message == 0:
             self.give_up(axis)
@@ -70,7 +70,7 @@ class SingleAxes(AxisMotions):
     def refusal(self, axis: int, mode: int, owner: int) -> int:
         """Return the message that refuses a command for the axis now; 0 if none does.
 
-        P-AXIS-00457 is asked for realtime cycles and the PLC only: programs own their axes.
+        P-AXIS-00457 counts for realtime cycles and the PLC only: programs own their axes.
         """
         if not self.enabled[axis] and owner != codes.PROGRAM_OWNER:
             return 50966
@@ -148,7 +148,7 @@ class SingleAxes(AxisMotions):
         return 0
 
     def home(self, axis: int, position: float, is_listed: int, owner: int) -> int:
-        """Home an axis that stands; at its zero pulse it has ``position``, or that of its list."""
+        """Home an axis at rest; at its zero pulse it has ``position``, or that of its list."""
         message = self.refusal(axis, codes.ABORTING, owner)
         if message:
             return message
@@ -163,7 +163,7 @@ class SingleAxes(AxisMotions):
         return 0
 
     def give_position(self, axis: int, value: float, is_relative: int, owner: int) -> int:
-        """Give the actual place of an axis the position ``value``, or one that is so much more."""
+        """Set the position of an axis to ``value``, or shift it by ``value``, without moving it."""
         shift = value if is_relative else value - self.axes.actual_position(axis)
         message = self.refusal(axis, codes.ABORTING, owner)
         if message == 0:
@@ -173,7 +173,7 @@ class SingleAxes(AxisMotions):
         return message
 
     def calibrate(self, axis: int, position: float, keeps_position: int, owner: int) -> int:
-        """Count a standing axis as homed where it is, with ``position`` or the one that it has."""
+        """Count an axis at rest as homed where it is, with ``position`` or its present position."""
         message = self.refusal(axis, codes.ABORTING, owner)
         if message == 0 and self.kind[axis] != codes.IDLE:
             message = 902860
@@ -184,7 +184,7 @@ class SingleAxes(AxisMotions):
         return message
 
     def move_alone(self, axis: int, queue: memoryview[float], row: int) -> int:
-        """Begin the motion of a program beside the path: it replaces what the axis does (SA-5)."""
+        """Begin a program's independent motion: it replaces what the axis does (SA-5)."""
         value = queue[row + rows.ALONE_VALUE]
         speed_v = queue[row + rows.ALONE_SPEED]
         self.order(int(queue[row + rows.SOURCE]), 0)
@@ -212,7 +212,7 @@ class SingleAxes(AxisMotions):
         return 0
 
     def end_oscillation(self, axis: int, queue: memoryview[float], row: int) -> int:
-        """End the oscillation of an axis (OSC OFF); nothing happens where there is none."""
+        """End the oscillation of an axis (OSC OFF); nothing happens if there is none."""
         how = int(queue[row + rows.ENDED_HOW])
         if self.swings[axis] == 0:
             return 0
@@ -226,12 +226,12 @@ class SingleAxes(AxisMotions):
         direction = codes.SHORTEST
         return self.move_to(axis, target_d, speed_v, codes.ABORTING, direction, codes.PROGRAM_OWNER)
 
-    # --- what owners do with all their motions --------------------------------------------------
+    # --- all motions of an owner ----------------------------------------------------------------
 
     def hold(self, owner: int) -> None:
         """Brake the owner's motions from this tick on; they keep their targets (RC-111).
 
-        One that waits for another owner's motion is held as soon as that one has ended.
+        A motion that waits for another owner's motion is held as soon as that motion has ended.
         """
         if self.active_count == 0:
             return
@@ -323,7 +323,7 @@ class SingleAxes(AxisMotions):
             self.finish_swing(int(queue[row + rows.POSITIONS_AXES + i]))
 
     def all_free(self, members: memoryview[int], count: int) -> int:
-        """Return whether none of these axes moves on its own."""
+        """Return whether none of these axes moves independently."""
         for i in range(count):
             if members[i] < self.count and not self.is_free(members[i]):
                 return 0
@@ -356,7 +356,7 @@ class SingleAxes(AxisMotions):
         return codes.STANDS if self.is_free(axis) else codes.MOVES_STILL
 
     def assign_to_channel(self, axis: int, channel: int = 1) -> None:
-        """Let a channel, from 1, have this axis: it gets its errors, and resets it; 0: none."""
+        """Assign this axis to a channel, from 1, which gets its errors and resets it; 0: none."""
         bounds.check_index(axis, self.count, "axis")
         bounds.check_range(channel, 0, codes.MAX_SIGNAL_CHANNEL, "channel")
         self.in_channel[axis] = channel
@@ -366,7 +366,7 @@ class SingleAxes(AxisMotions):
         self.has_exchanged = True
 
     def reset(self, axis: int) -> None:
-        """Brake the axis, whoever moves it, and clear its error (RC-007).
+        """Brake the axis, no matter who moves it, and clear its error (RC-007).
 
         Until ``reopen`` it takes no command, else the reset might never end.
         """
@@ -391,7 +391,7 @@ class SingleAxes(AxisMotions):
             self.axes.show_state(axis, codes.STOPPING if self.kind[axis] else codes.STANDSTILL)
         return 0
 
-    # --- what can be asked ----------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def is_free(self, axis: int) -> int:
         """Return whether the path may move the axis: no motion, none held, none braking (MO-13)."""
@@ -486,7 +486,7 @@ class SingleAxes(AxisMotions):
         return self.stop(axis, owner)
 
     def command_owner(self, what: str, owner: int) -> None:
-        """``hold``, ``resume``, ``abort``, ``end`` or ``leave`` what an owner moves."""
+        """``hold``, ``resume``, ``abort``, ``end`` or ``leave`` an owner's motions."""
         bounds.check_range(owner, 0, MAX_OWNER, "owner")
         if what == "hold":
             self.hold(owner)
@@ -534,10 +534,10 @@ class SingleAxes(AxisMotions):
         return self.open_count(owner)
 
     def moves(self, axis: int) -> bool:
-        """Return whether the axis has a motion of its own, a held one included."""
+        """Return whether the axis has an independent motion, even if held."""
         bounds.check_index(axis, self.count, "axis")
         return not self.is_free(axis)
 
     def ending_count(self) -> int:
-        """Number of axes that will come to rest by themselves: a run waits for them (RC-006)."""
+        """Number of axes that will come to rest unaided: a run waits for them (RC-006)."""
         return sum(self.is_ending(axis) for axis in range(self.count))

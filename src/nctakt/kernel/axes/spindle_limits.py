@@ -2,8 +2,8 @@
 """The limits of the spindles of one channel: of their axis lists, of their tools, of a thread.
 
 The limits of a tool count from the next start from standstill on, and stay until another tool
-brings its own (public manuals, "tool-related dynamic limiting"). A spindle that follows a thread
-is bound to what the axis of the path can do. Degrees and seconds.
+brings new ones (public manuals, "tool-related dynamic limiting"). A spindle that follows a thread
+is limited to what the path axis can do. Degrees and seconds.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class SpindleLimits:
         self.low_v[spindle] = min(self.tool_low_v[spindle], self.speed_v[spindle])
 
     def bind(self, spindle: int, speed_v: float, acceleration_a: float, jerk_j: float) -> None:
-        """Bind the changes of speed to what an axis can follow; 0: to nothing."""
+        """Limit changes of speed to what an axis can follow; 0: no limit."""
         self.bound_v[spindle] = speed_v
         self.bound_a[spindle] = acceleration_a
         self.bound_j[spindle] = jerk_j
@@ -100,5 +100,5 @@ class SpindleLimits:
 
 
 def lower(limit: float, other: float) -> float:
-    """Return the lower one of two limits; the second is none if it is 0."""
+    """Return the lower of two limits; a second of 0 is no limit."""
     return min(limit, other) if other > 0.0 else limit

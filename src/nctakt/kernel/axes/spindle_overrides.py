@@ -48,7 +48,7 @@ class SpindleOverrides:
         return min(max(self.cells[self.cell(spindle)], 0.0), self.highest_pct[spindle])
 
     def next_changed(self, spindle: int) -> int:
-        """Return the first spindle from this one on with another override than acts; -1: none."""
+        """Return the first spindle, from this one on, whose override has changed; -1: none."""
         for other in range(spindle, self.count):
             if self.commanded(other) != self.acted_pct[other]:
                 return other

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The spindles of one channel: endless, to a position, to a standstill; those that the PLC turns.
 
-A job is taken in the command or cycle phase and acts in the same tick: the speed changes from what
-it is, within acceleration and jerk of the axis list, and never jumps. A job is open until its speed
-or position is reached; the next job takes its place. A spindle under the PLC (P-CHAN-00069) gets
-nothing of this: its job is handed over and open until the PLC has acknowledged it. A spindle takes
-one job in a tick, and none while the PLC still has one (RC-404).
+A job is taken in the command or cycle phase and acts in the same tick: the speed changes from its
+present value, within acceleration and jerk of the axis list, and never jumps. A job is open until
+its speed or position is reached; the next job takes its place. A spindle under the PLC
+(P-CHAN-00069) is different: its job is handed over and open until the PLC has acknowledged it. A
+spindle takes one job in a tick, and none while the PLC still has one (RC-404).
 
 Units: degrees and seconds; ``_v`` degrees per second. Signals are revolutions per minute and
 degrees from 0 to 360.
@@ -152,7 +152,7 @@ class Spindles:
         return 1 if self.overrides.factor(spindle) == 0.0 and not is_stop else 0
 
     def follow_override(self, spindle: int, tick: int) -> None:
-        """Let the present job go on with another override."""
+        """Continue the present job with another override."""
         goes_on = self.mode[spindle] != codes.STANDING
         goes_on = goes_on or self.is_open[spindle] != 0 or self.is_endless(spindle) != 0
         self.commanded_v[spindle] = self.goal_v(spindle)
@@ -288,7 +288,7 @@ class Spindles:
             self.uncouple(spindle)
 
     def turn_to(self, spindle: int, angle: float) -> None:
-        """Set the angle of a spindle at rest, to which another one has turned its axis."""
+        """Set the angle of a spindle at rest whose axis another spindle has turned."""
         if self.has_no_axis[spindle] or self.is_resting(spindle):
             self.position[spindle] = wrapped(angle)
             self.publish(spindle)
@@ -391,7 +391,7 @@ class Spindles:
                 self.plan(spindle, tick)
 
     def leave(self, owner: int) -> None:
-        """Let the spindles of an ended cycle go on without it; held ones stay at rest."""
+        """Let the spindles of an ended cycle keep turning; held spindles stay at rest."""
         for spindle in range(self.count):
             if self.owner[spindle] == owner:
                 self.owner[spindle] = 0

@@ -6,14 +6,15 @@ or with a speed, or passes the end of a distance with a speed. It is a row of ph
 jerk; ``evaluate`` gives distance, speed and acceleration at any time by the polynomial of the
 phase. With the jerk 0 the acceleration may step: a trapezoid of at most three phases. Else there
 are at most seven: two changes of speed, each with three phases (the acceleration builds up, is
-kept, fades), and a constant speed between them; one more where what is there fades first.
+kept, fades), and a constant speed between them; one more where the present acceleration fades
+first.
 
-Which change of speed is looked for: let the axis brake at once, and see where it would stop. If
-the target lies beyond, it has to go on in that direction, else to come back; mirrored where need
-be, what is left to find is one number: the highest speed, or, where the axis is braking already (or
-is too fast) and only has to brake less, the acceleration between two brakings. The distance covered
-grows with that number, so it is found in a bracket; only sums, products, quotients and square roots
-are used, so that all machines find the same bits.
+Finding the changes of speed: see where the axis would stop if it braked at once. If the target lies
+beyond, it must continue in that direction, else come back; mirrored where necessary, one number
+remains to be found: the highest speed, or, where the axis is braking already (or is too fast) and
+only has to brake less, the acceleration between two brakings. The distance covered grows with that
+number, so it is found in a bracket; only sums, products, quotients and square roots are used, so
+that all machines find the same bits.
 
 Units: ``_d`` mm or degrees, ``_v`` per second, ``_a`` per second squared, ``_j`` per second cubed,
 ``_t`` seconds.
@@ -31,7 +32,7 @@ from nctakt.kernel.base.bounds import check_size
 class Trajectories:
     """The plans of ``count`` axes, a row each (``plan_rows.py``).
 
-    The last phase of a plan goes on with the speed that was reached.
+    The last phase of a plan keeps the speed reached.
     """
 
     def __init__(self, count: int) -> None:
@@ -65,7 +66,7 @@ class Trajectories:
         self.goal_v = 0.0
         self.side = 1.0
 
-    # --- what is asked --------------------------------------------------------------------------
+    # --- planning -------------------------------------------------------------------------------
 
     def plan_distance(
         self,
@@ -107,9 +108,9 @@ class Trajectories:
     ) -> int:
         """Plan to pass a point ahead with ``goal_v`` (at most ``top_v``), no acceleration.
 
-        Return 0 where the distance is too short: then the speed changes to ``goal_v`` at once, and
-        has not got there when the point is passed. Only with a limit of the jerk; where
-        ``fading_j`` is not 0, the acceleration of the start first fades with this one.
+        Return 0 if the distance is too short: then the speed changes to ``goal_v`` at once, and has
+        not reached it when the point is passed. Only with a jerk limit; if ``fading_j`` is not 0,
+        the initial acceleration first fades with that jerk.
         """
         self.begin(axis, top_v, limit_a, limit_j)
         self.side = 1.0
@@ -276,9 +277,9 @@ class Trajectories:
     def direct(self, start_v: float, start_a: float) -> float:
         """Brake with the sign of the speed that is missing; return the distance.
 
-        Where none is missing the peak is what there is. What rounding makes of it, less than 1e-12
-        of the speeds, does not count: with the other sign its root would be a second peak, and the
-        distance too long for a point that is just reached.
+        If no speed is missing, the peak is the present acceleration. Rounding differences below
+        1e-12 of the speeds do not count: with the other sign its root would be a second peak, and
+        the distance too long for a point that is just reached.
         """
         missing_v = self.goal_v - start_v - 0.5 * start_a * math.fabs(start_a) / self.limit_j
         size_v = math.fabs(start_v) + self.limit_a * self.limit_a / self.limit_j

@@ -3,7 +3,7 @@
 
 A transformation is a kinematic map (``kinematics/maps.py``) from the axes of a channel to the tip
 of its tool. While it is active programmed positions are those of the tip, in MCS, and the linear
-axes have positions in MCS, IPO and PCS that differ from their own.
+axes have positions in MCS, IPO and PCS that differ from those in ACS.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Transformations:
         self.mapped_targets = memoryview(bytearray(8 * codes.TIP_AXES)).cast("d")
 
     def activate(self, slot: int, number: int) -> None:
-        """Let map ``number`` be active in the channel whose first axis is ``slot``; 0: none."""
+        """Activate map ``number`` in the channel whose first axis is ``slot``; 0: none."""
         before = 1 if self.active[slot] else 0
         self.active[slot] = number
         self.active_count += (1 if number else 0) - before
@@ -84,7 +84,7 @@ class Transformations:
         return int(self.maps.values[self.joint(number, k) + map_rows.JOINT_AXIS])
 
     def map_forward(self, number: int, machine: memoryview[float], tip: int) -> None:
-        """Keep what is shown of one kind of positions, from those of the machine's axes."""
+        """Keep the displayed positions of one kind, computed from those of the machine's axes."""
         if number != self.named:
             self.name_joints(number)
         for k in range(self.joint_count):
@@ -94,9 +94,9 @@ class Transformations:
             self.tips[codes.TIP_AXES * tip + k] = self.mapped[self.joint_axes[k]]
 
     def keep_direction(self, number: int, slot: int) -> None:
-        """Keep where the tool points, from its tip to the clamp, of what was gathered last.
+        """Keep the tool's direction, from its tip to the clamp, for the positions gathered last.
 
-        A second step and a plane that turns have no direction in what they show.
+        A second step and a rotating plane show no direction.
         """
         row = number * map_rows.MAP_WIDTH
         if self.second_step(row) or self.maps.values[row + map_rows.PROGRAMMING] >= (
@@ -110,7 +110,7 @@ class Transformations:
         self.directions[first + map_rows.Z] = self.maps.orientation.z
 
     def map_targets(self, number: int, machine: memoryview[float]) -> None:
-        """Keep what is shown of the targets; they change from block to block only."""
+        """Keep the displayed targets; they change from block to block only."""
         if number != self.named:
             self.name_joints(number)
         is_kept = number == self.target_number
@@ -144,7 +144,7 @@ class Transformations:
         return self.tips[codes.TIP_AXES * tip + k]
 
     def is_mapped(self, number: int, k: int) -> int:
-        """Return whether the axis of a joint has other positions in MCS than its own."""
+        """Return whether the axis of a joint has other positions in MCS than in ACS."""
         if self.maps.values[self.joint(number, k) + map_rows.JOINT_IS_ROTARY] == 0.0:
             return 1
         row = number * map_rows.MAP_WIDTH
@@ -165,14 +165,14 @@ class Transformations:
         return int(self.maps.values[row + map_rows.SECOND_PLACE])
 
     def is_rotary(self, number: int, axis: int) -> int:
-        """Return whether an axis of the channel is a rotary one of map ``number``."""
+        """Return whether an axis of the channel is a rotary axis of map ``number``."""
         for k in range(self.joints(number)):
             if self.axis_of(number, k) == axis:
                 return self.maps.values[self.joint(number, k) + map_rows.JOINT_IS_ROTARY] > 0.0
         return 0
 
     def turns_otherwise(self, number: int) -> int:
-        """Return whether rotary axes turn otherwise than what is programmed for them."""
+        """Return whether rotary axes turn differently from what is programmed for them."""
         row = number * map_rows.MAP_WIDTH
         if self.maps.values[row + map_rows.SECOND_STEP] > 0.0:
             return 1

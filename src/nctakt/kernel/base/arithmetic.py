@@ -3,8 +3,8 @@
 
 The only place for division, remainders, powers, rounding and trigonometry. Compiled and plain
 Python differ in these (exceptions, signs, last bits), so each function guards its domain before it
-calls anything and answers ``NaN`` where the operation is not defined; what overflows is infinite.
-Sine and cosine are our own, made of + - * only, and so have the same bits on every processor.
+calls anything and returns ``NaN`` where the operation is not defined; an overflow is infinite. Sine
+and cosine are implemented here with + - * only, and so have the same bits on every processor.
 """
 
 import math
@@ -75,7 +75,7 @@ def fraction(value: float) -> float:
 
 
 def round_half_even(value: float) -> float:
-    """Nearest integral number; the even one where two are as near (RC-307)."""
+    """Nearest integral number; halfway cases go to the even one (RC-307)."""
     below = floor(value)
     fraction = value - below
     if fraction > 0.5:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Range checks for what Python hands to the realtime part.
+"""Range checks for values that Python passes to the realtime part.
 
-The tick reads and writes memory without a check of its own, so each method of the realtime part
-that Python calls checks numbers that become an index, a length or an integer of 64 bits.
+The tick itself reads and writes memory unchecked, so each method of the realtime part that Python
+calls checks numbers that become an index, a length or an integer of 64 bits.
 """
 
 from __future__ import annotations

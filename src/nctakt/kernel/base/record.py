@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the realtime part records: rows of signals, events, probes of conditions.
+"""The record of the realtime part: rows of signals, events, probes of conditions.
 
 Each of the three is a block of typed memory that the tick appends to and Python empties between two
 calls of ``Kernel.run``. Before a tick there must be room for all that it can record
@@ -50,7 +50,7 @@ class Record:
     def select(self, signals: list[int], *, reduced: bool = False) -> None:
         """Set the cells of a row; rows that were not taken are dropped.
 
-        ``reduced``: what follows is taken by ``take_extent``, not by ``take_rows``.
+        ``reduced``: the following ticks are read by ``take_extent``, not by ``take_rows``.
         """
         for cell in signals:
             check_index(cell, len(self.cells), "cell")
@@ -96,7 +96,7 @@ class Record:
         self.row_count += 1
 
     def widen(self, i: int, value: float) -> None:
-        """Widen what is kept of a signal; once it was no number, it stays none."""
+        """Widen the extent kept of a signal; once it is NaN, it stays NaN."""
         count = self.signal_count
         if value != value:
             self.rows[i] = value

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The timers of realtime cycles: a bank apart from the decoder's (RC-401).
 
-The time is the tick's. Timers survive program end and reset. What READ latches is in the channel's
-cells of V.RTG.TIMER.
+The time is the tick's. Timers survive program end and reset. The value latched by READ is in the
+channel's cells of V.RTG.TIMER.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Timers:
     def command(self, action: int, timer: int, tick: int) -> None:
         """Carry out an action: ``codes.TIMER_START`` …
 
-        START of a running timer has no effect, of a stopped one it counts on; CLEAR zeroes and
+        START of a running timer has no effect, a stopped one resumes counting; CLEAR zeroes and
         stops, the latched value stays.
         """
         if action == codes.TIMER_START:

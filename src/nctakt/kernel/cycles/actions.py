@@ -76,7 +76,7 @@ class AxisStatement(Counted):
 
 
 def refuse(statement: AxisStatement, context: Context, message: int, value: float) -> int:
-    """Stop the cycle with ``message``; ``value``: what the command asked for. Return 1."""
+    """Stop the cycle with ``message``; ``value``: the requested value. Return 1."""
     context.fail(message, statement.source, statement.axis, value)
     return 1
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``$IF`` of realtime cycles: what runs under a condition (RC-201 … RC-203, RC-208)."""
+"""``$IF`` of realtime cycles: statements that run under a condition (RC-201 … RC-203, RC-208)."""
 
 from __future__ import annotations
 

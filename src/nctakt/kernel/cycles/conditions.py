@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Conditions of ``$IF`` in realtime cycles, each with its probe (RC-202).
 
-A condition keeps its last truth and records a probe row (``record.py``) when its truth changes, and
-where asked for one when a series of evaluations in consecutive ticks begins. As long as it has only
-been false, or only true, it keeps the smallest distance between its two sides, and when that was.
-A condition that is no comparison compares its value with 0.5. ``&&`` and ``||`` combine conditions
-with probes of their own; their distance is how far they are from changing: the sum of those of the
-operands that all have to change, each as a share of 1, or the least one where one is enough. They
-also keep how near one operand came while the other one was as it has to be. What a fault leaves is
-not recorded.
+A condition keeps its last truth and records a probe row (``record.py``) when its truth changes,
+and, on request, when a series of evaluations in consecutive ticks begins. As long as it has only
+been false, or only true, it keeps the smallest distance between its two sides, and when that was. A
+condition that is not a comparison compares its value with 0.5. ``&&`` and ``||`` combine conditions
+that have probes, too; their distance is how far they are from changing: the sum over the operands
+if all have to change, each as a share of 1, or the least one if one is enough. They also keep how
+near one operand came while the other had the required truth. Evaluations ended by a fault are not
+recorded.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ class Condition:
 
     ``probe`` is its number in the probe rows; ``truth`` the last one, ``codes.UNKNOWN`` from its
     cycle's START on. ``next_tick`` is the tick after its last evaluation, -1 before the first;
-    ``seen_left`` and ``seen_right`` are the values that this evaluation compared.
-    ``distance``: left side less right side in that evaluation.
+    ``seen_left`` and ``seen_right`` are the values compared then. ``distance``: left side less
+    right side in that evaluation.
     """
 
     def __init__(self) -> None:
@@ -51,14 +51,14 @@ class Condition:
         return 0.0, 0.0
 
     def forget(self) -> None:
-        """Forget the last truth: the next evaluation is as the first one (START, RC-111)."""
+        """Forget the last truth: the next evaluation counts as the first (START, RC-111)."""
         self.truth = codes.UNKNOWN
 
 
 def note(condition: Condition, context: Context, truth: int, left: float, right: float) -> None:
     """Record a change of truth; until it has been both, keep the nearest sides.
 
-    Most evaluations are as the one in the tick before; they end here, in the caller's own code.
+    Most evaluations give the same as in the tick before; they end here, inlined in the caller.
     """
     if context.tick != condition.next_tick or truth != condition.truth:
         record_change(condition, context, truth, left, right)
@@ -184,8 +184,8 @@ class IsTextTrue(IsTrue):
 class Combination(Condition):
     """Base of a combination of two conditions, both of which are evaluated (RC-501).
 
-    ``beside_first``: the least distance of the second operand while the first one alone was as
-    ``&&`` (true) or ``||`` (false) wants both of them; ``beside_second`` the reverse.
+    ``beside_first``: the least distance of the second operand while only the first was as ``&&``
+    (true) or ``||`` (false) requires of both; ``beside_second`` the reverse.
     """
 
     def __init__(self, first: Condition, second: Condition) -> None:
@@ -204,8 +204,8 @@ class Combination(Condition):
 def far(combination: Combination, first_holds: bool, second_holds: bool) -> float:
     """Return how far a combination is from changing.
 
-    An operand *holds* where it is as ``&&`` (true) or ``||`` (false) wants both of them: if both
-    do, one of them is enough to change the combination, else each other one has to change.
+    An operand *holds* if it is as ``&&`` (true) or ``||`` (false) requires of both: if both hold,
+    one is enough to change the combination, else each one that does not hold has to change.
     """
     if first_holds and second_holds:
         return min(share(combination.first), share(combination.second))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a running realtime cycle sees: the memory, the tick, its budget, its fault.
+"""The view of a running realtime cycle: the memory, the tick, its budget, its fault.
 
 Every numeric variable of the machine is one float64 cell of one block of memory. The ``Context`` of
-a channel is its view of that block, with what the channel's cycles need beside it.
+a channel is its view of that block, with everything else that the channel's cycles need.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from nctakt.kernel.plc.technology_slots import Hli
 class Context:
     """One channel's cycles at work.
 
-    ``serial`` and ``run`` name the running cycle and its run-through, ``owner`` its slot to those
+    ``serial`` and ``run`` name the running cycle and its run-through, ``owner`` its slot for those
     who carry out its actions; ``max_open_actions`` of them may be open at once (P-CHAN-00480).
     ``steps`` counts the elementary instructions of this tick (RC-501), ``check_at`` is the count
-    from which ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of what
-    stopped the running cycle, 0 while all is well; ``fault_source``, ``fault_a`` and ``fault_b``
-    say where and with which values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this
-    tick (RC-402).
+    from which ``over_limit`` decides (RC-502, RC-503). ``fault`` is the message ID of the fault
+    that stopped the running cycle, 0 without a fault; ``fault_source``, ``fault_a`` and ``fault_b``
+    are its place and values. ``user_reaction`` is the highest RC of the ``#ERROR`` in this tick
+    (RC-402).
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class Context:
         return 0
 
     def fail(self, message: int, source: int, a: float, b: float) -> None:
-        """Note the first fault of a statement; ``source`` 0: the statement adds its own."""
+        """Note the first fault of a statement; ``source`` 0: the statement adds its source."""
         if self.fault == 0:
             self.fault = message
             self.fault_source = source
@@ -107,7 +107,7 @@ def context_of(memory: bytearray) -> Context:
 
 @cache
 def _without_machine() -> tuple[Hli, Timers, SingleAxes, Spindles]:
-    """What no expression reaches: slots, timers, axes, spindles; the same for all of them."""
+    """Objects that no expression reaches: slots, timers, axes, spindles; shared by all cycles."""
     own = bytearray(8 * (cells.PANEL_CELLS + cells.TIMERS))
     record = Record(own, row_capacity=1, event_capacity=1, probe_capacity=1)
     single_axes = SingleAxes(Axes(own, 0, 0), record, 1000)

@@ -2,8 +2,9 @@
 """The cycle manager: loaded realtime cycles, their life, and their run-through in each tick.
 
 RC-102 … RC-114, RC-505. Python fills a slot ahead of time (``load``); the command queue names the
-slot, the tick arms it; dead slots are freed between runs (``free_ended``). What the tick decides
-with is in arrays over the slots, what it runs in a tree of groups of four in creation order.
+slot, the tick arms it; dead slots are freed between runs (``free_ended``). The data for the tick's
+decisions is in arrays over the slots, the code it runs in a tree of groups of four in creation
+order.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ class RealtimeCycle(RunThrough):
 
     ``serial`` names it in events; ``events`` and ``probes`` bound what one run-through can record.
     ``probe`` is its number in the probe rows, ``next_tick`` the tick after its last run-through.
-    ``size`` is what it takes of the memory of P-CHAN-00407, in bytes.
+    ``size`` is its share of the memory of P-CHAN-00407, in bytes.
     """
 
     def __init__(
@@ -175,7 +176,7 @@ class CycleManager:
         return ended
 
     def drop_undefined(self) -> None:
-        """Drop cycles whose definition was never taken: their program was given up."""
+        """Drop cycles whose definition was never executed: their program was aborted."""
         for cycle in self.loaded:
             if self.state[cycle.slot] == codes.LOADED:
                 self.state[cycle.slot] = codes.ENDED

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Expressions of realtime cycles: trees of small objects, each of which computes its value.
 
-RC-206, RC-207. ``value(context)`` answers a float64. An operation that is not defined for its
-operands notes fault 50879 with its operation number in the context and answers 0; the statement
+RC-206, RC-207. ``value(context)`` returns a float64. An operation that is not defined for its
+operands notes fault 50879 with its operation number in the context and returns 0; the statement
 above sees the fault and stores nothing. Operators are here, functions in ``functions.py``;
-``fused.py`` has nodes that stand for several of these.
+``fused.py`` has nodes that combine several of these.
 """
 
 from __future__ import annotations
@@ -55,8 +55,8 @@ class Load(Expression):
 class Index(Expression):
     """The part of an array access that is not fixed: ``next + stride * index`` (RC-307).
 
-    An index outside 0 … count-1 notes ``message``, one that is no number 50879; ``further`` is
-    the next dimension's part, ``None`` after the last one. ``span``: the highest value.
+    An index outside 0 … count-1 notes ``message``, NaN notes 50879; ``further`` is the next
+    dimension's part, ``None`` after the last one. ``span``: the highest value.
     """
 
     def __init__(

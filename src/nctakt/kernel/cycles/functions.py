@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Functions in expressions of realtime cycles: ``SQRT``, ``SIN``, ``INT`` and the others (RC-206).
 
-One node for each function, evaluated as those of ``expressions.py``. Angles are in degrees. An
+One node for each function, evaluated like those of ``expressions.py``. Angles are in degrees. An
 argument for which the function is not defined notes fault 50879 with the number of the function
-(``expressions.OPERATIONS``) in the context and answers 0 (RC-207).
+(``expressions.OPERATIONS``) in the context and returns 0 (RC-207).
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Fused nodes of expressions: each does the work of several in one call.
 
-RC-501: they count as the nodes that they stand for. Results are the same to the bit: the operations
-are done in the order of the text, and what is added to make shapes alike is exact, a factor of 1
-or -1 (``a - b`` is ``1 * a + -1 * b``). Only variables and numbers are fused, so no fault can arise
-within; what is not finite is seen at the assignment (RC-207).
+RC-501: they count as the nodes that they replace. Results are the same to the bit: the operations
+are done in the order of the text, and the factors added to make shapes alike are exact, 1 or -1
+(``a - b`` is ``1 * a + -1 * b``). Only variables and numbers are fused, so no fault can arise
+within; results that are not finite are caught at the assignment (RC-207).
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Statements of realtime cycles: trees of small objects, each of which runs itself.
 
-RC-207, RC-307, RC-403, RC-501; ``$IF`` is in ``branches.py``. ``run(context)`` answers 0 when
-the run-through goes on and not 0 when the cycle must stop: a fault or a limit, noted in the
+RC-207, RC-307, RC-403, RC-501; ``$IF`` is in ``branches.py``. ``run(context)`` returns 0 if the
+run-through continues, and another number if the cycle must stop: a fault or a limit, noted in the
 context. The cost of a statement in elementary instructions is known when it is built and added
 before it runs. Statements are in a tree of blocks of four, so that a cycle of any length needs
 little recursion.
@@ -111,21 +111,21 @@ def sequence(statements: list[Statement]) -> Statement:
 
 
 class Watch:
-    """Base of what looks at a cycle before a statement runs, and null object: sees nothing."""
+    """Base of the observers called before a statement runs, and null object: does nothing."""
 
     def look(self, context: Context) -> None:
         """Look at the memory; the statement runs next."""
 
 
 class Watched(Statement):
-    """A statement at which a session can stop: ``put`` changes what looks before it runs."""
+    """A statement at which a session can stop: ``put`` exchanges the observer."""
 
     def __init__(self, statement: Statement) -> None:
         self.statement = statement
         self.watch = Watch()
 
     def put(self, watch: Watch) -> None:
-        """Let another one look."""
+        """Exchange the observer."""
         self.watch = watch
 
     def run(self, context: Context) -> int:
@@ -144,7 +144,7 @@ class Counted(Statement):
         self.cost = cost
 
 
-# What every statement does, as functions of this module: the compiler puts them in line.
+# The common part of all statements, as functions of this module: the compiler inlines them.
 
 
 def begin(statement: Counted, context: Context) -> int:
@@ -156,7 +156,7 @@ def begin(statement: Counted, context: Context) -> int:
 
 
 def stop(statement: Counted, context: Context) -> int:
-    """Complete a fault by the statement's source, unless it has its own; return 1."""
+    """Complete a fault by the statement's source, unless it has one; return 1."""
     if context.fault_source == 0:
         context.fault_source = statement.source
     return 1
@@ -204,7 +204,7 @@ class Assignment(Counted):
 class AssignReal(Assignment):
     """Assignment to a REAL64 variable.
 
-    This is what most cycles mostly do: so it is written out instead of composed as the others are.
+    Most cycles mostly do this, so it is written out instead of composed like the others.
     """
 
     def run(self, context: Context) -> int:

@@ -2,8 +2,8 @@
 """Character strings and structures in realtime cycles: compared, assigned, copied.
 
 A string is a row of bytes that ends with its first zero byte; each operation goes through as many
-bytes as the longer variable has, at most, and needs no memory of its own. After the text the
-target of an assignment has zeros only. A structure or array is copied leaf by leaf.
+bytes as the longer variable has, at most, and needs no additional memory. After the text the target
+of an assignment has zeros only. A structure or array is copied leaf by leaf.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.kernel.cycles.instructions import Counted
 
 
 class CellRange(Expression):
-    """A variable of ``count`` cells from ``cell`` on, offset by what ``index`` computes.
+    """A variable of ``count`` cells from ``cell`` on, offset by the value of ``index``.
 
     ``value`` is its first cell; an index outside its array is a fault, noted in the context.
     ``span`` are the cells of all elements that the index may choose.
@@ -34,7 +34,7 @@ class CellRange(Expression):
 
 
 class Text:
-    """A string of ``size`` bytes at ``cell_range``; a constant has a memory of its own."""
+    """A string of ``size`` bytes at ``cell_range``; a constant has its own memory."""
 
     def __init__(self, memory: memoryview, cell_range: CellRange, size: int) -> None:
         check_range(size, 1, len(memory), "size")
@@ -148,9 +148,10 @@ class AssignText(Counted):
 class Copy(Counted):
     """``a = b`` of two structures or arrays of one type, leaf by leaf.
 
-    ``leaves``: of each number and string in it the first cell, counted from the begin, the bytes
-    of a string or 0, and whether it is read in each tick; what is not has its value in ``frozen``,
-    as large as the variable. Both indices are evaluated once, before anything is copied.
+    ``leaves``: for each number and string in it the first cell, counted from the start, the bytes
+    of a string or 0, and whether it is read in each tick; the others have their values in
+    ``frozen``, as large as the variable. Both indices are evaluated once, before anything is
+    copied.
     """
 
     def __init__(
@@ -199,7 +200,7 @@ class Copy(Counted):
         return 0
 
     def copy_text(self, context: Context, to: int, from_: int, size: int) -> None:
-        """Copy a string of the source, or of what is frozen: its cell is ``-1 - from_`` there."""
+        """Copy a string of the source, or a frozen one: its cell is ``-1 - from_`` there."""
         if from_ >= 0:
             assign(self, context, self.characters, to, self.characters, from_, size)
         else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#ERROR`` in a realtime cycle: an error of the user's own (RC-402).
+"""``#ERROR`` in a realtime cycle: a user-defined error (RC-402).
 
 A warning (RC 0) is reported and no more. With RC from 1 on the channel is in error state and the
 path brakes from this tick; the statements after it, its cycle and all others run on until the

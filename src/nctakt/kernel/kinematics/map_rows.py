@@ -15,7 +15,7 @@ VECTOR_X, VECTOR_Y, VECTOR_Z = range(3, 6)
 #: Components of three vectors, one after the other.
 FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD_Z = range(9)
 
-#: What the words of the rotary axes mean.
+#: Meanings of the words of the rotary axes.
 (
     MACHINE_ANGLES,  # the positions of the rotary axes themselves
     VECTOR,  # a vector along the tool, in the places 3 to 5
@@ -24,7 +24,7 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     LATERAL,  # mm on the surface of a cylinder that turns with the rotary axis
 ) = range(5)
 
-#: What ``inverse`` answers.
+#: Results of ``inverse``.
 (
     REACHED,
     OUT_OF_REACH,  # no position of the axes leads there
@@ -34,9 +34,9 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
 
 #: Why the axes cannot follow a block.
 (
-    AXIS_OUTSIDE,  # one leaves its limits
+    AXIS_OUTSIDE,  # an axis leaves its limits
     WAY_OUT_OF_REACH,  # no position of the axes leads to a point of it
-    AXIS_JUMPS,  # one would have to jump: a pole
+    AXIS_JUMPS,  # an axis would have to jump: a pole
 ) = range(3)
 
 #: Columns of every map.
@@ -47,7 +47,7 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     JOINT_COUNT,
     LEADING_COUNT,  # rotary joints before the first linear one
     TRAILING_FIRST,  # the first of the rotary joints after the last linear one
-    SECOND_STEP,  # number of the map that leads on from the results of this one; 0: none
+    SECOND_STEP,  # number of the map applied to the results of this one; 0: none
     IS_SPLIT,  # 1: no rotary joint between two linear ones
     TOOL,  # three columns: the tool's tip with all axes at 0
     _TOOL_Y,
@@ -65,7 +65,7 @@ FIRST_X, FIRST_Y, FIRST_Z, SECOND_X, SECOND_Y, SECOND_Z, THIRD_X, THIRD_Y, THIRD
     SECOND_DIRECTION,  # three columns: the axis of the second angle
     _SECOND_DIRECTION_Y,
     _SECOND_DIRECTION_Z,
-    SHIFT,  # three columns: what the linear joints are moved by with the linear axes at 0
+    SHIFT,  # three columns: displacement of the linear joints with the linear axes at 0
     _SHIFT_Y,
     _SHIFT_Z,
     MATRIX,  # nine columns, row by row: linear axes -> linear joints, or -> motion where split

@@ -5,10 +5,10 @@ A map is a row of numbers (``map_rows.py``) that never changes. A chain is the p
 motions of its joints, from the workpiece to the tool, applied to the tool's tip. With the rotary
 axes given the tip is affine in the three linear axes, so one system of three equations leads back;
 where no rotary joint lies between two linear ones its matrix is constant. Positions are in the
-order of the channel's axes: the first three are those of the tip, those of the rotary axes stay
-what they are (RTCP) or say the tool's direction (complete).
+order of the channel's axes: the first three are those of the tip, those of the rotary axes are
+unchanged (RTCP) or give the tool's direction (complete).
 
-A map may lead on to that of a second step, whose axes are the results of the first one.
+A map may be followed by that of a second step, whose axes are the results of the first.
 
 Maps are kept by number, from 1 on, for as long as the machine lives: segments in the queue and in
 the history refer to them.
@@ -22,7 +22,7 @@ from nctakt.kernel.kinematics import map_rows, rotating_planes
 from nctakt.kernel.kinematics.map_checks import check_column, check_map
 from nctakt.kernel.kinematics.orientation import Orientation
 
-#: Maps that there is room for at first.
+#: Initial capacity, in maps.
 CAPACITY = 4
 #: Volume of the three directions of the linear axes below which they no longer span the space.
 SMALLEST_WHOLE = 1e-9
@@ -32,7 +32,7 @@ class KinematicMaps:
     """The maps of a machine of ``axis_count`` axes; ``used`` is the number of the next one.
 
     ``x``, ``y``, ``z`` hold the point that the joints move, ``columns`` the directions of the three
-    linear axes as the joints before them turn them; ``between`` what lies between two steps.
+    linear axes as the joints before them turn them; ``between`` the values between two steps.
     """
 
     def __init__(self, axis_count: int) -> None:
@@ -52,7 +52,7 @@ class KinematicMaps:
         self.z = 0.0
 
     def add(self, values: list[float]) -> int:
-        """Return the number of a map; equal ones have the same.
+        """Return the number of a map; equal maps share a number.
 
         Raise ``ValueError`` where a number is out of range.
         """
@@ -100,7 +100,7 @@ class KinematicMaps:
     ) -> None:
         """Put the tool's positions into ``results``, from those of the axes.
 
-        Of two pairs of programmed angles the one is taken that is nearer to ``near``.
+        Of two pairs of programmed angles, take the one nearer to ``near``.
         """
         row = number * map_rows.MAP_WIDTH
         second = int(self.values[row + map_rows.SECOND_STEP])
@@ -141,7 +141,7 @@ class KinematicMaps:
     ) -> int:
         """Put the axes' positions into ``results``, from those of ``forward``.
 
-        Of two solutions the one is taken that is nearer to ``near``, positions of the axes. Return
+        Of two solutions, take the one nearer to ``near``, positions of the axes. Return
         ``REACHED``, or why there is none; ``results`` are ``near`` then.
         """
         row = number * map_rows.MAP_WIDTH
@@ -193,10 +193,10 @@ class KinematicMaps:
         near: memoryview[float],
         results: memoryview[float],
     ) -> int:
-        """Put what is programmed for a vector along the tool into the rotary places of ``results``.
+        """Put the words for a vector along the tool into the rotary places of ``results``.
 
-        The vector leads from the tip to the clamp; of two solutions the one is taken that is nearer
-        to ``near``. Return ``REACHED``, or why there is none; it is that of the first step.
+        The vector leads from the tip to the clamp; of two solutions, take the one nearer to
+        ``near``. Return ``REACHED``, or why there is none; the vector is that of the first step.
         """
         row = number * map_rows.MAP_WIDTH
         self.orientation.start(vector, 0)
@@ -431,7 +431,7 @@ class KinematicMaps:
                 self.orientation.turn(self.values, joint + map_rows.JOINT_DIRECTION, angle)
 
     def name_direction(self, row: int, near: memoryview[float], results: memoryview[float]) -> int:
-        """Put what is programmed for the orientation's vector into ``results`` (complete)."""
+        """Put the programmed values for the orientation's vector into ``results`` (complete)."""
         if self.values[row + map_rows.PROGRAMMING] == map_rows.VECTOR:
             results[map_rows.VECTOR_X] = self.orientation.x
             results[map_rows.VECTOR_Y] = self.orientation.y

@@ -2,8 +2,8 @@
 """Two rotary axes that turn the tool into a direction: the angles of both, near present ones.
 
 Two angles a, b turn a direction t about the axes p and q into u = R(p, a)·R(q, b)·t. The component
-of u along p settles b but for a sign, and with b what is left is a turn about p. Where the tool
-lies along p (the pole) any a will do: the present one stays.
+of u along p determines b except for its sign, and with b known, only a turn about p is left. If the
+tool lies along p (the pole), any a will do: the present one stays.
 """
 
 from __future__ import annotations
@@ -97,7 +97,7 @@ class Orientation:
         m_z = values[q] * values[t + map_rows.Y] - values[q + map_rows.Y] * values[t]
         ordinate = values[p] * m_x + values[p + map_rows.Y] * m_y + values[p + map_rows.Z] * m_z
         abscissa = e - g * h
-        # squared sine of the second angle's way from its middle, without loss near either pole
+        # squared sine of the second angle's distance from its middle, accurate near either pole
         if c >= 0.0:
             rest = sine2 - (g - h) * (g - h) - 2.0 * g * h * sine2 / (1.0 + c)
         else:

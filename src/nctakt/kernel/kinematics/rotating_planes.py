@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Planes that turn with a rotary axis: the face of a turned part, and its cylinder (MO-8).
 
-On the face the first axis and the rotary axis have a place x, y in mm: the radial axis is at
-the distance from the axis of rotation, the rotary axis at the angle. The tool may be beside the
-radial axis' line by the second column of ``TOOL``; its own offset along that line is the first. On
-the cylinder the rotary axis has a length on the surface: the first column of ``MATRIX`` is its
-degrees per mm, that of ``SHIFT`` its angle at 0.
+On the face the first axis and the rotary axis have a place x, y in mm: the radial axis is at the
+distance from the axis of rotation, the rotary axis at the angle. The second column of ``TOOL`` is
+the tool's offset across the line of the radial axis, the first its offset along it. On the cylinder
+the rotary axis has a length on the surface: the first column of ``MATRIX`` is its degrees per mm,
+that of ``SHIFT`` its angle at 0.
 """
 
 from __future__ import annotations

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""What the axes allow on an arc, by its angle: speeds, speeding up, braking (MO-1, MO-2).
+"""The limits of the axes on an arc, by its angle: speeds, speeding up, braking (MO-1, MO-2).
 
 On an arc the direction q' of the path and its curvature q'' turn with the angle, so the same speed
-v and acceleration a ask something else of each axis at each place: ``|q'·a + q''·v²| <= A``.
-The arc is seen as *pieces* of equal angle, 6° at most (3° where the speed of an axis is the limit),
-the first and the last one divided further, because the path may start or stop there. Of a vector
-that turns, no part grows between the two ends of a piece beyond that at an end by more than
-1 / cos(half the piece's angle): what keeps that share of the limits at both ends keeps them on the
-whole piece. Speeds are kept as squares, since the conditions are linear in them.
+v and acceleration a put different demands on each axis at each place: ``|q'·a + q''·v²| <= A``. The
+arc is divided into *pieces* of equal angle, 6° at most (3° where the speed of an axis is the
+limit), the first and the last one divided further, because the path may start or stop there. No
+component of a rotating vector exceeds, between the two ends of a piece, its value at an end by more
+than 1 / cos(half the piece's angle): keeping to that share of the limits at both ends keeps them on
+the whole piece. Speeds are kept as squares, since the conditions are linear in them.
 
 Within a piece the path may always keep its speed: ``caps`` is the highest for which that holds.
-From any speed that is not above the line between those of the piece's two borders the path can go
-on to the border ahead, so that braking there is always possible (``entry_v2``).
+From any speed not above the line between those of the piece's two borders, the path can continue to
+the border ahead and always brake there (``entry_v2``).
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ class ArcLimits:
         self.max_a = max_a
 
     def set_count(self, count: int) -> None:
-        """Let there be ``count`` axes; raise ``ValueError`` if there is no room for them."""
+        """Set the number of axes; raise ``ValueError`` if there is no room for them."""
         check_range(count, 0, self.room, "number of axes")
         self.count = count
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The speed along an arc whose limits turn with its angle: one plan for each piece (MO-1, MO-5).
 
-``survey`` settles how fast the path may be at each border of the pieces, from the arc's end
-backwards: ``highs`` what must hold, ``lows`` the target, because the next block has a lesser
-feed. ``plan`` then leads from the present speed to the next border as fast as possible: speed up or
-slow down to the speed limit or to the highest speed that fits, keep it, brake. All accelerations
-are such as ``arc_limits.py`` allows at each speed that occurs.
+``survey`` finds how fast the path may be at each border of the pieces, from the arc's end
+backwards: ``highs`` the limit, ``lows`` the target, because the next block has a lower feed.
+``plan`` then leads from the present speed to the next border as fast as possible: speed up or slow
+down to the speed limit or to the highest speed that fits, keep it, brake. All accelerations are
+allowed by ``arc_limits.py`` at each speed that occurs.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ class ArcSpeed(ArcLimits):
 
         ``factor_ahead``: the override of the next segment.
 
-        That is left out (``remaining_v`` below 0), and where it cannot be had any more. Where the
-        override has just changed, the arc may end faster than its target, as fast as can be.
+        That is left out (``remaining_v`` below 0), also if it is no longer possible. If the
+        override has just changed, the arc may end faster than its target.
         """
         end_v = self.prepared_v
         if factor > 1.0:
@@ -113,7 +113,7 @@ class ArcSpeed(ArcLimits):
     def change(self, stage: int, from2: float, to2: float, width: float, direction: float) -> float:
         """Acceleration from one speed to a higher one, on half of ``width`` at most.
 
-        Next to none counts as none, since its length would be that of the rounding.
+        A tiny acceleration counts as none, since its length would be mere rounding.
         """
         max_a = self.rate(stage, from2, 0.0, direction)
         max_a = min(max_a, self.rate(stage, to2, 0.0, direction))

@@ -61,7 +61,7 @@ class BackwardMotion(History):
         return 1 if self.path.speed_v == 0.0 and self.can_go_back() else 0
 
     def can_go_back(self) -> int:
-        """Return whether there is a path behind the present position."""
+        """Return whether there is a path before the present position."""
         number = self.path.used
         if self.path.is_active:
             if not self.path.is_dwell and self.path.covered_d > 0.0:
@@ -132,7 +132,7 @@ class BackwardMotion(History):
         self.go(-1)
 
     def turn(self, direction: int) -> None:
-        """Go on in ``direction``; the path is at rest."""
+        """Continue in ``direction``; the path is at rest."""
         if direction > 0 and self.number == self.front_number:
             self.return_to_front(self.path.covered_d)
         else:
@@ -223,8 +223,8 @@ class BackwardMotion(History):
     def border_speed(self, ignores_feed: int) -> float:
         """Highest speed at the end of the stage that keeps all that follows.
 
-        Each border that follows may be passed with its own highest speed; what is braked up to it
-        comes on top. The look ends where no border can ask for less.
+        Each border ahead may be passed at its own highest speed, plus what can be braked before it.
+        The search ends where no border can require less.
         """
         number = self.number
         stage = self.stage
@@ -338,9 +338,9 @@ class BackwardMotion(History):
         return length
 
     def cross(self) -> int:
-        """Cross into the next segment; return 1 if the path goes on without a stop.
+        """Cross into the next segment; return 1 if the path continues without a stop.
 
-        The place of the border is reached bit by bit, whatever the speed.
+        The position of the border is reached exactly to the bit, whatever the speed.
         """
         other = self.neighbour(self.number, self.path.direction)
         end = geometry.end_column(self.path.history_rows, self.path.row, self.path.count)
@@ -368,7 +368,7 @@ class BackwardMotion(History):
         return self.keeps_moving()
 
     def keeps_moving(self) -> int:
-        """Return whether the path moves on past a border in this tick or the next one."""
+        """Return whether the path moves past a border in this tick or the next."""
         if not self.path.is_active or self.path.speed_v == 0.0:
             return 0
         if self.path.left_t > 0.0:
@@ -403,7 +403,7 @@ class BackwardMotion(History):
         return 0
 
     def stay(self, refusal: int) -> None:
-        """Stop where the walk cannot go on: backward at the start of the history."""
+        """Stop where the walk cannot continue: backward at the start of the history."""
         self.is_blocked = True
         self.path.speed_v = 0.0
         source = int(self.path.history_rows[self.path.row + rows.SOURCE])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The corner between the newest segment and the one before it (MO-1, MO-3).
 
-How the axes' parts of the path's length change from the one to the other: in a step where the
-direction does, and their changes along the path where the curvature does.
+How the axes' parts of the path's length change there: in a step if the direction changes, and their
+derivatives along the path if the curvature changes.
 """
 
 from __future__ import annotations
@@ -14,18 +14,17 @@ from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
 class Corner:
-    """The directions at one corner, and what the segment before it has left.
+    """The directions at one corner, and values of the segment before it.
 
-    ``entering`` and ``leaving``: each axis' part of the length after the corner and before
-    it; ``entering_curve`` and ``leaving_curve``: the change of these per mm. ``steps``, ``shares``
-    and ``turns``: what the corner asks of each axis, as it is passed. ``centripetal_share``: of an
-    arc's acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit
-    of the jerk; ``is_rounded``: a rounding leads into it; ``is_bent``: a transformation or a spline
-    bends the way of the axes on it. ``last_…``: the same of the segment
-    before; ``last_length`` is its programmed length in mm, ``last_deviation`` the distance in mm
-    at which the path may pass its end, negative: at which it leaves the line before it.
-    ``last_part`` and ``last_bend``: which part of a line a rounding may take, and up to which
-    change of direction there is one.
+    ``entering`` and ``leaving``: each axis' part of the length after the corner and before it;
+    ``entering_curve`` and ``leaving_curve``: the change of these per mm. ``steps``, ``shares`` and
+    ``turns``: the corner's demand on each axis, as it is passed. ``centripetal_share``: of an arc's
+    acceleration; ``corner_v``: with which the newest segment is entered, 0 without a limit of the
+    jerk; ``is_rounded``: a rounding leads into it; ``is_bent``: a transformation or a spline bends
+    the motion of the axes on it. ``last_…``: the same of the segment before; ``last_length`` is its
+    programmed length in mm, ``last_deviation`` the distance in mm at which the path may pass its
+    end, negative: at which it leaves the line before it. ``last_part`` and ``last_bend``: which
+    part of a line a rounding may take, and up to which change of direction there is one.
     """
 
     def __init__(self, limits: SegmentLimits) -> None:
@@ -53,7 +52,7 @@ class Corner:
         self.last_is_bent = False
 
     def enter(self, segments: memoryview[float], row: int, centripetal_share: float) -> None:
-        """Take the start of the newest segment as the one after the corner."""
+        """Take the direction at the start of the newest segment as the one after the corner."""
         self.centripetal_share = centripetal_share
         self.corner_v = 0.0
         self.is_rounded = False
@@ -133,7 +132,7 @@ class Corner:
     def corner_speed(self, i: int, shortest: float, turn: float) -> float:
         """Highest speed at a corner for one axis.
 
-        It uses at most 0.7 of its jerk, beside a way that a transformation bends 0.5.
+        It uses at most 0.7 of its jerk, 0.5 next to a motion that a transformation bends.
         """
         step = self.steps[i]
         if step <= 1e-12:

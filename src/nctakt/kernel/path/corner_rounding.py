@@ -13,9 +13,9 @@ the length has at most
 and the corner is h·(size of the step)/6 away from it.
 
 Most of the axes' limits is for the speed. Little is left for the acceleration along the rounding,
-which override and hold need: the path comes with none to either end, if it can
-(``jerk_lookahead.py``, ``jerk_profile.py``). A rounding is a segment of its own, a piece of the
-block whose end it rounds.
+which override and hold need: the path reaches either end with none, if it can
+(``jerk_lookahead.py``, ``jerk_profile.py``). A rounding is a separate segment, part of the block
+whose end it rounds.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class CornerRounding:
     def round(self, segments: memoryview[float], before: int, row: int, back: int) -> int:
         """Make a rounding over the corner between two segments; return 0 if none fits.
 
-        None is made either where the path is as fast without. ``spare`` keeps both segments as they
+        None is made either if the path is as fast without it. ``spare`` keeps both segments as they
         were; ``back``: how many commands lie between them.
         """
         if segments[before + rows.NEXT_SPEED] > 0.0:
@@ -67,7 +67,7 @@ class CornerRounding:
         return 1
 
     def restore(self, segments: memoryview[float], before: int, row: int) -> None:
-        """Give both segments back as they were before ``round``."""
+        """Restore both segments as they were before ``round``."""
         for i in range(self.width):
             segments[row + i] = self.spare[i]
             segments[before + i] = self.spare[self.width + i]
@@ -116,8 +116,8 @@ class CornerRounding:
     ) -> int:
         """Return whether rounding and ramps take less time than a standstill at the corner.
 
-        What a ramp takes more than the same way with its higher speed is compared. That speed is
-        one from which the path can stop on half of each line.
+        Compares how much longer a ramp takes than the same distance at its higher speed. From that
+        speed the path can stop on half of each line.
         """
         limit_a = min(segments[before + rows.ACCELERATION], segments[row + rows.ACCELERATION])
         limit_j = min(segments[before + rows.JERK], segments[row + rows.JERK])

@@ -2,10 +2,10 @@
 """A piece of a spline: a cubic with four control points, by its length (MO-18).
 
 Start, target and two inner control points of each axis are in the row of a segment (``rows.py``).
-The cubic's own parameter is a polynomial of fifth degree over the part of the length, whose value,
-slope and curve fit at both ends: so the speed is that of the path on pieces that are short enough,
-and exact where two of them meet. Where the cubic nearly stops at an end, the parameter is the part
-of the length itself.
+The cubic's parameter is a polynomial of fifth degree over the share of the length, whose value,
+slope and curvature fit at both ends: so the speed is that of the path on short pieces, and exact
+where two of them meet. Where the cubic nearly stops at an end, the parameter is the part of the
+length itself.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def moves_axis(segments: memoryview[float], row: int, count: int, i: int) -> int
 
 
 def parameter(segments: memoryview[float], row: int, part: float) -> float:
-    """Return the cubic's own parameter after a part of its length."""
+    """Return the cubic's parameter after a share of its length."""
     value = segments[row + rows.CUBIC_FIFTH] * part + segments[row + rows.CUBIC_FOURTH]
     value = value * part + segments[row + rows.CUBIC_CUBE]
     value = value * part + segments[row + rows.CUBIC_SQUARE]
@@ -109,7 +109,7 @@ def rate(
     linear: memoryview[int],
     kind: int,
 ) -> float:
-    """Return the change of the length with the cubic's own parameter.
+    """Return the derivative of the length by the cubic's parameter.
 
     ``kind``: 1 counts the linear axes, 0 the others.
     """
@@ -143,7 +143,7 @@ def rates(
 
 
 def measure(segments: memoryview[float], row: int, count: int, linear: memoryview[int]) -> None:
-    """Settle the length of a cubic (seven points of Gauss), and its own parameter over that."""
+    """Compute the length of a cubic (seven Gauss points), and its parameter over the length."""
     kind = 0
     for i in range(count):
         if linear[i] > 0 and moves_axis(segments, row, count, i):

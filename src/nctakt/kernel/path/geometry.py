@@ -4,14 +4,14 @@
 A segment is a row over ``count`` axes (``rows.py``) that begins at ``row``, in the channel's queue
 and in the path's history.
 
-The stages of a segment, each with its own limits: entry zone, middle, exit zone, curve. In the
+The stages of a segment, each with separate limits: entry zone, middle, exit zone, curve. In the
 zones the path keeps acceleration in reserve for the step in speed at the corner. The curve is a
 parabola, so that an axis changes its speed evenly on it; its length counts at the speed that the
 path has at its two ends.
 
-A rounding is a segment of its own between two lines with a limit of the jerk: its direction changes
-as a parabola up to the middle, then as its mirror image, so that an axis changes its acceleration
-evenly and has none but the path's at either end. Its length counts as that of the curve.
+A rounding is a separate segment between two lines with a jerk limit: its direction changes as a
+parabola up to the middle, then as its mirror image, so that an axis changes its acceleration evenly
+and has none but the path's at either end. Its length counts as that of the curve.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ class Goal:
         self.carried_j = carried_j
 
     def move(self, speed_v: float, kind: int) -> None:
-        """Move the goal to this very point, with a speed of its own."""
+        """Move the goal to this very point, with its own speed."""
         self.speed_v = speed_v
         self.distance_d = 0.0
         self.acceleration_a = 1e300

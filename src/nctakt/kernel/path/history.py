@@ -4,8 +4,8 @@
 A segment is known by its running number, its *number*. With a limit of the jerk the walk goes over
 *stretches*: segments between which the path had passed without a stop. On each segment the walk has
 the least acceleration and jerk of it and those after it, up to a rounding; with these it brakes
-for goals as the path does (``jerk_lookahead.py``), and stops at the stretch's end. A rounding is
-driven with its own ones, and is a goal at either end, which the walk comes to without acceleration.
+for goals as the path does (``jerk_lookahead.py``), and stops at the stretch's end. A rounding has
+its own values, and is a goal at either end, which the walk reaches without acceleration.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class History:
         return 0
 
     def note_foreign(self) -> int:
-        """Return whether another axis has started a motion of its own in this tick."""
+        """Return whether another axis has started an independent motion in this tick."""
         has_changed = 0
         for i in range(self.path.count):
             if self.path.axes.independent[self.path.members[i]] and not self.foreign[i]:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Look-ahead with a limit of the jerk: speeds at corners, what the path brakes for (MO-1, MO-3).
+"""Look-ahead with a jerk limit: speeds at corners, goals that the path brakes for (MO-1, MO-3).
 
 A corner where an axis changes its speed in a step, or its acceleration because the curvature
-changes, is passed so slowly that the axis keeps its jerk in each tick; what the corner uses is
-missing on the two segments.
+changes, is passed so slowly that the axis keeps its jerk limit in each tick; the share that the
+corner uses is missing on the two segments.
 
 The path brakes for *goals*: corners, lesser feeds and the stop at the end, each with its speed and
 no acceleration. A point where the path that brakes for a later goal is slow enough anyway is
@@ -28,7 +28,7 @@ from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
 class JerkLookAhead:
-    """How the segments of one channel go on into each other with a limit of the jerk.
+    """How the segments of one channel are joined with a jerk limit.
 
     ``capacity``: rows of the queue; ``blocks``: how many of them are looked ahead (P-CHAN-00653).
     """
@@ -45,7 +45,7 @@ class JerkLookAhead:
     # --- corners --------------------------------------------------------------------------------
 
     def join(self, segments: memoryview[float], before: int, row: int) -> None:
-        """Settle the speed at the corner between two segments, and what is left to both.
+        """Compute the speed at the corner between two segments, and the limits left to both.
 
         ``steps`` has the step of each axis' part of the length. In a tick³ a step of the speed
         counts at most once, one of the acceleration 3/4; several corners in a tick add up.
@@ -94,7 +94,7 @@ class JerkLookAhead:
     ) -> None:
         """Subtract the acceleration and jerk of the axes that a corner uses on a segment.
 
-        ``is_bent``: a transformation bends the axes' way, which takes a share of both.
+        ``is_bent``: a transformation bends the axes' motion, which takes a share of both.
         """
         free_a = self.limits.transformed.free_a if is_bent else 1.0
         free_j = self.limits.transformed.free_j if is_bent else 1.0
@@ -161,7 +161,7 @@ class JerkLookAhead:
     def slow_before(
         self, goal: Goal, segments: memoryview[float], before: int, row: int, top_v: float
     ) -> None:
-        """Move the goal between two segments where the one ahead does not suffice.
+        """Move the goal between two segments if the one ahead does not suffice.
 
         ``top_v``: the highest speed from the segment at ``before`` into the one at ``row``.
         """

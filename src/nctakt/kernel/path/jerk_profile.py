@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The speed along the path with a limit of the jerk: state, limits, what is ahead -> a plan (MO-1).
+"""The speed along the path with a jerk limit: state, limits, goal ahead -> a plan (MO-1).
 
 The plan leads from the present speed and acceleration to the goal of the segment
 (``jerk_lookahead.py``), which may be several segments ahead; it is followed up to the segment's end
-and made anew there, from what speed and acceleration are then, or where the speed limit changes.
+and recomputed there from the speed and acceleration reached, or where the speed limit changes.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ from nctakt.kernel.axes.trajectory import Trajectories
 class JerkProfile:
     """Plan of one path with limited jerk, and the acceleration that it has reached.
 
-    ``distance_d``, ``speed_v``: what ``advance`` has found; ``left_t``: time left after the end of
-    the segment.
+    ``distance_d``, ``speed_v``: results of ``advance``; ``left_t``: time left after the end of the
+    segment.
     """
 
     def __init__(self, cycle_time_t: float) -> None:
@@ -50,9 +50,9 @@ class JerkProfile:
         """Plan the rest of a segment up to its goal; to a standstill where ``limit_v`` is 0.
 
         ``row``: where the segment's row begins. In single block the segment's end is the goal if
-        the path can still stop there; it brakes with the segment's own limits, and so may come too
-        fast to the goal ahead, which asks for less, when single block is taken away: then it stops
-        at the end nevertheless. It does not once the goal has come within reach, since it then
+        the path can still stop there; it brakes with the limits of the segment, and so may be too
+        fast for the goal ahead, which requires less, when single block is switched off: then it
+        stops at the end anyway. It no longer does once the goal is within reach, since it then
         leaves the distance on which it could stop there.
         """
         limit_a = segments[row + rows.CARRIED_ACCELERATION]
@@ -90,8 +90,8 @@ class JerkProfile:
     def can_stop(self, speed_v: float, limit_a: float, limit_j: float) -> int:
         """Return whether the path can still stop at the segment's end, up to rounding.
 
-        A path that brakes for that stop must not miss it where it is held, too: a lesser speed can
-        be a longer distance, so it might find none up to the end but one that is far too high.
+        A path that brakes for that stop must not miss it if it is also held: a lower speed can mean
+        a longer distance, so the only speed found up to the end might be far too high.
         """
         stop_d = self.course.stopping_d(speed_v, self.acceleration_a, limit_a, limit_j)
         return 1 if stop_d <= self.rest_d + 1e-10 else 0

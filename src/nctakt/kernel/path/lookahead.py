@@ -31,7 +31,7 @@ from nctakt.kernel.path.segment_limits import SegmentLimits
 
 
 class LookAhead:
-    """The preparation of one channel: how its segments go on into each other.
+    """The preparation of one channel: how its segments are joined.
 
     Its parts: the ``limits`` of a segment, the ``corner`` before the newest one, and for a
     limited jerk the ``rounding`` of corners and the look-ahead ``jerk``. ``blocks``: how many
@@ -59,7 +59,7 @@ class LookAhead:
         """Prepare the newest segment alone: its limits, and its direction at its start."""
         self.corner.enter(segments, row, self.limits.measure(segments, row))
 
-    # --- from one segment to the next -----------------------------------------------------------
+    # --- joining segments -----------------------------------------------------------------------
 
     def join(self, segments: memoryview[float], before: int, row: int) -> None:
         """Settle how the path passes from the segment at ``before`` to that at ``row``."""
@@ -84,7 +84,7 @@ class LookAhead:
         return self.limits.arcs.end_cap(at_end)
 
     def pass_corner(self, segments: memoryview[float], before: int, row: int) -> None:
-        """Settle the speed at a corner, and the zones beside it with reserves."""
+        """Compute the speed at a corner, and the zones next to it with reserves."""
         share = max(self.corner.centripetal_share, self.corner.last_centripetal_share)
         reserve = min(0.7, 1.0 - arithmetic.square_root(share * share + 0.0025))
         shortest = min(segments[before + rows.LENGTH], segments[row + rows.LENGTH])
@@ -286,7 +286,8 @@ class LookAhead:
     ) -> None:
         """Let the path continue into segment ``number`` from the one ``back`` rows before.
 
-        What would break the promise to the current segment is taken back: the path stops there.
+        A continuation that would break the promise to the current segment is undone: the path stops
+        there.
         """
         row = number % self.capacity * self.width
         before = (number - back) % self.capacity * self.width

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The override of the path: what the prepared speed of a segment is multiplied with (RC-305).
+"""The override of the path: the factor for the prepared speed of a segment (RC-305).
 
 The programmed part is in the prepared speed already; P-CHAN-00056 bounds the others, as contour
 preparation counts with it. G166 leaves out operator's and programmed part; under G95 the speed

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The path: prepared segments -> command positions, one increment a tick (MO-1 … MO-6).
 
-A segment is a row of the command queue (``rows.py``); ``geometry.py`` says where the axes are on
-it. The path decides what only the tick knows: override, hold and stop. Every change of the speed
+A segment is a row of the command queue (``rows.py``); ``geometry.py`` computes where the axes are
+on it. The path handles what only the tick knows: override, hold and stop. Every change of the speed
 limit plans the rest of the present stage of the segment anew from the present speed; position and
 speed come from the plan in closed form. Time left over in a tick when a segment ends without a stop
 is carried into the next one. Segments that were used stay in the history until they are
@@ -28,8 +28,8 @@ class Path(PathAxes):
 
     ``history_size`` blocks before the current one are kept, from the running number ``oldest`` on.
     ``front`` is the row of the newest segment. While the path ``is_retracing`` from it the current
-    row is another one, walked over in ``direction`` (1 forward, -1 backward), and ``is_front_over``
-    tells that the newest segment was at its end before.
+    row is another one, walked over in ``direction`` (1 forward, -1 backward), and
+    ``is_front_over``: the newest segment had already reached its end.
     """
 
     def __init__(
@@ -116,7 +116,7 @@ class Path(PathAxes):
             self.arc.begin(self.history_rows, self.row)
 
     def remember(self) -> None:
-        """Keep the segment in the history; begin a new one if an axis was moved otherwise."""
+        """Keep the segment in the history; begin a new one if an axis was moved by other means."""
         if self.used - self.oldest > self.history_size:
             self.oldest += 1
         if self.history_rows[self.row + rows.KIND] == rows.DWELL:
@@ -134,7 +134,7 @@ class Path(PathAxes):
     def history(self) -> tuple[memoryview[float], int]:
         """Return the rows of the history, and how many of their cells count.
 
-        The first row counts always: it is read before there is any segment.
+        The first row always counts: it is read before there is any segment.
         """
         count = min(max(self.used, 1), self.ring_size)
         return self.history_rows, count * self.width
@@ -175,7 +175,7 @@ class Path(PathAxes):
         return self.history_rows[self.front + rows.CONTINUES] > 0.0
 
     def set_remaining(self, remaining: float) -> None:
-        """Set what is left of the block after the newest segment.
+        """Set the rest of the block after the newest segment.
 
         With a limit of the jerk its length, else the highest speed that reaches 0 at its end.
         """
@@ -193,7 +193,7 @@ class Path(PathAxes):
         return self.serial if self.is_active or self.continues_block() else 0
 
     def next_stage(self) -> int:
-        """Go on to the segment's next stage with a length; return 0 if none is left.
+        """Continue with the segment's next stage with a length; return 0 if none is left.
 
         The pieces of an arc whose limits go by its angle are its stages.
         """
@@ -240,7 +240,7 @@ class Path(PathAxes):
         return has_time_left
 
     def is_at_end(self) -> int:
-        """Return whether the segment has nothing left but what rounding may leave, in mm.
+        """Return whether nothing is left of the segment but a rounding error, in mm.
 
         A stop whose braking distance is that to the end has ended the segment (RC-105, MO-6).
         """
@@ -337,7 +337,7 @@ class Path(PathAxes):
     def factor_ahead(self, ignores_override: int) -> float:
         """Override factor of a segment ahead, which may ignore the operator's part (G166).
 
-        What a spindle does to its pace counts as for the current segment.
+        The effect of a spindle on its feed is taken from the current segment.
         """
         if ignores_override == (self.history_rows[self.row + rows.IGNORES_OVERRIDE] > 0.0):
             return self.factor
@@ -347,9 +347,9 @@ class Path(PathAxes):
         """Highest speed at the segment's end; in single block a standstill, if it is possible.
 
         Where the next segment continues the block it is a speed that reaches 0 at the block's end.
-        What was prepared counts with an override of 100 %. With less the next segment begins with
-        its own lower speed, as far as braking at the limit comes; with more the prepared speed
-        grows, as far as the axes allow.
+        The prepared speed is for an override of 100 %. With less, the next segment begins at its
+        own lower speed, as far as braking at the limit allows; with more, the prepared speed grows
+        as far as the axes allow.
         """
         end_v = self.history_rows[self.row + rows.END_SPEED]
         if self.factor > 1.0:
@@ -368,7 +368,7 @@ class Path(PathAxes):
     def stands_in_single_block(self, limit_v: float) -> int:
         """Return whether single block stops at the segment's end with limited jerk.
 
-        Where the block goes on it does so only if it could not stop at the block's end.
+        If the block continues, it does so only if it could not stop at the block's end.
         """
         if self.history_rows[self.row + rows.CONTINUES] == 0.0:
             return 1
@@ -407,8 +407,8 @@ class Path(PathAxes):
     def finish(self) -> int:
         """Put the axes exactly to the segment's end; return 1 if the path moves on.
 
-        A path that still moves goes on even where no time is left: what comes between the blocks
-        may have to wait, and must not stop the path in a step (MO-1).
+        A path that still moves continues even if no time is left: commands between the blocks may
+        have to wait, and must not stop the path in a step (MO-1).
         """
         self.is_active = False
         if not self.is_retracing:

@@ -13,12 +13,12 @@ class PathAxes:
     """Axes of one channel's path, ``members`` among those of the machine.
 
     The axis at index i of ``members`` is the one at place i of the channel; the number after the
-    last axis of the machine marks a place without one. ``room``: how many places there can be.
+    last axis of the machine marks an empty place. ``room``: how many places there can be.
 
     ``maps``: the transformations; ``standing``: the axes at one end of a transformed segment.
     ``row``: where the row of the current segment begins in ``history_rows``; ``direction``: 1
-    forward over it, -1 backward. ``moved``: the axes that the path has. ``shown_…``: what the
-    overrides were published by last, no version where a realtime cycle had set one.
+    forward over it, -1 backward. ``moved``: the axes that the path has. ``shown_…``: the state for
+    which the overrides were last published, no version if a realtime cycle had set one.
     """
 
     def __init__(self, axes: Axes, members: list[int], room: int) -> None:
@@ -45,9 +45,9 @@ class PathAxes:
         self.direction = 1
 
     def set_axes(self, members: list[int]) -> None:
-        """Let the path have these axes; ``axes.count`` stands for a place without one.
+        """Assign these axes to the path; ``axes.count`` stands for a place without one.
 
-        Raise ``ValueError`` for an unknown axis, or for more of them than there is room for.
+        Raise ``ValueError`` for an unknown axis, or for too many.
         """
         check_range(len(members), 0, self.room, "number of axes")
         for axis in members:
@@ -73,12 +73,12 @@ class PathAxes:
         return -1
 
     def transform(self, queue: memoryview[float], row: int) -> None:
-        """Let the transformation of the command at ``row`` be active (MO-8)."""
+        """Activate the transformation of the command at ``row`` (MO-8)."""
         number = int(queue[row + rows.TRANSFORMATION_NUMBER])
         self.axes.transform(self.slot, number)
 
     def shown_map(self) -> int:
-        """Return the number of the map that the channel's positions are shown by, 0 for none."""
+        """Return the number of the map used to show the channel's positions, 0 for none."""
         return int(self.axes.transformations.active[self.slot])
 
     def publish_direction(self, memory: memoryview[float], cell: int) -> None:
@@ -96,7 +96,7 @@ class PathAxes:
         """Return the message that refuses a segment; 0 if the path can take it.
 
         The axes that it moves must be where it starts, since the path never jumps (RC-409), and
-        have no motion of their own (MO-13); ``refused_axis`` is the first that has not.
+        must not move independently (MO-13); ``refused_axis`` is the first that fails this.
         """
         self.stand(queue_row, queue, queue_row + rows.START)
         for i in range(self.count):
@@ -133,7 +133,7 @@ class PathAxes:
     def is_there(self, segments: memoryview[float], row: int, column: int, i: int) -> int:
         """Return whether axis ``i`` is at its position at ``column``.
 
-        Transformed within a micrometre's millionth part (``standing``), which rounding leaves.
+        Transformed to within a millionth of a micrometre (``standing``), the rounding error.
         """
         command = self.axes.command[self.members[i]]
         if segments[row + rows.TRANSFORMATION] > 0.0:
@@ -144,7 +144,7 @@ class PathAxes:
     def claim(self) -> None:
         """Claim the axes that the segment moves until it ends (MO-13).
 
-        Where the path brakes on a segment that it cannot take, the others stay what they were.
+        If the path brakes on a segment that it cannot execute, the other targets are unchanged.
         """
         self.moved_count = 0
         self.stand(self.row, self.history_rows, self.row + rows.START)
@@ -156,7 +156,7 @@ class PathAxes:
     def claim_again(self) -> None:
         """Claim the axes anywhere on a segment that the path had before (MO-7).
 
-        But for those that have a motion of their own by now (MO-13).
+        Except those that move independently by now (MO-13).
         """
         self.moved_count = 0
         self.show_map(int(self.history_rows[self.row + rows.SHOWN_TRANSFORMATION]))
@@ -196,7 +196,7 @@ class PathAxes:
     def publish_overrides(self, operator_pct: float, is_held: int) -> None:
         """Publish TOTAL of the members' independent motions (RC-305); ``is_held``: feed hold.
 
-        Mostly it depends on what it did in the tick before, and the cells show it already.
+        Mostly it is as in the tick before, and the cells show it already.
         """
         is_shown = self.axes.override_version == self.shown_version
         is_shown = is_shown and operator_pct == self.shown_pct and is_held == self.shown_hold
@@ -223,7 +223,7 @@ class PathAxes:
         return 1
 
     def show_standstill(self) -> None:
-        """Show the axes of an ended segment at a standstill, unless they move on their own."""
+        """Show the axes of an ended segment at a standstill, unless they move independently."""
         for k in range(self.moved_count):
             axis = self.members[self.moved[k]]
             if not self.axes.independent[axis]:
@@ -283,7 +283,7 @@ class PathAxes:
             self.axes.command[self.members[i]] = self.standing[i]
 
     def aim(self) -> None:
-        """Let the end of a transformed segment be the target of the axes that it moves."""
+        """Make the end of a transformed segment the target of the axes that it moves."""
         if self.history_rows[self.row + rows.TRANSFORMATION] > 0.0:
             end = self.row + rows.START + (self.count if self.direction > 0 else 0)
             self.stand(self.row, self.history_rows, end)

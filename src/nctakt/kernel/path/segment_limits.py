@@ -22,10 +22,10 @@ from nctakt.kernel.path.transformed_limits import TransformedLimits
 
 
 class SegmentLimits:
-    """The limits of one channel's axes, and what they allow on a segment.
+    """The limits of one channel's axes, and the limits that follow for a segment.
 
     An axis is ``linear`` or not; ``rapid_…`` limits hold for rapid motions, ``feed_…`` for the
-    others, ``…_slope_a`` with limited jerk: each slope has accelerations of its own. ``axis_a`` and
+    others, ``…_slope_a`` with limited jerk: each slope has separate accelerations. ``axis_a`` and
     ``axis_j``: those of the newest segment. A speed is at most ``max_factor`` times the programmed
     one (P-CHAN-00056). ``has_jerk_limit``: a segment had a limit of the jerk.
 
@@ -141,7 +141,7 @@ class SegmentLimits:
         self.has_changed = True
 
     def use_stricter_limits(self) -> None:
-        """Let what both segments of a corner allow be the limits until ``end_corner``."""
+        """Use the stricter limits of both segments of a corner until ``end_corner``."""
         for i in range(self.count):
             limit = self.rapid_a[i]
             self.rapid_a[i] = min(limit, self.kept_rapid_a[i])
@@ -211,7 +211,7 @@ class SegmentLimits:
                 self.axis_j[i] = self.feed_j[i]
 
     def measure_bent(self, segments: memoryview[float], row: int) -> float:
-        """Prepare a segment on which the way of the axes is bent; return as ``measure``."""
+        """Prepare a segment on which the motion of the axes is bent; return as ``measure``."""
         share = self.transformed.measure(segments, row, self.max_factor)
         if self.is_reduced:
             limit_v = self.vector_limit(segments, row, rows.VECTOR_SPEED)
@@ -327,7 +327,7 @@ class SegmentLimits:
     def straight_length(self, segments: memoryview[float], row: int) -> float:
         """Length in the linear axes, or in the rotary ones where no linear axis moves.
 
-        A linear length below a nanometre, which rounding leaves, counts as none.
+        A linear length below a nanometre, a rounding error, counts as none.
         """
         start = row + rows.START
         target = start + self.count
@@ -466,8 +466,8 @@ class SegmentLimits:
     def is_even(self, segments: memoryview[float], row: int, commanded_v: float) -> int:
         """Return whether one acceleration all along an arc costs next to no time (1 %).
 
-        What ramps at both ends lose beside the acceleration that the axes have there is compared
-        with the time of the whole length at the commanded speed.
+        Compares the time that ramps at both ends lose against the acceleration of the axes there
+        with the time for the whole length at the commanded speed.
         """
         slower = 1.0 / segments[row + rows.ACCELERATION]
         geometry.tangent(segments, row, self.count, 0, self.direction)
@@ -498,7 +498,7 @@ class SegmentLimits:
         self.arcs.open(segments, row)
         segments[row + rows.MAX_SPEED] = self.arcs.highest_speed()
 
-    # --- what axes can do -----------------------------------------------------------------------
+    # --- abilities of the axes ------------------------------------------------------------------
 
     def speed_of(self, speed: float, max_speed: float) -> float:
         """Highest speed that a segment is ever driven with, per s, from its two columns."""

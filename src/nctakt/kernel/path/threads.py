@@ -4,7 +4,7 @@
 Cutting: where the path has its speed, its length is (angle - start angle) / degrees for each mm, to
 the last bits, whatever the spindle does; so passes repeat at any speed. The path begins earlier by
 the time that its acceleration loses, within a tick, and so is on that line from then on. A block
-that goes on into the next thread keeps the angle. The override, feed hold, single block and
+that continues into the next thread keeps the angle. The override, feed hold, single block and
 backward motion wait for the end of the threads; while they last the spindle changes its speed only
 as the axes can follow it. Tapping: the spindle has the angle that belongs to the length, in each
 tick, so override, hold and backward motion act on both.
@@ -25,7 +25,7 @@ class Threads:
 
     ``is_cutting``: the path follows a spindle. ``angle``: of the spindle, with all its revolutions,
     at the start of the block; ``turn``: degrees for each mm, negative backward. ``fault``: number
-    of the message about what broke the thread at ``source``, 0 for nothing.
+    of the message for the fault that broke the thread at ``source``, 0 for none.
     """
 
     def __init__(self, path: Path, context: Context) -> None:
@@ -112,7 +112,7 @@ class Threads:
         self.path.forget()
 
     def measure(self) -> None:
-        """Note what the current block asks of the spindle."""
+        """Note the current block's demand on the spindle."""
         row = self.path.row
         turn = self.path.history_rows[row + rows.THREAD_TURN]
         self.turn = turn if self.turn > 0.0 else 0.0 - turn
@@ -125,7 +125,7 @@ class Threads:
         )
 
     def chain(self) -> None:
-        """Go on into the thread that the path has just passed into, at the angle there."""
+        """Continue into the thread that the path has just entered, at the angle there."""
         row = self.path.row
         self.source = int(self.path.history_rows[row + rows.SOURCE])
         if self.state == codes.WITH_TAP:
@@ -223,7 +223,7 @@ class Threads:
     # --- after the path's step ------------------------------------------------------------------
 
     def settle(self) -> None:
-        """Turn a spindle that taps, or end the threads; warn of one that had no speed."""
+        """Turn a spindle that taps, or end the threads; warn of a thread that had no speed."""
         if not self.is_cutting:
             self.turn_spindle()
             return
@@ -293,14 +293,14 @@ class Threads:
     def stands_before(self, thread: float) -> int:
         """Return whether the path is at rest between a thread and the segment that follows.
 
-        The next tick decides when it goes on; ``thread``: that of the segment.
+        The next tick decides when it continues; ``thread``: that of the segment.
         """
         if self.path.speed_v > 0.0:
             return 0
         return 1 if thread != rows.NO_THREAD or self.state != codes.WITHOUT_THREAD else 0
 
     def take_fault(self) -> int:
-        """Return the number of what broke the thread, once."""
+        """Return the message number of the fault that broke the thread, once."""
         fault = self.fault
         self.fault = 0
         return fault
@@ -310,7 +310,7 @@ class Threads:
         return self.spindles.first_number + self.spindle
 
     def clear(self) -> None:
-        """End all threads: the spindle is on its own again."""
+        """End all threads: the spindle is independent again."""
         self.uncouple()
         if self.is_cutting:
             self.spindles.limits.bind(self.spindle, 0.0, 0.0, 0.0)

@@ -2,7 +2,8 @@
 """How long and how far the tool has worked on the path of one channel (V.TLM).
 
 Public manuals: "Weighting factors for tool life and tool life distance". Rapid motions do not
-count, unless the list says so (P-CHAN-00255), nor what the path walks back and goes again.
+count, unless the list says so (P-CHAN-00255), nor does motion backward and forward again over the
+same path.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ class ToolLifeCounter:
         self.from_d = 0.0
 
     def count(self, covered_d: float) -> None:
-        """Count the way up to here, in mm from the begin of the segment."""
+        """Count the distance up to here, in mm from the start of the segment."""
         if self.is_counted and covered_d > self.counted_d:
             self.counted_d = covered_d
             self.distance_d = self.begin_d + (covered_d - self.from_d) * self.distance_factor
@@ -65,7 +66,7 @@ class ToolLifeCounter:
         return self.begin_d if is_ahead else self.distance_d
 
     def go_on(self, time_t: float, distance_d: float, is_ahead: int) -> None:
-        """Go on from these values at a command."""
+        """Continue from these values at a command."""
         self.time_t, self.begin_t, self.ticks = time_t, time_t, 0
         self.begin_d = distance_d
         self.from_d = 0.0 if is_ahead else self.counted_d

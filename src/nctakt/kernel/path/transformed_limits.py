@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What the axes allow on a transformed segment, or a cubic: their positions over its length (MO-1).
+"""Limits of the axes on a transformed segment or cubic, from positions over its length (MO-1).
 
-The map bends the way of the axes where rotary axes turn. A segment is sampled at least every three
-degrees of what turns on it; differences of the samples give the change of each axis with the length
+The map bends the motion of the axes where rotary axes turn. A segment is sampled at least every
+three degrees of rotation; differences of the samples give the change of each axis with the length
 s, once, twice and thrice. With the speed v, the acceleration a and the jerk j along the segment an
 axis q has the speed q'·v, the acceleration q'·a + q''·v² and the jerk q'·j + 3·q''·v·a + q'''·v³;
-of the last two the terms of the bend may take a share each, and the rest is left for the first.
+in the last two, the bend terms may each take a share, and the rest is left for the first term.
 """
 
 from __future__ import annotations
@@ -23,9 +23,10 @@ CUBIC_TURN = 48.0
 MIN_STEP = 1.5
 #: Degrees between the samples for the direction at an end.
 END_STEP = 0.1
-#: Samples of a segment at most, where the axes turn otherwise than what is programmed.
+#: Maximum number of samples of a segment on which the axes turn differently from what is
+#: programmed.
 MAX_SAMPLES = 4096
-#: What differences of samples may miss of the largest value.
+#: Relative error allowed for differences of samples.
 MARGIN = 1.01
 #: Shares of acceleration and jerk that the bend takes at most, of the jerk with its two terms.
 BEND_A = 0.4
@@ -38,7 +39,7 @@ class TransformedLimits:
 
     ``first``, ``second``, ``third``: the largest changes of each axis with the length; ``entering``
     … ``leaving_curve``: first and second change at its start and its end. ``turn``: the degrees by
-    which anything turns on it, 0: the axes' way is straight; ``is_even``: all along alike.
+    which anything turns on it, 0: the axes move straight; ``is_even``: evenly all along.
     ``free_a``, ``free_j``: the shares of acceleration and jerk that a bend leaves at least.
     """
 
@@ -154,9 +155,10 @@ class TransformedLimits:
         self.steps += 1
 
     def count_samples(self, segments: memoryview[float], row: int, number: int, arc: float) -> None:
-        """Settle the turn, and how many samples keep what turns between two of them small.
+        """Compute the turn, and how many samples keep the turn between two of them small.
 
-        Beside a pole an axis turns far on a short way. ``arc``: the angle of an arc in degrees.
+        Near a pole an axis turns far within a short distance. ``arc``: the angle of an arc in
+        degrees.
         """
         for i in range(self.count):
             self.first[i] = self.near[i]
@@ -265,7 +267,7 @@ class TransformedLimits:
     def sample_end(
         self, segments: memoryview[float], row: int, part: float, slopes: memoryview[float]
     ) -> None:
-        """Settle the direction of the axes' way at an end."""
+        """Compute the direction of the axes' motion at an end."""
         step = END_STEP / self.turn
         if not self.is_even:
             step = min(0.1, step, END_STEP / self.steps)
@@ -344,7 +346,7 @@ class TransformedLimits:
     def measure(self, segments: memoryview[float], row: int, max_factor: float) -> float:
         """Prepare length, speeds and acceleration of a transformed segment, or of a cubic.
 
-        Return the share of the accelerations that the bend of the axes' way takes. The corner at
+        Return the share of the accelerations that the bend of the axes' motion takes. The corner at
         its end is not rounded.
         """
         segments[row + rows.DEVIATION] = 0.0

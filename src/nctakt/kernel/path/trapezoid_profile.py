@@ -3,7 +3,7 @@
 
 A ``TrapezoidProfile`` is planned from a distance, a start and an end speed, a speed limit and one
 acceleration, time-optimal: change to the highest speed that can be used, keep it, brake to the end
-speed. Position and speed at any time are closed forms, so a hand can compute each tick. Units:
+speed. Position and speed at any time are closed forms, so each tick can be computed by hand. Units:
 ``_d`` mm or degrees, ``_v`` per second, ``_a`` per second squared, ``_t`` seconds.
 """
 
@@ -15,8 +15,8 @@ import math
 class TrapezoidProfile:
     """Three phases: constant acceleration, constant speed, constant deceleration.
 
-    ``is_endless`` tells that the end is never reached, because the speed limit is zero: the
-    motion is stopped until it is planned anew.
+    ``is_endless``: the end is never reached, because the speed limit is zero: the motion is stopped
+    until it is planned anew.
     """
 
     def __init__(self) -> None:
@@ -40,8 +40,8 @@ class TrapezoidProfile:
 
         A start speed above the limit is first brought down to it. The end speed is lower where the
         limit is, or where ``length_d`` is too short to gain it, and higher than the limit where
-        ``length_d`` is too short to brake. Only where not even ``end_v`` can be reached (by
-        a rounding of the caller's) the braking is what it takes.
+        ``length_d`` is too short to brake. Only if not even ``end_v`` can be reached (due to
+        rounding by the caller) is the braking as hard as it takes.
         """
         self.length_d = length_d
         self.start_v = start_v

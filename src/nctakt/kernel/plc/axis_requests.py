@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the PLC wants of single axes: posted between two ticks, latched by the next one.
+"""The PLC's requests for single axes: posted between two ticks, latched by the next.
 
-Each request has an owner number of its own, from ``codes.PLC_OWNER`` on, so that the PLC can follow
-what becomes of it: its answer, whether its motion is open, whether it has arrived.
+Each request has its own owner number, from ``codes.PLC_OWNER`` on, so that the PLC can follow its
+progress: its answer, whether its motion is open, whether it has arrived.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ class AxisRequests:
             self.latched += 1
 
     def give(self, slot: int) -> None:
-        """Give one request to its axis and keep the answer."""
+        """Pass one request to its axis and keep the answer."""
         axis = self.axis[slot]
         owner = codes.PLC_OWNER + self.latched
         mode = int(self.mode[slot])

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What waits for a PLC in the image of the HLI: M and H functions, jobs of its spindles.
+"""Units that wait for a PLC in the image of the HLI: M and H functions, jobs of its spindles.
 
-A unit (``cells.UNIT_SERIAL`` …) is defined as ``UNIT`` in ``hli/layout.py``. Its serial says which
-function it holds, 0 none; it is written last. The PLC acknowledges by writing the serial into its
-own place of the slot, so that each byte has one writer. A spindle's job goes the same way, in
+A unit (``cells.UNIT_SERIAL`` …) is defined as ``UNIT`` in ``hli/layout.py``. Its serial, written
+last, identifies the function in it, 0: none. The PLC acknowledges by writing the serial into its
+part of the slot, so that each byte has one writer. A spindle's job goes the same way, in
 ``SPINDLE`` and ``SPINDLE_COMMAND``.
 """
 
@@ -22,7 +22,7 @@ class Units:
     """
 
     def latch(self) -> None:
-        """Take over what the PLC has acknowledged."""
+        """Take over the PLC's acknowledgements."""
 
     def publish(self) -> None:
         """Show the slots that have changed."""
@@ -33,7 +33,7 @@ class SectionUnits(Units):
 
     ``first``: the first byte of the units in the image, ``acknowledged``: of the PLC's serials;
     ``published`` are the bytes of the image that the tick knows. ``identifier``: ``cells.POS_RT``
-    for what realtime cycles command. ``m_types``, ``h_types``: int64 for each number, the bits of
+    for functions of realtime cycles. ``m_types``, ``h_types``: int64 for each number, the bits of
     the M or H function's synchronisation type, which counts for the program's functions;
     ``tool_type``: that of T.
     """

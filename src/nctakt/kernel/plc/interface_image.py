@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The image of the HLI that a PLC sees, kept equal to the cells of the memory (RC-301).
 
-A table says which variable is at which byte (``hli/positions.py``, and for the packed V.E
+A table maps variables to bytes (``hli/positions.py``, and for the packed V.E
 ``lists/machine/external/variables_layout.py``). ``latch`` takes over what the PLC has written where
-it may: bytes that differ from those that were published last. ``publish`` writes the variables that
-have changed since, the slots of technology functions (``image_slots.py``) and the clock. Numbers
-have the byte order of the processor. A REAL64 that is not finite is refused: the variable keeps its
-value, the image gets it back, and the first time of each variable is reported (21820, 21821).
+writing is allowed: bytes that differ from those published last. ``publish`` writes the variables
+that have changed since, the slots of technology functions (``image_slots.py``) and the clock.
+Numbers have the byte order of the processor. A REAL64 that is not finite is refused: the variable
+keeps its value, the image gets it back, and the first time of each variable is reported (21820,
+21821).
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ KINDS = {
 
 
 class InterfaceImage:
-    """The image of one machine; while none is attached it costs nothing."""
+    """The image of one machine; while no image is attached it costs nothing."""
 
     def __init__(self, memory: bytearray, record: Record) -> None:
         self.cells = memoryview(memory).cast("d")
@@ -175,7 +176,7 @@ class InterfaceImage:
         self.shadowed_entry = nothing.cast("q")
 
     def report_to(self, image: InterfaceImage) -> None:
-        """Let another image keep which values are refused, in one order with its own."""
+        """Let another image keep track of refused values, in the same order."""
         self.reports_to = image
 
     def next_refused(self) -> int:
@@ -235,7 +236,7 @@ class InterfaceImage:
         first = self.offset[entry]
         cell = self.cell[entry]
         for i in range(self.size[entry]):
-            # one read only: the other process may be writing
+            # read once only: the other process may be writing
             self.scratch[i] = self.published[first + i] = self.image[first + i]
         value = self.number(int(self.kind[entry]))
         if value - value != 0.0:
@@ -287,7 +288,7 @@ class InterfaceImage:
             self.stale_count += 1
 
     def publish(self, ticks: int) -> None:
-        """Write what has changed since the image was last published; ``ticks`` have run so far.
+        """Write all changes since the image was last published; ``ticks`` have run so far.
 
         The sequence is odd meanwhile.
         """
@@ -326,7 +327,7 @@ class InterfaceImage:
             self.image[first + i] = self.published[first + i] = self.characters[character + i]
 
     def put_number(self, entry: int) -> None:
-        """Convert a number into the image; cells of integers hold what fits their type.
+        """Convert a number into the image; cells of integers contain values that fit their type.
 
         In another unit it is rounded and bounded.
         """
@@ -355,7 +356,7 @@ class InterfaceImage:
         elif kind == codes.IMAGE_SGN32:
             self.as_signed_32[0] = int(value)
         elif kind == codes.IMAGE_UNS32:
-            # the bits of a signed number: where a long has 32 bits, it holds no larger ones
+            # the bits of a signed number: a long of 32 bits can hold no larger ones
             if value > 2147483647.0:
                 value -= 4294967296.0
             self.as_signed_32[0] = int(value)

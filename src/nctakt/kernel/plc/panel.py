@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The operator's side of one channel: what is commanded, latched at the start of a tick (MO-6).
+"""The operator's side of one channel: commands, latched at the start of a tick (MO-6).
 
-Each value has a cell (``cells.PANEL_OVERRIDE`` …). Whoever plays the PLC writes the commands' cells
-between two ticks; the tick works with the copies that ``latch`` has made. START and RESET are keys:
-the tick that takes one writes 0. START waits while a reset lasts: who presses both, one after the
-other, need not know which tick comes between them.
+Each value has a cell (``cells.PANEL_OVERRIDE`` …). Whatever acts as the PLC writes the commands'
+cells between two ticks; the tick works with the copies that ``latch`` has made. START and RESET are
+keys: the tick that takes one writes 0. START waits while a reset lasts: an operator who presses
+both in turn need not know which tick comes between them.
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ class Panel:
     """Override, feed hold, single block, START, RESET, backward motion of a channel, and its lamps.
 
     ``is_armed``: a program is selected and waits for START. ``is_running``: a program runs.
-    ``is_paused``: single block has stopped the channel before a block, or the program has
-    (M00). ``is_step_locked``: single block has no effect; ``step_resolution``: it stops
-    at multiples of this block number, 0: at all. ``start_taken`` and ``reset_taken`` tell Python
-    what it has to do. ``turns_back``: backward motion is commanded, and was not in the tick before.
-    ``is_watched``: the PLC shows that it lives; ``silent_ticks``: since it did so last.
-    ``is_quiet``: the tick before has found nothing commanded but the override.
+    ``is_paused``: single block has stopped the channel before a block, or the program has (M00).
+    ``is_step_locked``: single block has no effect; ``step_resolution``: it stops at multiples of
+    this block number, 0: at all. ``start_taken`` and ``reset_taken`` leave the rest to Python.
+    ``turns_back``: backward motion is commanded, and was not in the tick before. ``is_watched``:
+    the PLC sends a sign of life; ``silent_ticks``: since the last one. ``is_quiet``: the tick
+    before has found no command but the override.
     """
 
     def __init__(self, memory: bytearray, first_cell: int) -> None:
@@ -64,7 +64,7 @@ class Panel:
         self.cells[self.first_cell + cells.PANEL_HISTORY_SIZE] = blocks
 
     def begin_program(self) -> None:
-        """Begin a program: its first block needs no START of its own."""
+        """Begin a program: its first block needs no further START."""
         self.is_running = True
         self.start_taken = False
         self.is_paused = False
@@ -79,7 +79,7 @@ class Panel:
         self.is_running = False
 
     def accept_reset(self) -> None:
-        """Accept RESET once the program is given up; raise ``ValueError`` without one."""
+        """Accept RESET once the program is aborted; raise ``ValueError`` without one."""
         if not self.reset_taken:
             raise ValueError("no tick has taken RESET")
         self.reset_taken = False
@@ -135,9 +135,9 @@ class Panel:
     def permits_block(self, line: int, moves_axis: bool, is_started: bool) -> int:
         """Return whether a command may be taken: single block stops before each block.
 
-        A block is a line of a program; one that moves or dwells again is another one. What the
-        path has begun already (``is_started``) goes on, and so does what has no line: the program's
-        end.
+        A block is a line of a program; a line that moves or dwells again is another block. A block
+        that the path has already begun (``is_started``) continues, and so does a command without a
+        line: the program's end.
         """
         if self.is_same_block(line, moves_axis):
             self.block_moves = self.block_moves or moves_axis

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The interface image between CNC and PLC: technology functions and their acknowledgement.
 
-The realtime section (POS_RT) takes what realtime cycles command, in order, in the same tick, and
-never waits: no free slot is an error (RC-403). The main program's functions go through a section
-of their own, for whose slots and acknowledgements the program may wait. What the PLC answers in
-tick n counts from tick n+1: ``latch`` at the start of a tick moves the answers into force. Without
-a scripted PLC the default one acknowledges each function in the tick in which it appears, or later
-by the ticks that the function takes (P-CHAN-00040, P-CHAN-00026).
+The realtime section (POS_RT) takes the functions of realtime cycles, in order, in the same tick,
+and never waits: no free slot is an error (RC-403). The main program's functions have a separate
+section, for whose slots and acknowledgements the program may wait. The PLC's answers in tick n
+count from tick n+1: ``latch`` at the start of a tick puts them into force. Without a scripted PLC
+the default one acknowledges each function in the tick in which it appears, or later by the ticks
+that the function takes (P-CHAN-00040, P-CHAN-00026).
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nctakt.kernel.base.bounds import check_index, check_size
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.panel import Panel
 
-#: Slots of a section: a number of ours, no source gives one (RC-403).
+#: Slots of a section: nctakt's choice, no source gives a number (RC-403).
 SLOT_COUNT = 20
 
 
@@ -175,7 +175,7 @@ class Section:
         return sorted(waiting, key=_order)
 
     def answered(self) -> list[tuple[int, int, int, int, int]]:
-        """What a PLC's delays have acknowledged last, in the order and form of ``entries``."""
+        """The functions last acknowledged by delays of a PLC, in order and form of ``entries``."""
         found = [
             (i, self.function[i], self.sequence[i], self.tick[i], self.serial[i])
             for i in range(self.slot_count)

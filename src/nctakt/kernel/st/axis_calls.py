@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What blocks for axes, the interface and tasks ask of the machine (ST-743, ST-761, ST-721)."""
+"""Calls to the machine by blocks for axes, the interface and tasks (ST-743, ST-761, ST-721)."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class SwitchAxis(Whole):
 
 
 class OverrideAxis(Whole):
-    """Multiplies the speeds of an axis' own motions by a factor; whether it is one of 0 to 1."""
+    """Multiplies the speeds of independent motions by a factor; whether it is in 0 … 1."""
 
     def __init__(self, axis: Whole, factor: Real) -> None:
         self.axis = axis
@@ -80,7 +80,7 @@ class OverrideAxis(Whole):
 
 
 class LookAtAxis(Whole):
-    """What is known of an axis or a command, by its number."""
+    """A value of an axis or a command, by its number."""
 
     def __init__(self, what: Whole, axis: Whole, owner: Whole) -> None:
         self.what = what

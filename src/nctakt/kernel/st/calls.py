@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Calls: functions, blocks and methods, with their frames on the stack (ST-520, ST-601 … ST-604).
 
-A frame begins with what caller and callee share: result, inputs, outputs, references of
+A frame begins with the part that caller and callee share: result, inputs, outputs, references of
 VAR_IN_OUT; variables and intermediate results follow. The caller clears and fills the shared part,
-the callee the rest. A block instance begins with the number of its type; types are numbered so
-that those derived from one follow it, and a method that several types have is chosen by ranges.
+the callee the rest. A block instance begins with the number of its type; types are numbered so that
+those derived from one follow it, and a method that several types have is chosen by ranges.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ class Callee:
 class Routine(Callee):
     """A function, a method, or the body of a block or program.
 
-    ``shared`` bytes of its frame are the caller's, ``size`` all of it; both are known when the
-    body is translated, as the body itself is: it may call what calls it (ST-407).
+    ``shared`` bytes of its frame are the caller's, ``size`` all of it; both are known when the body
+    is translated, as the body itself is: it may call its caller (ST-407).
     """
 
     def __init__(self) -> None:
@@ -159,7 +159,7 @@ class Call(Whole):
 
 
 class ResultPlace(Whole):
-    """What a call returns as bytes, kept in the caller's frame: a text, a structure, an array."""
+    """The result of a call as bytes, kept in the caller's frame: a text, a structure, an array."""
 
     def __init__(self, call: Call, offset: int, size: int, kept: int) -> None:
         check_range(size, 0, kinds.MAX_MEMORY, "size")

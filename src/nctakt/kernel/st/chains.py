@@ -2,9 +2,9 @@
 """Chains of real numbers: sums and products of which one side is a constant or a variable.
 
 ``a + 0.25 * (u - c - a)`` begins with ``u``; its links subtract ``c``, subtract ``a``, multiply by
-0.25 and add ``a``. A chain runs in a loop without a call, and looks for what is not a number once,
-at its end, since no link makes a number of that again (ST-305). A single operation is a chain only
-where an assignment follows its links by itself; elsewhere its own node costs less.
+0.25 and add ``a``. A chain runs in a loop without a call, and checks for NaN once, at its end,
+since no link turns NaN into a number again (ST-305). A single operation is a chain only where an
+assignment follows its links itself; elsewhere its own node costs less.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _OPERATIONS: dict[type[Real], int] = {node: operation for operation, node in _TR
 
 
 class RealChain(Real):
-    """A number, and what is done with it: each part is an operation and its operand."""
+    """A number, and operations on it: each part is an operation and its operand."""
 
     def __init__(self, start: Real, parts: _Parts) -> None:
         self.start = start
@@ -82,7 +82,7 @@ def opened(node: Real) -> tuple[Real, _Parts]:
 def joined(operation: int, left: Real, right: Real) -> Real:
     """Return a sum, a difference or a product: from the second operation on as a chain.
 
-    The side on the right is a chain's begin only if it calls nothing: the left one comes first.
+    The right side starts a chain only if it calls nothing: the left side is evaluated first.
     """
     if isinstance(right, _Leaf):
         start, parts = opened(left)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What running PLC code sees: its memory, the frame and instance at work, its bounds, its fault.
+"""The view of running PLC code: its memory, current frame and instance, its bounds, its fault.
 
 The memory is one block of bytes: ``NULL_BYTES`` that no pointer reaches, data, the stack of calls,
 literals, the interface to the CNC, and ``SLACK`` bytes more, so that an access by a small fixed
@@ -16,10 +16,10 @@ from nctakt.kernel.st.outside import Outside
 
 
 class PlcContext:
-    """One PLC project at work; ``outside`` is what its calls reach of the machine.
+    """One running PLC project; ``outside`` gives its calls access to the machine.
 
-    ``interface`` is where the interface begins, which code may write; literals it may not. Below
-    ``plain_end`` a write needs no more than its bytes: no check, and nobody is told of it.
+    ``interface`` is where the interface begins, which code may write; it may not write literals.
+    Below ``plain_end`` a write only changes bytes: no check, no notification.
 
     ``frame`` is the address of the running routine's variables, ``top`` the first byte of the stack
     that is free, ``instance`` the block that is called, ``passing`` the address where a call's
@@ -27,14 +27,13 @@ class PlcContext:
     cycle of ``task``, up to ``max_steps`` (ST-830); ``now`` is the cycle's time in ns (ST-804).
     ``instruction_ns``: how long an instruction takes, 0: no time; ``overrun_task`` is the number of
     a task whose cycle took too long, ``overrun_ns`` how long, 0 where nothing is to be reported.
-    ``source_base`` moves its sources in events, where those of several PLCs differ.
-    ``caller`` is the source of the latest call of a test's function; ``counts`` says how often
-    conditions and bodies ran, ``near_left``, ``near_right`` and ``distances`` how near comparisons
-    came to what they have never been; below 0 there is nothing to say. ``seen_left`` and
-    ``seen_right`` are the sides of the latest comparison.
-    ``notes`` keeps what leads to changes while somebody wants to know (``is_noting``).
-    ``fault`` is the number of the message for what has stopped the PLC, 0 while all is well, with
-    its source, its values and the calls that led to it (ST-560).
+    ``source_base`` moves its sources in events, where those of several PLCs differ. ``caller`` is
+    the source of the latest call of a test's function; ``counts`` says how often conditions and
+    bodies ran, ``near_left``, ``near_right`` and ``distances`` how near comparisons came to the
+    result they never had; below 0: no value. ``seen_left`` and ``seen_right`` are the sides of the
+    latest comparison. ``notes`` keeps what led to changes while somebody wants to know
+    (``is_noting``). ``fault`` is the number of the message for the fault that stopped the PLC, 0
+    without one, with its source, its values and the calls that led to it (ST-560).
     """
 
     def __init__(
@@ -97,7 +96,7 @@ class PlcContext:
         self.count_end = size
 
     def keep_notes(self) -> Notes:
-        """Note what leads to changes from now on; return where."""
+        """Note what leads to changes from now on; return the notes."""
         self.notes = Notes(len(self.memory))
         self.is_noting = True
         self.plain_end = 0
@@ -126,7 +125,7 @@ class PlcContext:
             self.counts[number] += 1
 
     def approach(self, number: int, truth: int) -> None:
-        """Note how near a comparison came to what it has never been: its sides, their distance.
+        """Note how near a comparison came to the result it never had: its sides, their distance.
 
         ``number``: that of its being true.
         """
@@ -135,7 +134,7 @@ class PlcContext:
     def note_near(self, missed: int, left: float, right: float) -> None:
         """Note how far two values are apart, if that is nearer than before.
 
-        ``missed``: the number of what has been counted while they are the same, if it was at all.
+        ``missed``: the number of the count for equal sides, if they were ever equal.
         """
         if missed >= self.count_end or self.counts[missed] != 0:
             return

@@ -22,7 +22,7 @@ def quotient_by_zero(left: float, right: float) -> float:
 
 
 def round_half_away(value: float) -> float:
-    """Nearest integral number, the one farther from zero where two are as near (ST-307)."""
+    """Nearest integral number; halfway cases are rounded away from zero (ST-307)."""
     below = arithmetic.floor(value)
     part = value - below
     is_up = part >= 0.5 if value > 0.0 else part > 0.5
@@ -30,7 +30,7 @@ def round_half_away(value: float) -> float:
 
 
 def low_bits(value: float) -> int:
-    """The low 64 bits of an integral number; 0 of what is not finite."""
+    """The low 64 bits of an integral number; 0 if it is not finite."""
     if not arithmetic.is_finite(value):
         return 0
     rest = math.fmod(value, 18446744073709551616.0)

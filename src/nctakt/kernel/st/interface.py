@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The interface between CNC and PLC in a PLC's own memory (ST-761 … ST-764).
 
-Before the tasks of a tick run, ``show`` writes what the CNC shows; after them ``take`` looks at
-what the PLC has commanded, which ``latch`` and ``guard`` put into force at the start of the next
-tick (RC-002). Tables say which bytes belong to which cell of the machine.
+Before the tasks of a tick run, ``show`` writes what the CNC shows; after them ``take`` reads the
+PLC's commands, which ``latch`` and ``guard`` put into force at the start of the next tick (RC-002).
+Tables map bytes to cells of the machine.
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ class CncSide:
         """Write what the CNC shows, before the tasks of a tick run."""
 
     def take(self) -> int:
-        """Look at what the PLC has commanded; return whether Python has something to do for it."""
+        """Read the PLC's commands; return whether Python has something to do for them."""
         return 0
 
     def leave(self) -> None:
-        """Go on without the PLC, which has stopped."""
+        """Continue without the PLC, which has stopped."""
 
 
 class ShownValues:
@@ -130,7 +130,7 @@ class ShownValues:
 
 
 class ControlUnits:
-    """Control units: what the PLC commands, and what others ask for meanwhile (ST-762).
+    """Control units: the PLC's commands, and requests of others meanwhile (ST-762).
 
     A row: addresses of ``enable_w``, ``command_w``, ``request_r``, kind of the values, cell,
     factor, area, whether it acts by its edge. While the PLC decides, its command holds, and what
@@ -206,11 +206,11 @@ class ControlUnits:
             self.is_pressed[unit] = kinds.NOT_COMMANDED
 
     def was_pressed(self, unit: int) -> int:
-        """Return whether the PLC itself has pressed a key that no one has taken yet."""
+        """Return whether the PLC itself has pressed a key that has not been accepted yet."""
         return 1 if self.is_pressed[unit] == kinds.IN_FORCE else 0
 
     def show(self) -> None:
-        """Show what others ask for."""
+        """Show the requests of others."""
         for i in range(self.count):
             wish = self.wish[i]
             if not self.is_edge[i] and not self.is_decided[i]:
@@ -325,7 +325,7 @@ class ChannelRecords:
 
 
 class AxisReleases:
-    """The releases that axes need of a PLC that is there for them (ST-762).
+    """The releases that axes need from a PLC announced for them (ST-762).
 
     A row: index of the axis, address of ``plc_present_w``, then addresses of ``enable_w`` and
     ``command_w`` of each release.
@@ -351,7 +351,7 @@ class AxisReleases:
         return words.load(self.values.memory, at, kinds.BOOL)
 
     def take(self) -> None:
-        """Lock the axes that lack a release from the next tick on, and let the others go on."""
+        """Lock the axes without a release from the next tick on; the others continue."""
         for i in range(self.count):
             is_locked = 0
             if self.flag(i, 1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Values that the frame keeps, and values after a statement: what is evaluated once."""
+"""Values that the frame keeps, and values after a statement: both are evaluated once."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How values lie in memory, how statements end, what relations and functions are called."""
+"""Layout of values in memory, endings of statements, numbers of relations and functions."""
 
 #: A value in memory: its width, and whether it is signed, a truth or a real number (ST-301).
 BOOL, I8, I16, I32, I64, U8, U16, U32, U64, F32, F64 = range(11)
@@ -7,28 +7,28 @@ BOOL, I8, I16, I32, I64, U8, U16, U32, U64, F32, F64 = range(11)
 #: How a statement ends: the next one follows; a fault; EXIT, CONTINUE, RETURN (ST-513).
 GOES_ON, STOPS, EXITS, CONTINUES, RETURNS = range(5)
 
-#: What a branch answers that is not taken.
+#: Result of a branch that is not taken.
 NOT_TAKEN = -1
 
-#: What parents evaluate in place instead of calling it: constants, variables by where their offsets
-#: count from, and, where an address is wanted, places; all else is computed.
+#: Operands that parents evaluate in place instead of calling: constants, variables by the base of
+#: their offsets, and, where an address is needed, places; all others are computed.
 INSTANCE_PLACE, FRAME_PLACE, COMPUTED, CONSTANT, IN_DATA, IN_FRAME, IN_INSTANCE = range(-2, 5)
 
 #: Operators of assignments that change a variable: ``a[i] := a[i] + x``.
 ADD, SUBTRACT, AND, OR = range(4)
 
-#: What a link of a chain of real numbers does with its operand; subtract the number from it; round
-#: the number to REAL. Of operands that are REAL, the numbers are twice these and one.
+#: Operations of a link in a chain of real numbers; subtract the number from the operand; round the
+#: number to REAL. Of operands that are REAL, the numbers are twice these and one.
 LINK_ADD, LINK_SUBTRACT, LINK_SUBTRACT_FROM, LINK_MULTIPLY, LINK_ROUND = range(5)
 #: Words of a link: where the offset of its operand counts from (0: it is the link's constant), the
-#: offset, what the link does, the constant.
+#: offset, the operation, the constant.
 LINK_SOURCE, LINK_OFFSET, LINK_OPERATION, LINK_CONSTANT = range(4)
 LINK_WIDTH = 4
 
 #: Relations of two values.
 EQUAL, NOT_EQUAL, LESS, LESS_EQUAL, GREATER, GREATER_EQUAL = range(6)
 
-#: What moves bits (ST-714).
+#: Shifts and rotations (ST-714).
 SHIFT_LEFT, SHIFT_RIGHT, ROTATE_LEFT, ROTATE_RIGHT = range(4)
 
 #: How a real number becomes whole: nearest, half away from zero, or cut towards zero (ST-307).
@@ -40,7 +40,7 @@ ABS, SQRT, LN, LOG, EXP, SIN, COS, TAN, ASIN, ACOS, ATAN, FLOOR, CEIL, FRAC, LTR
 #: Functions of two real numbers.
 EXPT, ATAN2, LMOD, MODABS = range(4)
 
-#: What a text function takes or changes (ST-711).
+#: Text functions (ST-711).
 CONCAT, INSERT, DELETE, REPLACE, LEFT, RIGHT, MID = range(7)
 #: Bytes of the longest text that the text functions work on, and of a kept result.
 MAX_TEXT = 255
@@ -48,7 +48,7 @@ TEXT_BYTES = 256
 
 #: How a whole number is written.
 SIGNED, UNSIGNED, TRUTH, HEXADECIMAL, LENGTH, FINE_LENGTH, CLOCK, DAY, MOMENT = range(9)
-#: What a text shows of a moment.
+#: Parts of a point in time that a text shows.
 TIME_OF_DAY, DATE, DATE_AND_TIME = range(3)
 
 #: Faults at run time (ST-560).
@@ -76,15 +76,15 @@ NULL_BYTES = 4096
 MAX_DEPTH = 200
 #: The largest memory of a PLC, in bytes.
 MAX_MEMORY = 1 << 30
-#: Bytes that a PLC gets from outside in one cycle, and variables that are signals, at most.
+#: Maximum numbers: bytes that a PLC gets from outside in one cycle, variables that are signals.
 MAX_INPUTS = 4096
 MAX_OUTPUTS = 256
-#: Counts of conditions and bodies in one project, at most.
+#: Maximum number of counted conditions and bodies in one project.
 MAX_COUNTS = 1 << 22
 #: Notes of what led to a change (``notes.py``): rows on the stack, watched variables, words of the
 #: log, changes of a variable that it keeps, words before the rows of a change, and among them the
-#: number of the rows and of the change; rows that say that those from a row on belong to a
-#: statement that is over, or to a call that has returned.
+#: number of the rows and of the change; markers that the rows from a row on belong to a finished
+#: statement, or to a call that has returned.
 NOTE_ROWS = 512
 MAX_WATCHES = 16384
 NOTE_LOG = 1 << 20
@@ -96,10 +96,10 @@ NOTE_CLOSED = -1
 NOTE_RETURNED = -2
 NOTES_CUT = 1
 NOTES_FIRST = 2
-#: The source of what MEMCPY and the like write.
+#: The source of writes by MEMCPY and the like.
 NOT_A_STATEMENT = -1
 
-#: What code asks of an axis or of a command.
+#: Queries of code about an axis or a command.
 (
     AXIS_ANSWER,
     AXIS_OPEN,
@@ -114,7 +114,7 @@ NOT_A_STATEMENT = -1
     AXIS_IS_HOMED,
     AXIS_SHOWN_STATE,
 ) = range(12)
-#: What code measures of an axis: command position, actual position, target.
+#: Positions of an axis that code reads: command position, actual position, target.
 AXIS_MEASURES = 3
 #: The limits of an axis, numbers after those.
 (
@@ -132,7 +132,7 @@ AXIS_MEASURES = 3
     AXIS_ACTUAL_ACCELERATION,
     AXIS_SET_ACCELERATION,
 ) = range(8, 13)
-#: What is noted of an axis in each tick.
+#: Values of an axis that are noted in each tick.
 (
     NOTED_ACTUAL_SPEED,
     NOTED_SET_SPEED,
@@ -149,8 +149,8 @@ SCALED, EQUALS, DIFFERS, MAPPED = range(4)
 #: Entries of a table of numbers.
 MAPPED_NUMBERS = 16
 
-#: A row of what the interface has of a channel beside numbers and control units: addresses first,
-#: then cells, then the area.
+#: A row for the interface of a channel apart from numbers and control units: addresses first, then
+#: cells, then the area.
 (
     RECORD_MODE,
     RECORD_STATE,

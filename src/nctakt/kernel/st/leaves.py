@@ -65,7 +65,7 @@ def near_place(node: WholeNode, context: PlcContext) -> int:
 
 
 def near_element(node: WholeNode, context: PlcContext) -> int:
-    """Return the address of an element whose parts need no call; 0 where it is outside."""
+    """Return the address of an element whose parts need no call; 0 if it is outside."""
     element = cast("ElementNode", node)
     number = words.subtract(element.index.value(context), element.lowest)
     if number < 0 or number >= element.count:

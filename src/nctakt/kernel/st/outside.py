@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What PLC code reaches of the machine by calls: pointers of the interface, motions of axes.
+"""Access of PLC code to the machine by calls: pointers of the interface, motions of axes.
 
-A command of an axis goes the same way as one of a PLC in Python (``kernel.plc.axis_requests``):
-the next tick latches it, and the number of its owner says what has become of it (ST-743).
+A command of an axis goes the same way as one of a PLC in Python (``kernel.plc.axis_requests``): the
+next tick latches it, and the number of its owner identifies it for queries (ST-743).
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ class Outside:
         return 0
 
     def override(self, axis: int, factor: float) -> int:
-        """Multiply the speeds of an axis' own motions; return whether it is one of 0 to 1."""
+        """Multiply the speeds of independent motions by a factor; return whether it is in 0 … 1."""
         return 0
 
     def look(self, what: int, axis: int, owner: int) -> int:
-        """Return what is known of an axis or a command."""
+        """Return a value of an axis or a command."""
         return 0
 
     def measure(self, what: int, axis: int) -> float:
@@ -48,7 +48,7 @@ class Outside:
         return 0.0
 
     def follow(self) -> None:
-        """Note how the axes move, after what they do in a tick."""
+        """Note how the axes move, at the end of a tick."""
 
 
 class Connection(Outside):
@@ -115,7 +115,8 @@ class Connection(Outside):
     def note(self, axis: int) -> None:
         """Note positions, speeds and accelerations of an axis.
 
-        A position that is given to an axis is no motion: one at rest, or farther than it can go.
+        Setting the position of an axis is not a motion: it is at rest, or the step is too large for
+        one.
         """
         at = kinds.AXIS_NOTES * axis
         command = self.single_axes.axes.command[axis]
@@ -213,7 +214,7 @@ class Connection(Outside):
         return self.is_powered[axis]
 
     def shown_state(self, axis: int) -> int:
-        """The PLCopen state; one at rest that MC_Stop keeps is Stopping (ST-744)."""
+        """The PLCopen state; an axis kept at rest by MC_Stop is Stopping (ST-744)."""
         state = self.single_axes.state(axis)
         return codes.STOPPING if self.is_locked[axis] and state == codes.STANDSTILL else state
 
@@ -231,7 +232,7 @@ class Connection(Outside):
         return self.cells[self.measures[axis * kinds.AXIS_MEASURES + what]]
 
     def limit(self, what: int, axis: int) -> float:
-        """Return a limit of the axis' own motions, in mm or degrees and those per s."""
+        """Return a limit of the axis' independent motions, in mm or degrees, and the same per s."""
         if what == kinds.AXIS_HIGH:
             return self.single_axes.high[axis]
         if what == kinds.AXIS_LOW:

@@ -29,14 +29,14 @@ def number_of(node: RealNode, context: PlcContext) -> float:
 
 
 def valid(context: PlcContext, result: float) -> float:
-    """Return a result; what is not a number is an invalid operation (ST-305)."""
+    """Return a result; NaN is an invalid operation (ST-305)."""
     if result != result and context.stops_at_invalid:
         context.fail(kinds.INVALID, 0, 0)
     return result
 
 
 def followed(links: memoryview, number: float, context: PlcContext) -> float:
-    """Return what the links of a chain make of a number (``chains.py``)."""
+    """Return the result of a chain's links for a number (``chains.py``)."""
     if not links:
         return number
     begins = (0, 0, context.frame, context.instance)

@@ -15,7 +15,7 @@ from nctakt.kernel.st.wholes import Whole
 
 
 class Real:
-    """Base of what has a real number, and null object: zero."""
+    """Base of all nodes with a real value, and null object: zero."""
 
     def number(self, context: PlcContext) -> float:
         """Evaluate the node."""

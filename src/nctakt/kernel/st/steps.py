@@ -45,7 +45,7 @@ class StepPair(Step):
 
 
 class Uncounted(Step):
-    """Steps that cost the PLC nothing: what others do in its memory."""
+    """Steps that cost the PLC nothing: others act in its memory."""
 
     def __init__(self, body: Step) -> None:
         self.body = body
@@ -390,7 +390,7 @@ class Leave(Sourced):
 
 
 class Fail(Sourced):
-    """What cannot run: a fault with its number (``F_RaiseException``, what is refused)."""
+    """A statement that cannot run: a numbered fault (``F_RaiseException``, or refused code)."""
 
     def __init__(self, message: int, operand: Whole, source: int) -> None:
         check_range(message, 1, 1 << 30, "message")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The tasks of a PLC in the tick (ST-801 … ST-805).
 
-After what the channels do in a tick the tasks that are due run, in order of their priorities; what
-they write counts from the next tick on (RC-002). The time of a task's cycle is that of the tick. A
-fault stops the PLC: no further cycle runs, and its output image stays (ST-560).
+After the channels' part of a tick the due tasks run, in order of their priorities; their writes
+count from the next tick on (RC-002). The time of a task's cycle is that of the tick. A fault stops
+the PLC: no further cycle runs, and its output image stays (ST-560).
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class PlcTask:
         return 0
 
     def run(self, context: PlcContext, begin: int, end: int) -> int:
-        """Run the tasks that are due before ``end``, in ns; return whether all goes on."""
+        """Run the tasks due before ``end``, in ns; return whether the PLC keeps running."""
         return kinds.GOES_ON
 
 
@@ -105,7 +105,7 @@ class CyclicTask(PlcTask):
 
 
 class PlcSide:
-    """Base of a PLC in the tick, and null object: there is none.
+    """Base of a PLC in the tick, and null object: no PLC.
 
     ``has_news``: a fault that Python has not seen yet.
     """
@@ -124,7 +124,7 @@ class PlcSide:
         """Put its commands into force, after what others have written."""
 
     def run(self, tick: int) -> None:
-        """Run what is due in a tick."""
+        """Run the tasks due in a tick."""
 
 
 class PlcPair(PlcSide):
@@ -233,7 +233,7 @@ class PlcTasks(PlcSide):
         self.show_outputs()
 
     def latch_inputs(self, begin: int) -> None:
-        """Put what came from outside into the memory, at this time in ns."""
+        """Put values from outside into the memory, at this time in ns."""
         for i in range(self.input_count):
             words.store(self.context.memory, self.input_address[i], kinds.U8, self.input_byte[i])
         if self.context.is_noting:
@@ -242,7 +242,7 @@ class PlcTasks(PlcSide):
         self.input_count = 0
 
     def run_tasks(self, tick: int, begin: int) -> None:
-        """Run the tasks that are due between what the CNC shows and what it is commanded."""
+        """Run the due tasks: show them the CNC's values first, take their commands afterwards."""
         self.cnc.show(tick)
         if self.context.is_noting:
             self.context.notes.refresh(self.context.memory, begin)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Technology units of the interface in a PLC's memory: what waits for the PLC (ST-763).
+"""Technology units of the interface in a PLC's memory: functions waiting for the PLC (ST-763).
 
-A function that waits for an area which a PLC has announced lies in a unit of it, until a ``done_w``
-acknowledges it; one for an area that is not announced acknowledges itself after its time.
+A function for an area that a PLC has announced occupies a unit there until a ``done_w``
+acknowledges it; without an announcement it acknowledges itself after its time.
 """
 
 from __future__ import annotations
@@ -59,13 +59,13 @@ class UnitBanks:
             self.area[i] = area
 
     def announce(self, area: int, tick: int) -> None:
-        """Let a PLC be there for an area from the end of this tick on."""
+        """Announce a PLC for an area from the end of this tick on."""
         if self.since[area] < -1:
             self.since[area] = tick
         self.announced[area] = 1
 
     def is_announced(self, bank: int) -> int:
-        """Return whether a PLC is there for the area of these units."""
+        """Return whether a PLC is announced for the area of these units."""
         return 1 if self.announced[self.area[bank]] else 0
 
     def take(self, bank: int) -> int:
@@ -82,14 +82,14 @@ class UnitBanks:
         return self.first[bank] + unit * self.stride[bank]
 
     def free(self, bank: int, unit: int) -> None:
-        """Clear a unit and let it be free."""
+        """Clear a unit and free it."""
         self.taken[bank * cells.TECHNO_UNITS + unit] = 0
         size = cells.TECHNO_DATA + cells.TECHNO_DATA_BYTES
         words.fill(self.memory, self.at(bank, unit), size, 0)
         self.count_used(bank)
 
     def count_used(self, bank: int) -> None:
-        """Write how many units reach up to the last one that is taken."""
+        """Write the number of units up to the last one in use."""
         count = 0
         for i in range(self.units[bank]):
             if self.taken[bank * cells.TECHNO_UNITS + i]:
@@ -119,13 +119,13 @@ def check_banks(table: bytearray, count: int) -> None:
 
 
 class UnitSource:
-    """What waits for a PLC as a chain; the base is the null object at its end."""
+    """Functions waiting for a PLC, as a chain; the base is the null object at its end."""
 
     def show(self, tick: int) -> None:
-        """Show what waits after a tick, and acknowledge what no one is announced for."""
+        """Show the waiting functions after a tick, and acknowledge those of unannounced areas."""
 
     def take(self) -> None:
-        """Acknowledge what the PLC has done."""
+        """Acknowledge the functions that the PLC has completed."""
 
 
 class SectionSource(UnitSource):

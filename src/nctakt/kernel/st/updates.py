@@ -11,7 +11,7 @@ from nctakt.kernel.st.wholes import ElementPlace, LoadElement, Whole
 
 
 def changed(operator: int, left: int, right: int) -> int:
-    """Return what an operator makes of the old value."""
+    """Return the result of an operator for the old value."""
     if operator == kinds.ADD:
         return words.add(left, right)
     if operator == kinds.SUBTRACT:
@@ -48,7 +48,7 @@ class UpdateAt(Sourced):
 
 
 def change(node: UpdateAt, at: int, operand: int, context: PlcContext) -> int:
-    """Change the variable at an address that needs no more checks; return that all goes on."""
+    """Change the variable at an address already checked; return that the PLC keeps running."""
     context.steps += node.cost
     left = words.load(context.memory, at, node.kind)
     words.store(context.memory, at, node.kind, changed(node.operator, left, operand))

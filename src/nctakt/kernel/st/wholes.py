@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Whole numbers, truths and places: trees of objects that compute 64 bits (ST-002, ST-302).
 
-``value(context)`` answers a signed number; what is unsigned has the same bits. A truth is 0 or 1, a
-address is an offset in the memory. A fault is noted in the context and answers 0; the statement
-above sees it and stores nothing. Operands are evaluated from left to right (ST-502).
+``value(context)`` returns a signed number; unsigned values have the same bits. A truth is 0 or 1,
+an address is an offset in the memory. After a fault, noted in the context, it returns 0; the
+statement above sees it and stores nothing. Operands are evaluated from left to right (ST-502).
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from nctakt.kernel.st.context import PlcContext
 
 
 class Whole:
-    """Base of what has a whole number, and null object: zero."""
+    """Base of all nodes with a whole value, and null object: zero."""
 
     def value(self, context: PlcContext) -> int:
         """Evaluate the node."""
@@ -201,7 +201,7 @@ class LoadElement(ElementPlace):
         return self.far_value(context)
 
     def far_value(self, context: PlcContext) -> int:
-        """Evaluate the node where operands are computed, or note what is wrong."""
+        """Evaluate the node where operands are computed, or note the fault."""
         at = leaves.place_of(self.address, context) + self.offset
         index = leaves.value_of(self.index, context)
         number = words.subtract(index, self.lowest)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Words of the PLC's memory and the arithmetic of whole numbers (ST-001, ST-301, ST-302).
 
-A whole number has 64 bits, as a signed number; an unsigned one is kept with the same bits. What
-does not fit wraps. Compiled modules have C functions of the same names (``words.pxd``). Every
-address is checked by the caller; so are divisors and the range of what becomes whole.
+A whole number has 64 bits, as a signed number; an unsigned one is kept with the same bits. Overflow
+wraps around. Compiled modules have C functions of the same names (``words.pxd``). Every address is
+checked by the caller; so are divisors and the range of conversions to whole numbers.
 """
 
 import struct
@@ -151,7 +151,7 @@ def unsigned_of_real(value: float) -> int:
 
 
 def single(value: float) -> float:
-    """Round to the nearest REAL; what is too large is infinite (ST-304)."""
+    """Round to the nearest REAL; an overflow is infinite (ST-304)."""
     if value - value != 0.0:
         return value
     try:

@@ -2,8 +2,8 @@
 """A channel's side of the axis exchange: the axes that it has, and those that it waits for.
 
 Axes change their channel between two ticks, while the path of the channel is at rest and its queue
-is empty. An axis belongs to one channel or to none; ``SingleAxes.in_channel`` says to which one.
-A channel takes an axis that no other one has and that is at rest.
+is empty. An axis belongs to one channel or to none; ``SingleAxes.in_channel`` has its number. A
+channel takes an axis that no other one has and that is at rest.
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ class AxisExchange:
     """The axes of one channel.
 
     ``is_waiting``: its decoder waits for the axes that are ``awaited``; ``since``: the first tick
-    of that; ``source``: the command. ``signals``: what knows the channel's number. ``c_axis``: the
-    spindle that can be one of them; ``c_axes``: all such of the machine, its own first.
+    of that; ``source``: the command. ``signals``: knows the channel's number. ``c_axis``: the
+    spindle that can be one of them; ``c_axes``: all of them on the machine, the channel's own
+    first.
     """
 
     def __init__(self, path: Path, limits: SegmentLimits, executor: CommandExecutor) -> None:

@@ -2,8 +2,8 @@
 """Which block realtime cycles with scope BLOCK belong to (RC-105).
 
 It is the next block of the program that takes at least one tick: by a motion, by a dwell, or
-because something in it has to wait. What waits and what moves on one line is one block.
-Blocks that take no tick are passed over, with a notice for each.
+because something in it has to wait. A wait and a motion on one line are one block. Blocks that take
+no tick are passed over, with a notice for each.
 """
 
 from __future__ import annotations

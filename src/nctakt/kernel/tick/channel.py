@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """One channel: the phases of its tick (RC-002 … RC-007).
 
-``command_queue.py`` is the queue, ``command_execution.py`` what its commands do. While the decoder
+``command_queue.py`` is the queue, ``command_execution.py`` executes its commands. While the decoder
 has more to give, the kernel returns when the commands that take time fall below ``low_water``, so
 that a tick never finds the queue empty too early, and the path always knows as many blocks as it
 looks ahead. Where a schedule gives the decoder its time (``is_paced``), the queue may run empty,
@@ -91,7 +91,7 @@ class Channel:
     # --- Python's side, between two runs --------------------------------------------------------
 
     def put(self, command: list[float]) -> None:
-        """Queue a command of the decoder; raise ``ValueError`` for what no table has."""
+        """Queue a command of the decoder; raise ``ValueError`` for a number outside its table."""
         check_command(self.executor, command)
         self.queue.put(command)
 
@@ -103,9 +103,9 @@ class Channel:
         return self.answer
 
     def can_free_slots(self) -> bool:
-        """Return whether realtime cycles may still end by themselves and free a slot.
+        """Return whether realtime cycles may still end unaided and free a slot.
 
-        Their blocks are on their way, or what comes before the next definition is not taken yet.
+        Their blocks are on their way, or commands before the next definition are still queued.
         """
         return not self.is_idle()
 
@@ -150,7 +150,8 @@ class Channel:
     def can_accept(self) -> int:
         """Return whether the decoder needs to wait for its signal no more.
 
-        One that would overtake another is an error when no ``#WAIT SYN`` before it can take that.
+        A signal that would overtake another is an error if no ``#WAIT SYN`` before it can accept
+        that.
         """
         state = self.signals.decoder_state()
         if state == codes.SIGNAL_OVERTAKES:
@@ -391,7 +392,7 @@ class Channel:
             position += 1
 
     def end_tick(self) -> None:
-        """Answer what waits for the path to come to rest; end a reset; publish (RC-005, RC-007)."""
+        """Answer waits for the path to come to rest; end a reset; publish (RC-005, RC-007)."""
         state = codes.CHANNEL_READY
         if self.executor.is_resetting:
             state = codes.CHANNEL_RESET
@@ -454,7 +455,7 @@ class Channel:
         self.queue.timed_count -= 1
 
     def end_reset(self) -> None:
-        """End a reset once everything is at rest: give up the commands decoded ahead."""
+        """End a reset once everything is at rest: drop the commands decoded ahead."""
         if not self.context.single_axes.all_free(self.path.members, self.path.count):
             return
         self.executor.is_resetting = False

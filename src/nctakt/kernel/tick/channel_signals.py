@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A channel's side of the signals: its commands in the tick, and what its decoder waits for.
+"""A channel's side of the signals: its commands in the tick, and the waits of its decoder.
 
 A decoder waits between two ticks; ``Channel.needs_python`` asks ``decoder_state`` then.
 """
@@ -80,7 +80,8 @@ class ChannelSignals:
             self.tell(tick, rows.EVENT_SIGNAL_AWAITED, source, number, senders, 0.0, 0.0)
 
     def accept(self, tick: int) -> tuple[float, ...]:
-        """Take what the decoder waits for: which values have come, as a mask, and the values.
+        """Take the signal that the decoder waits for: mask of the values that have come, and
+        values.
 
         In place of the mask -1 where another signal has to be taken before, and its number.
         """
@@ -125,7 +126,7 @@ class ChannelSignals:
         self.awaited_source = source
 
     def awaited(self) -> tuple[int, int, int, int]:
-        """Return number, senders, source and first tick of what is waited for; number 0: nothing.
+        """Return number, senders, source and first tick of the awaited signal; number 0: none.
 
         A ``#WAIT SYN`` comes before the decoder, which is ahead of it.
         """
@@ -146,7 +147,7 @@ class ChannelSignals:
     # --- in the tick ----------------------------------------------------------------------------
 
     def decoder_state(self) -> int:
-        """Return whether the signals are there that the decoder waits for."""
+        """Return whether the signals that the decoder waits for are there."""
         return self.board.state(
             self.awaited_number, self.number, self.awaited_senders, self.may_overtake
         )

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Range checks for the commands that the decoder hands to a channel.
 
-The tick takes cells, axes, spindles, slots and timers out of a row without a check of its own.
+The tick takes cells, axes, spindles, slots and timers from a row unchecked.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from nctakt.kernel.tick.command_execution import CommandExecutor
 #: Kinds that come by methods of the queue: ``put_segment``, ``begin_loop``, ``end_loop``.
 _BY_METHOD = (rows.SEGMENT, rows.LOOP_BEGIN, rows.LOOP_END)
 
-#: Columns of each kind that have bounds, with what they hold.
+#: Columns of each kind that have bounds, with their contents.
 _BOUNDED = {
     kind: [
         (rows.ARGUMENTS + number, column)
@@ -27,7 +27,7 @@ _BOUNDED = {
 
 
 def check_command(executor: CommandExecutor, command: list[Any]) -> None:
-    """Raise ``ValueError`` unless what becomes an index in a tick lies in its table."""
+    """Raise ``ValueError`` unless each number that becomes an index in a tick lies in its table."""
     kind = command[0] if command else None
     if kind not in rows.COMMANDS or kind in _BY_METHOD:
         raise ValueError(f"{kind} is not a kind of command")
@@ -46,7 +46,7 @@ def check_command(executor: CommandExecutor, command: list[Any]) -> None:
 
 
 def check_column(executor: CommandExecutor, column: int, number: Any) -> None:
-    """Raise ``ValueError`` unless ``number`` is what the column holds."""
+    """Raise ``ValueError`` unless ``number`` fits the column."""
     axes = executor.path.axes.count
     if column == rows.HOLDS_AXIS:
         bounds.check_index(number, axes, "axis")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the commands of a channel's queue do when they are executed, first in a tick (RC-003)."""
+"""Execution of the commands of a channel's queue, first in a tick (RC-003)."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from nctakt.kernel.tick.tool_lives import ToolLifeReporter
 
 
 class CommandExecutor:
-    """Executes the commands of one channel's queue; holds what they act on, and the error state."""
+    """Executes the commands of one channel's queue on its objects; holds the error state."""
 
     def __init__(
         self,
@@ -238,7 +238,7 @@ class CommandExecutor:
         return 1
 
     def moves_alone(self, kind: int) -> int:
-        """Return whether a command moves an axis beside the path, or ends such a motion."""
+        """Return whether a command begins or ends an independent motion of an axis."""
         return 1 if rows.MOVE_ALONE <= kind <= rows.END_OSCILLATION else 0
 
     def record_event(self, row: int, kind: int) -> None:
@@ -266,7 +266,7 @@ class CommandExecutor:
     def execute_block(self, row: int) -> int:
         """Make a segment or dwell current, unless the path has passed its start already.
 
-        BLOCK cycles that stood before it run with it, or once where it is over by now (RC-105).
+        BLOCK cycles programmed before it run with it, or once if it is already over (RC-105).
         """
         has_thread = self.queue.has_thread(row)
         if has_thread and self.queue.head > self.queue.started:

@@ -21,7 +21,7 @@ from nctakt.kernel.tick.loop_body import LoopBody
 class CommandQueue:
     """Commands from ``head`` to ``tail``, running numbers; ``started``: the newest begun.
 
-    ``last_segment``: the segment that the next one may go on from, -1 where the path stops first;
+    ``last_segment``: the segment that the next one may continue, -1 if the path stops first;
     ``has_early``: functions may be queued that go out before the path comes to them;
     ``transformation``: the map of the segments to come, 0 for none.
     """
@@ -91,12 +91,12 @@ class CommandQueue:
         return 0
 
     def begin_loop(self, command: list[float]) -> None:
-        """Append the begin of a realtime loop; what comes up to its end is its body."""
+        """Append the start of a realtime loop; everything up to its end is its body."""
         self.put(command)
         self.loop_body.begin()
 
     def end_loop(self, command: list[float]) -> None:
-        """Append the end of a realtime loop, where the path goes on into another pass."""
+        """Append the end of a realtime loop, where the path continues into another pass."""
         last_segment = self.last_segment
         self.loop_body.end(self.path.count, last_segment < 0)
         self.put(command)
@@ -119,7 +119,7 @@ class CommandQueue:
         feed_modifiers: Sequence[float] | None = None,
         curve: Sequence[float] | None = None,
     ) -> None:
-        """Append a segment, and let the path go on into it from the one before.
+        """Append a segment, and let the path continue into it from the one before.
 
         ``motion``: ``rows.FEED_MOTION`` with ``feed_v``, mm/s, or ``rows.RAPID_MOTION``.
         ``deviation``: how far the path may pass its target, 0 not at all. ``limits_jerk``: the
@@ -373,7 +373,7 @@ class CommandQueue:
         """Return the number of the segment into which the path continues after command ``number``.
 
         Below 0 it is the current one. ``codes.END_OF_QUEUE`` if the queue ends before,
-        ``codes.STANDS_BETWEEN`` if something else comes first that the path stops for.
+        ``codes.STANDS_BETWEEN`` if something comes first that the path stops for.
         """
         position = number + 1
         if number < 0:
@@ -401,7 +401,7 @@ class CommandQueue:
     def needs_pass(self) -> int:
         """Return whether a path that passes the loop's end needs another pass by now.
 
-        At least one segment after the next one has to be there, and the way to brake on.
+        At least one segment after the next one must be there, and enough distance to brake on.
         """
         if not self.loop_body.is_complete or self.loop_body.ends_at_standstill:
             return 0

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """M and H functions that go out before the path comes to them (P-CHAN-00041, P-CHAN-00070).
 
-The place of such a function in the queue is where the path is synchronised with it. It goes out
-in the first tick at whose start the way or the time up to there is no longer than its lead, as far
-ahead as commands are queued, but not before the one that the program has before it, unless there
-is no way between them.
+The place of such a function in the queue is where the path is synchronised with it. It goes out in
+the first tick at whose start the distance or time up to there is no longer than its lead, as far
+ahead as commands are queued, but not before the function preceding it in the program, unless there
+is no distance between them.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from nctakt.kernel.tick.command_queue import CommandQueue
 
 
 class EarlyOutputs:
-    """Looks along the queue for what is due.
+    """Looks along the queue for functions that are due.
 
     ``way_d``: mm from the path to the command; ``way_t``: s that they take at the feeds that are
     programmed, with the override. ``last_v``, ``last_a``, ``end_v``: speed, acceleration and
-    planned end speed of the last segment on that way.
+    planned end speed of the last segment up to there.
     """
 
     def __init__(self, queue: CommandQueue, hli: Hli, record: Record) -> None:
@@ -38,7 +38,7 @@ class EarlyOutputs:
         self.end_v = 0.0
 
     def put_out(self, tick: int) -> None:
-        """Put out what is due in this tick, in the order of the program."""
+        """Put out the functions due in this tick, in the order of the program."""
         if self.path.is_active and self.path.is_dwell:
             return
         self.begin_way()
@@ -66,7 +66,7 @@ class EarlyOutputs:
         self.queue.has_early = has_more > 0
 
     def begin_way(self) -> None:
-        """Begin with what is left of the segment that the path is on."""
+        """Begin with the rest of the path's current segment."""
         self.way_d = 0.0
         self.way_t = 0.0
         self.last_v = 0.0
@@ -78,7 +78,7 @@ class EarlyOutputs:
             self.go_on(self.path.history_rows, row, max(0.0, rest_d))
 
     def go_on(self, segments: memoryview[float], row: int, length_d: float) -> None:
-        """Add a segment, or its rest, to the way."""
+        """Add a segment, or the rest of it, to the distance."""
         factor = self.path.common_factor
         if segments[row + rows.IGNORES_OVERRIDE] > 0.0:
             factor = self.path.unoverridden_factor
@@ -89,7 +89,7 @@ class EarlyOutputs:
         self.way_t += length_d / self.last_v if self.last_v > 0.0 else 1e30
 
     def is_due(self, row: int) -> int:
-        """Return whether the lead of the function at ``row`` covers the way up to it."""
+        """Return whether the lead of the function at ``row`` covers the distance up to it."""
         lead = self.queue.rows[row + rows.TECHNOLOGY_LEAD]
         kind = int(self.queue.rows[row + rows.TECHNOLOGY_LEAD_KIND])
         if kind == codes.LEAD_DISTANCE:
@@ -98,7 +98,7 @@ class EarlyOutputs:
         return 1 if self.time_to(end_v) <= lead else 0
 
     def time_to(self, end_v: float) -> float:
-        """Return the s of the way with a ramp to ``end_v`` at its end."""
+        """Return the time of the distance, in s, with a ramp to ``end_v`` at its end."""
         change_v = self.last_v - end_v
         if change_v <= 0.0 or self.last_a <= 0.0:
             return self.way_t

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The body of a realtime loop: the rows of the queue between its two ends, to be put in again.
 
-Rows are kept as they were before their preparation: so each pass is prepared like the first one,
-and the path goes on from one pass into the next.
+Rows are kept as they were before their preparation: so each pass is prepared like the first, and
+the path continues from one pass into the next.
 """
 
 from __future__ import annotations

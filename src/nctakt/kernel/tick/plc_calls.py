@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""When a PLC in Python is due: what it waits for is looked at after each tick, without Python.
+"""When a PLC in Python is due: its conditions are checked after each tick, without Python.
 
-Such a PLC says what it waits for: a tick, a function or a spindle's job that appears, conditions
+Such a PLC names what it waits for: a tick, a function or a spindle's job that appears, conditions
 that become true; functions that it acknowledges after a delay. ``Kernel.run`` returns after a tick
-in which any of it has come; the PLC costs the other ticks nothing else. What it does counts from
+in which any of it has happened; the PLC costs the other ticks nothing else. Its actions count from
 the next tick on (RC-002), and acknowledgements come after the call that is due.
 """
 
@@ -61,7 +61,7 @@ class When(Whens):
         return self.others.look(tick) | self.rises
 
     def look_alone(self, tick: int) -> None:
-        """Look at this condition and at no other one."""
+        """Watch this condition and no other."""
         if self.tick == tick:
             return
         self.tick = tick
@@ -92,7 +92,7 @@ class Delays:
 
 
 class PlcCalls:
-    """What a PLC in Python waits for; ``is_watching``: there is such a PLC.
+    """The conditions that a PLC in Python waits for; ``is_watching``: there is such a PLC.
 
     ``next_tick``: the tick after which it is called at the latest. ``is_noting``: somebody takes
     note of acknowledgements, ``answer_count``: how many there were after the latest tick.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The signals between channels: what has been sent and not yet used up.
+"""The signals between channels: sent and not yet used up.
 
 ``SignalBoard`` belongs to all channels of a machine. A signal is addressed to one channel or to all
 (a broadcast, receiver 0). Channels count from 1; several of them are a mask, channel 3 as bit 3.
@@ -22,8 +22,8 @@ class SignalBoard:
 
     ``received``, ``received_mask``: values of the signals that were taken last, and which of them
     arrived; ``taken_sender``, ``taken_tick``: sender and tick of the last one of them.
-    ``blocking``: the number of the signal that comes before the one that was asked for.
-    ``has_waited``: a channel has had to wait.
+    ``blocking``: the number of the signal ahead of the requested one. ``has_waited``: a channel has
+    had to wait.
     """
 
     def __init__(self) -> None:
@@ -101,7 +101,7 @@ class SignalBoard:
         return 1
 
     def state(self, number: int, receiver: int, senders: int, may_overtake: int) -> int:
-        """Return whether all signals of this number are there that a channel waits for.
+        """Return whether all signals of this number that a channel waits for are there.
 
         ``senders`` 0: a broadcast. Signals of one sender to one channel are taken in the order in
         which they were sent, unless ``may_overtake``.

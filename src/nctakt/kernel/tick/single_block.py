@@ -33,8 +33,8 @@ class SingleBlock:
     def permits(self) -> int:
         """Return whether the command at the head of the queue may be taken.
 
-        What only tells of its line waits with the first command that does something; a line
-        without one is none to stop at.
+        Commands that only mark their line wait with the first command that does something; at a
+        line without one there is no stop.
         """
         head = self.queue.head
         if self.path.continues_block() or not self.is_block(head):
@@ -82,7 +82,7 @@ class SingleBlock:
         return 0
 
     def leads_to_motion(self, number: int) -> bool:
-        """Return whether the first command after marks, which is there, moves or dwells."""
+        """Return whether the first command after the marks, which exists, moves or dwells."""
         while True:
             row = number % self.queue.capacity * self.queue.width
             kind = int(self.queue.rows[row + rows.KIND])
@@ -96,7 +96,7 @@ class SingleBlock:
         return source >> 20
 
     def is_mark(self, kind: int) -> bool:
-        """Return whether commands of this kind only tell of their line."""
+        """Return whether commands of this kind only mark their line."""
         return kind in (rows.BLOCK_MARK, rows.WAIT_MARK, rows.MODAL_MARK)
 
     def is_motion(self, kind: int) -> bool:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The axes of a channel's spindles, given away and taken again (``S[PUTAX]``, ``S[CALLAX]``).
 
-A spindle has its axis as the path has its own: ``SingleAxes.in_channel`` says which channel has it,
-by its path or by a spindle. What a spindle has given any channel can take, and the spindle waits
-until it is free again.
+A spindle has its axis as the path has its axes: ``SingleAxes.in_channel`` has the number of the
+channel that has it, by its path or by a spindle. Any channel can take an axis that a spindle has
+given up, and the spindle waits until it is free again.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class SpindleExchange:
         self.blocked_since = -1
 
     def begin(self, signals: ChannelSignals) -> None:
-        """Let the spindles have their axes, of several channels those of the first one."""
+        """Assign the spindles their axes; a shared axis goes to the first channel."""
         self.signals = signals
         spindles, single_axes = self.context.spindles, self.context.single_axes
         for spindle in range(spindles.count):
@@ -40,7 +40,7 @@ class SpindleExchange:
                 single_axes.assign_to_channel(axis, signals.number)
 
     def awaited(self) -> tuple[int, int, int]:
-        """Return axis, source and first tick of what is waited for; axis -1: nothing."""
+        """Return the awaited axis, source and first tick; axis -1: none."""
         if not self.is_stuck():
             return (-1, 0, 0)
         row = self.queue.head_row()

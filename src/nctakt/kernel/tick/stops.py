@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Stops: what ends ``Kernel.run`` after a tick, for those who watch a run.
+"""Stops: conditions that end ``Kernel.run`` after a tick, for those who watch a run.
 
-Each stop is looked at after every tick, and sees what the tick has done: the memory, the events of
-the tick, the nodes of the realtime cycles. It changes nothing of the machine's and takes none of
-the instructions that the cycles may run.
+Each stop is checked after every tick, and sees the results of the tick: the memory, the events of
+the tick, the nodes of the realtime cycles. It changes nothing in the machine and uses none of the
+instructions that the cycles may run.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Stop:
         self.last_tick = -1
 
     def begin(self, context: Context) -> None:
-        """Take the present state as the one before the first tick."""
+        """Take the present state as that before the first tick."""
 
     def holds(self, context: Context, record: Record) -> int:
         """Return whether the stop holds after this tick."""
@@ -211,7 +211,7 @@ class RunsThrough(Stop):
 class Turns(Stop):
     """The condition of a branch turns true, or false where ``truth`` is ``codes.FALSE``.
 
-    One that is false when it is first evaluated has not turned.
+    A condition that is false when first evaluated has not turned.
     """
 
     def __init__(
@@ -274,7 +274,7 @@ class Link:
     """A chain of stops, since the tick cannot walk through a list; the base is its end."""
 
     def check(self, context: Context, record: Record) -> int:
-        """Look at each stop; return whether one of them ends the run."""
+        """Check each stop; return whether one of them ends the run."""
         return 0
 
 

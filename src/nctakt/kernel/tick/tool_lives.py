@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tool lives of one channel: commands of the program, and what is reported to the PLC."""
+"""Tool lives of one channel: commands of the program, and reports to the PLC."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ToolLifeReporter:
         self.omits_zero = omits_zero
 
     def end_tick(self) -> None:
-        """Show what the tool has worked up to the end of a tick."""
+        """Show how much the tool has worked up to the end of a tick."""
         if self.life.has_moved:
             self.life.end_tick()
             self.panel.show_life(self.life.time_t, self.life.distance_d)
@@ -56,7 +56,7 @@ class ToolLifeReporter:
         self.panel.show_life(self.life.time_t, self.life.distance_d)
 
     def send(self, row: int, tool: int, basic: int, distance_d: float) -> None:
-        """Tell the PLC the tool life for a tool: the one of the path, or another."""
+        """Report the tool life of a tool to the PLC: that of the path, or another."""
         time_t = self.life.time_t
         if self.omits_zero and time_t == 0.0 and distance_d == 0.0:
             return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What holds up the program of a channel, for ``run/causes/wait_reasons.py``."""
+"""Reasons that hold up the program of a channel, for ``run/causes/wait_reasons.py``."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class WaitReasons:
         self.overrides = overrides
 
     def reason(self) -> tuple[str, int, int]:
-        """Word, source and detail of what holds the program up, for ``run/causes/wait_reasons.py``.
+        """Word, source and detail of the reason that holds up the program.
 
         The word is empty where nothing does: the path moves, or a dwell lasts.
         """
@@ -68,7 +68,7 @@ class WaitReasons:
         return (word, queued, detail)
 
     def _of_path(self) -> tuple[str, int]:
-        """Word and detail for what holds up the current block of a standing path."""
+        """Word and detail of the reason that holds up the current block of a path at rest."""
         if self.executor.panel.feed_hold:
             return ("feed hold", 0)
         locked = self.path.locked_axis() if self.path.axes.locked_count > 0 else -1
@@ -89,7 +89,7 @@ class WaitReasons:
         )
 
     def _of_command(self, row: int) -> tuple[str, int]:
-        """Word and detail for what holds up the command at the head of the queue."""
+        """Word and detail of the reason that holds up the command at the head of the queue."""
         kind = int(self.queue.rows[row + rows.KIND])
         if kind == rows.TECHNOLOGY:
             return ("free place", int(self.queue.rows[row + rows.TECHNOLOGY_FUNCTION]))
@@ -113,7 +113,7 @@ class WaitReasons:
         return ("", 0)
 
     def resting_spindle(self) -> int:
-        """Number, from 1, of the resting spindle that a standing path follows; else 0."""
+        """Number, from 1, of the spindle at rest that a path at rest follows; else 0."""
         if not self.path.is_active or self.path.is_dwell or self.path.speed_v != 0.0:
             return 0
         spindle = int(self.path.history_rows[self.path.row + rows.FEED_SPINDLE])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a channel measures within its blocks: edge joints (G108), touches of a probe (G100)."""
+"""Measuring within the blocks of a channel: edge joints (G108), touches of a probe (G100)."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 """Measuring with a touch probe within a block (G100): where the axes were at its signal.
 
 The block is armed while the path is at rest. The signal is HLI.PROBE at its level, a fixed stop of
-an axis, or that of a simulated probe: at a part of the block's length, or after a number of ticks.
+an axis, or that of a simulated probe: at a share of the block's length, or after a number of ticks.
 It latches the positions of the axes; the path brakes and drops the rest of the block, or continues
 to its end.
 """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What is watched of running PLC code: counts, causes, statements."""
+"""Observation of running PLC code: counts, causes, statements."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How often conditions were true and false, and bodies ran: only what is asked for is counted.
+"""How often conditions were true and false, and bodies ran; counted only on request.
 
 The nodes wrap those of conditions and bodies; they cost no elementary instructions, so that
 a run that counts does the same as one that does not.
@@ -67,7 +67,7 @@ class SeenReal(Real):
 
 
 class ComparedTruth(CountedTruth):
-    """A comparison whose sides are noted: also how near it came to what it has never been."""
+    """A comparison whose sides are noted, and how near it came to the result it never had."""
 
     def value(self, context: PlcContext) -> int:
         value = self.operand.value(context)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Nodes that note what leads to a change (``notes.py``): they wrap those that do the work.
+"""Nodes that note what leads to a change (``notes.py``): they wrap the working nodes.
 
 They cost no elementary instructions, so that a run that is explained does the same as another one.
 """
@@ -44,7 +44,7 @@ class NotedReal(Real):
 
 
 class NotedLoop(Whole):
-    """The condition of a loop: what an earlier pass has noted leaves the stack first."""
+    """The condition of a loop: notes of an earlier pass leave the stack first."""
 
     def __init__(self, operand: Whole) -> None:
         self.operand = operand
@@ -73,7 +73,7 @@ class NotedPass(Step):
 
 
 class NotedScope(Step):
-    """A statement: what it has noted leaves the stack after it."""
+    """A statement: its notes leave the stack after it."""
 
     def __init__(self, body: Step) -> None:
         self.body = body
@@ -89,7 +89,7 @@ class NotedScope(Step):
 
 
 class NotedResult(Step):
-    """An assignment to the result of a call: what led to it stays until the caller has used it."""
+    """An assignment to the result of a call: its notes stay until the caller has used it."""
 
     def __init__(self, body: Step, row: int) -> None:
         check_range(row, 0, kinds.MAX_COUNTS - 1, "row")
@@ -104,7 +104,7 @@ class NotedResult(Step):
 
 
 class NotedCall(Call):
-    """A call: its instance becomes a row; what led to its result stays."""
+    """A call: its instance becomes a row; the notes for its result stay."""
 
     def __init__(self, call: Call, row: int) -> None:
         check_range(row, 0, kinds.MAX_COUNTS - 1, "row")

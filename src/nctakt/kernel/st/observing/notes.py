@@ -132,13 +132,13 @@ class Notes:
                 self.compare(memory, number, source, now)
 
     def discover(self, memory: memoryview, at: int, kind: int) -> None:
-        """Watch a value that has just been written; what it was before is not known."""
+        """Watch a value that has just been written; its previous value is not known."""
         number = self.add(memory, at, kind)
         if number:
             self.is_new[number] = 1
 
     def refresh(self, memory: memoryview, now: int) -> None:
-        """Log what else than a statement has changed in the interface."""
+        """Log changes in the interface that were not made by a statement."""
         for number in range(self.interface_from, self.count + 1):
             self.compare(memory, number, 0, now)
 

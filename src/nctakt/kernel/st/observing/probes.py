@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What a debugger wants of the statements of a PLC: where a tick passes, and where it is to halt.
+"""Statement probes for a debugger of a PLC: where a tick passes, and where it is to halt.
 
-A probe wraps a statement only while somebody debugs. It costs no elementary instructions and
-writes nothing into the PLC's memory, so that a run that is watched does the same as another one.
-Statements are numbered as they begin, from 1 on in each tick that is looked into. A halt ends the
-tick before a statement as a fault does: the memory stays as it is there, and the calls that are
-open are noted. The controller that has halted is looked at and thrown away.
+A probe wraps a statement only while somebody debugs. It costs no elementary instructions and writes
+nothing into the PLC's memory, so that a watched run does the same as any other. Statements are
+numbered as they begin, from 1 on in each tick that is looked into. A halt ends the tick before a
+statement as a fault does: the memory stays as it is there, and the calls that are open are noted.
+The halted controller is inspected and discarded.
 """
 
 from __future__ import annotations
@@ -48,12 +48,12 @@ class StatementCounter:
         self.passed += 1
 
     def seek(self, each: Sought) -> None:
-        """Let each statement be looked at by these from now on."""
+        """Let these observe each statement from now on."""
         self.each = each
 
 
 class Sought:
-    """Base of what is looked for, and null object at the end of a chain.
+    """Base of all probes, and null object at the end of a chain.
 
     ``held``: how often it has held. ``first`` after the statement number ``after``, and ``last``
     before ``before``: the numbers of the statements at which it did, 0 for none.
@@ -119,7 +119,7 @@ class Probe(Step):
         self.sought = Sought()
 
     def seek(self, sought: Sought) -> None:
-        """Let this statement be looked at by these from now on."""
+        """Let these observe this statement from now on."""
         self.sought = sought
 
     def run(self, context: PlcContext) -> int:
@@ -132,5 +132,5 @@ class Probe(Step):
         return self.body.run(context)
 
 
-#: What is true at each statement.
+#: Probe that is true at each statement.
 ALWAYS = WholeConstant(1)

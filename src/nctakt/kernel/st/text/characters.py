@@ -11,13 +11,13 @@ FIRST_EXPONENT = 16
 SMALL_D, SMALL_E, SMALL_H, SMALL_M, SMALL_N, SMALL_S, SMALL_U = 100, 101, 104, 109, 110, 115, 117
 LARGE_D, LARGE_I, LARGE_L, LARGE_M, LARGE_N, LARGE_O = 68, 73, 76, 77, 78, 79
 LARGE_R, LARGE_S, LARGE_T, LARGE_U = 82, 83, 84, 85
-#: What makes a small letter of a large one, and the value of E among the digits of base 15.
+#: Difference between lower and upper case, and the value of E among the digits of base 15.
 SMALL = 32
 DIGIT_E = 14
 #: ``true`` as four bytes.
 TRUE = 0x65757274
 SMALL_LETTERS = 0x20202020
-#: The last character of Latin-1, and what replaces others in a STRING.
+#: The last character of Latin-1, and the replacement for others in a STRING.
 LATIN_LAST, QUESTION = 255, 63
-#: Bases of whole numbers beside ten (ST-206).
+#: Bases of whole numbers other than ten (ST-206).
 BINARY, OCTAL, HEXADECIMAL = 2, 8, 16

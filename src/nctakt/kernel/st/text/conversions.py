@@ -107,7 +107,7 @@ class WholeOfString(Whole):
 
 
 def whole_length(length: float, scale: int) -> int:
-    """Return a length of ms in ms or ns, cut down; 0 of one that is too long."""
+    """Return a length of ms in ms or ns, cut down; 0 if it is too long."""
     scaled = length * scale + 0.0000001
     return int(scaled) if scaled < 9.0e18 else 0
 

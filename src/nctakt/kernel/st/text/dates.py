@@ -36,7 +36,7 @@ def put_length(context: PlcContext, at: int, value: int, is_fine: bool) -> int:
 def put_unit(
     context: PlcContext, at: int, value: int, unit: int, ring: int, first: int, second: int
 ) -> int:
-    """Write how many of a unit there are, unless there is none of them."""
+    """Write the number of a unit, unless it is zero."""
     count = words.divide_unsigned(value, unit)
     if ring:
         count = words.modulo_unsigned(count, ring)
@@ -149,7 +149,7 @@ def day_of(year: int, month: int, day: int) -> int:
 
 
 def read_moment(context: PlcContext, at: int, end: int, shown: int) -> int:
-    """Return what ``D#``, ``DT#`` or ``TOD#`` spells, prefix or not; 0 of anything else."""
+    """Return the value of a ``D#``, ``DT#`` or ``TOD#`` literal, with or without prefix; else 0."""
     at = digits.skip_prefix(context, digits.skip_blanks(context, at, end), end)
     seconds = 0
     if shown != kinds.TIME_OF_DAY:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Numbers written into texts, and read from them (ST-307, ST-308).
 
-A writer puts bytes into the memory and returns the address after them; whoever calls it has room
-for ``kinds.TEXT_BYTES``.
+A writer puts bytes into the memory and returns the address after them; the caller provides room for
+``kinds.TEXT_BYTES``.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def put_signed(context: PlcContext, at: int, value: int) -> int:
 
 
 def put_special(context: PlcContext, at: int, value: float) -> int:
-    """Write what is infinite or not a number: ``#INF``, ``-#INF``, ``#NAN``."""
+    """Write an infinite value or NaN: ``#INF``, ``-#INF``, ``#NAN``."""
     if value < 0.0:
         at = put(context, at, characters.MINUS)
     at = put(context, at, characters.HASH)
@@ -122,7 +122,7 @@ def put_plain(context: PlcContext, at: int, spelled: int, digits: int, exponent:
 
 
 def digit_of(context: PlcContext, at: int, base: int) -> int:
-    """Return the value of a digit, -1 for what is none."""
+    """Return the value of a digit, -1 if it is not one."""
     character = words.load(context.memory, at, kinds.U8)
     if character > 96:
         character -= 32

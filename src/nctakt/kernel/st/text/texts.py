@@ -51,7 +51,7 @@ class ChosenText(StringPart):
 
 
 class AssignString(Sourced):
-    """An assignment: what is longer than the target is cut off (ST-310)."""
+    """An assignment: a text longer than the target is cut off (ST-310)."""
 
     def __init__(
         self, address: Whole, capacity: int, text: StringPart, source: int, cost: int
@@ -184,8 +184,8 @@ def join(
 class ChangeString(Whole):
     """``CONCAT``, ``INSERT``, ``DELETE`` and ``REPLACE``: a text with a part of it replaced.
 
-    ``kept`` is where the frame keeps the result. Positions count from 1; what lies outside of the
-    text takes nothing away (ST-711).
+    ``kept`` is where the frame keeps the result. Positions count from 1; positions outside the text
+    delete nothing (ST-711).
     """
 
     def __init__(
@@ -267,7 +267,7 @@ class PartOfString(Whole):
 
 
 class ResizedText(Whole):
-    """A text with characters of the other size; what is no Latin-1 becomes ``?`` (ST-307)."""
+    """A text with characters of the other size; anything outside Latin-1 becomes ``?`` (ST-307)."""
 
     def __init__(self, text: StringPart, kept: int) -> None:
         self.text = text

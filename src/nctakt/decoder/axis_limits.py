@@ -213,7 +213,7 @@ def feed_unit(axis: AxisConfiguration, state: ModalState, listed_mm_min: float) 
 
 
 def _let_lag(axes: Axes, index: int, axis: AxisConfiguration, cycle_time_us: int) -> None:
-    """Set the following error of an axis per tick (MO-10); a feed-forward share of 1 leaves
+    """Set the following error of an axis per tick (MO-10); with a feed-forward share of 1 there is
     none.
     """
     reach = axis.kv * cycle_time_us / 1e6

@@ -7,10 +7,10 @@ G40 leaves the contour, a motion in the plane is held until the next one determi
 detection of contour damage (P-CHAN-00219), as many motions are held as a loop of the path may span.
 Other held commands are bounded by ``MAX_BETWEEN``.
 
-The first motion in the plane approaches the contour, the one after G40 leaves it: as straight
-lines that are not shifted themselves (G138, G139), with motions of their own (G237), or not at all,
-so that the contour ends at the tool's position (G239). A closed contour that begins in an inner
-corner (G238) is held as a whole, because its last motion determines where both ends meet.
+The first motion in the plane approaches the contour, the one after G40 leaves it: as straight lines
+that are not shifted themselves (G138, G139), with additional motions (G237), or not at all, so that
+the contour ends at the tool's position (G239). A closed contour that begins in an inner corner
+(G238) is held as a whole, because its last motion determines where both ends meet.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ _Piece = tuple[float, ...]
 
 
 class Compensation:
-    """Compensates one program; ``pass_time`` is called for held commands as if they were taken."""
+    """Compensates one program; ``pass_time`` is called for held commands as if executed."""
 
     def __init__(
         self, values: Values, path: PathMotion, pass_time: Callable[[Command], None]
@@ -346,7 +346,7 @@ class Compensation:
                 self._fail(motion)
 
     def _stop(self) -> Iterator[Command]:
-        """Run the contour up to a mistake; one of G238 is discarded."""
+        """Run the contour up to a mistake; a contour of G238 is discarded."""
         if self._is_closed_one:
             self._motions.clear()
             self.tool.give_up()

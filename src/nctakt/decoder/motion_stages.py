@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The stages after the decoder that change motions, one after the other.
+"""The stages after the decoder that change motions, in sequence.
 
 Shapes of several blocks, then the compensation of the tool's radius, then the curves of contoured
-corners. Each holds motions until it knows the next one; what is held counts as taken.
+corners. Each holds motions until it knows the next one; held commands count as executed.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class MotionStages:
 
     @property
     def needs_next(self) -> bool:
-        """Whether the next motion shapes what is held."""
+        """Whether the next motion shapes the held one."""
         return self._shaping.needs_next or self._contouring.needs_next
 
     @property

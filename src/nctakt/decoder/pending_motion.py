@@ -18,7 +18,7 @@ from nctakt.decoder.state.queued.commands import Command, Segment
 from nctakt.kernel.base import arithmetic
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 
-#: What checks the limits of the axes on a piece of a motion.
+#: The check of the axes' limits on a piece of a motion.
 CheckPiece = Callable[
     [list[float], list[float], Arc | None, tuple[int, int], Span, Matrix | None], None
 ]

@@ -305,7 +305,7 @@ class ProgramDecoder:
 
     @property
     def _may_pause(self) -> bool:
-        """Whether nothing but the place in the main program says how decoding goes on."""
+        """Whether decoding continues depending only on the place in the main program."""
         return (
             self._nested == 1
             and len(self._call_stack.frames) == 1

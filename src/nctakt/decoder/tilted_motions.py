@@ -4,7 +4,7 @@
 Arcs, the compensation of the tool's radius, chamfers and roundings are made in a plane of two axes.
 Where the active coordinate system tilts that plane, their motions are turned into it
 (``Segment.tilt``) and out of it again. An arc that is not in a plane of two axes then is a row of
-cubics that are at most ``TOLERANCE_MM`` beside it.
+cubics that deviate from it by at most ``TOLERANCE_MM``.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ from nctakt.decoder.state.geometry.coordinate_systems import Matrix, axis_arc, t
 from nctakt.decoder.state.geometry.cubics import Cubic, Point
 from nctakt.decoder.state.queued.commands import Command, EmptyBlock, Segment, Tilt
 
-#: How far a cubic may be beside its arc, mm.
+#: How far a cubic may deviate from its arc, mm.
 TOLERANCE_MM = 1e-6
 
 #: The largest angle of a cubic in degrees; beyond it the estimates of its error do not hold.
 MAX_ANGLE = 45.0
 
-#: How far a cubic over the angle a is beside its arc at most: this times a⁶ of the radius, and this
-#: times a⁴ of the way of the axes beside the plane.
+#: How far a cubic over the angle a deviates from its arc at most: this times a⁶ of the radius, and
+#: this times a⁴ of the distance of the axes outside the plane.
 _OFF_RADIUS, _OFF_WAY = 1.9e-5, 1.2e-4
 
 
@@ -79,7 +79,7 @@ def _axes_at(tilt: Tilt, positions: tuple[float, ...], *ends: int) -> tuple[floa
 
 
 def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[Command]:
-    """Yield a motion as the axes make it; any other command as it is."""
+    """Yield a motion as the axes make it; any other command unchanged."""
     if not isinstance(command, Segment) or command.tilt is None:
         yield command
         return
@@ -88,7 +88,7 @@ def out_of_plane(command: Command, environment: DecoderEnvironment) -> Iterator[
     if segment.arc is None:
         if start != target:
             yield replace(segment, start=start, target=target, tilt=None)
-        elif not segment.continues_block:  # rounding had left a way in the plane
+        elif not segment.continues_block:  # rounding had left a distance in the plane
             yield EmptyBlock(segment.source, segment.number)
         return
     first, second, *others = segment.arc
@@ -131,7 +131,7 @@ def cubics_of(
 ) -> list[Cubic]:
     """Return an arc of a turned system as cubics of the axes' positions.
 
-    ``arc``: as ``Segment.arc``; the axes beside its plane move evenly with the angle.
+    ``arc``: as ``Segment.arc``; the axes outside its plane move evenly with the angle.
     """
     first, second = int(arc[0]), int(arc[1])
     ways = [end - begin for begin, end in zip(start, target, strict=True)]

@@ -15,7 +15,7 @@ from nctakt.nc import tree
 #: Axis words and their values.
 AxisValues = list[tuple[tree.AxisWord, float]]
 
-#: Commands for axes that move beside the path.
+#: Commands for axes that move independently of the path.
 AloneCommand = MoveAlone | Oscillate | EndOscillation
 
 
@@ -26,7 +26,7 @@ class BlockContent:
     ``selects_tool``: it selects the data of a tool; ``kept``: axes that keep their programmed
     positions meanwhile, so that they move, with these.
 
-    ``independent``: axes that begin to move beside the path, each with its command; ``awaited``:
+    ``independent``: axes that begin an independent motion, each with its command; ``awaited``:
     those for which the block waits.
 
     ``axis_values``: functions whose axis words are no targets, with these words.

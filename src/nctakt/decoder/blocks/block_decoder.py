@@ -107,8 +107,8 @@ _TAKING_AXES = AXIS_WEIGHTS | AXIS_VALUES
 class BlockDecoder:
     """Decodes the blocks of one program.
 
-    ``has_motion``: the last one commanded a motion; ``in_force``: the marks of what is in force,
-    ``None`` without marks.
+    ``has_motion``: the last one commanded a motion; ``in_force``: the marks of the functions in
+    force, ``None`` without marks.
     """
 
     def __init__(self, values: Values, uncertain_axes: UncertainAxes) -> None:
@@ -211,7 +211,7 @@ class BlockDecoder:
         return content.ends_program
 
     def _moves(self, content: BlockContent, span: Span, number: int) -> Generator[Command, Answer]:
-        """Yield the motion of a block, with what measures or stops in it."""
+        """Yield the motion of a block, with its measuring or stop commands."""
         measured = (
             self.technology.take_measuring(content.functions) if self._state.measures else None
         )

@@ -7,7 +7,7 @@ from nctakt.decoder.values.variables import Values
 
 
 def radius_of(values: Values, axis: int, value: float, *, is_absolute: bool) -> float:
-    """Return a programmed position or way of an axis, half of it if it is a diameter."""
+    """Return a programmed position or distance of an axis, halved if it is a diameter."""
     path = values.state.path
     if not path.has_diameters or path.turning_plane is not None:
         return value

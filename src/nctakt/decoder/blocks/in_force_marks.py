@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Marks in the queue where something else comes into force.
 
-In: the modal state after the words of a block. Out: a mark where it has changed, so that whoever
-watches a run sees it from the tick on in which the block begins.
+In: the modal state after the words of a block. Out: a mark where it has changed, so that an
+observer of a run sees it from the tick in which the block begins.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class InForceMarks:
 
     @property
     def are_up_to_date(self) -> bool:
-        """Whether the latest mark says what is in force."""
+        """Whether the latest mark matches the functions in force."""
         return self._present() == self._marked
 
     def _present(self) -> InForce:

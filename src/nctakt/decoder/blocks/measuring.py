@@ -3,7 +3,8 @@
 
 In: the words of a block, checked commands. Out: the motion of the block between ``Touch`` and
 ``TouchEnd``, then the measured values in the modal state; measuring offsets as commands. The signal
-is HLI.PROBE or that of a simulated probe (P-AXIS-00112), whose place on the way is computed here.
+is HLI.PROBE or that of a simulated probe (P-AXIS-00112), whose place along the motion is computed
+here.
 """
 
 from __future__ import annotations
@@ -49,7 +50,7 @@ from nctakt.nc.meaning.path import keywords
 from nctakt.nc.meaning.words import MEASURING_MODE
 from nctakt.nc.vocabulary.functions import MEASURING_OFFSET_ON
 
-#: Types of G100 beside the usual one: one axis, with G106, main axes, fixed stop.
+#: Types of G100 other than the usual one: one axis, with G106, main axes, fixed stop.
 ONE_AXIS, CONTINUING, MAIN_AXES, FIXED_STOP = 2, 3, 4, 7
 #: Those of G310; 6 is the one of SERCOS drives.
 INTERRUPTING = (5, 6)
@@ -66,7 +67,7 @@ class _AxisMotion:
     target: float
 
     def part_at(self, position: float) -> float:
-        """Return the share of the way at which the axis is at ``position`` or beyond it.
+        """Return the share of the motion at which the axis reaches or passes ``position``.
 
         Infinite: the axis does not come there.
         """
@@ -203,7 +204,7 @@ class Measuring:
         span: Span,
         number: int,
     ) -> Generator[Command, Answer]:
-        """Yield the motion of the block so that it measures; keep what it has measured."""
+        """Yield the motion of the block so that it measures; keep the measured values."""
         source = self._environment.source_id(span)
         answer: Answer = None
         segment: Segment | None = None
@@ -252,7 +253,7 @@ class Measuring:
             self._state.measured[index] = replace(before, has_touched=False)
 
     def _extended(self, segment: Segment, words: Sequence[tree.AxisWord]) -> Segment:
-        """Return the motion with the way beyond the target that type 2 has (P-AXIS-00114)."""
+        """Return the motion with the overrun beyond the target that type 2 has (P-AXIS-00114)."""
         overtravel = self._of(words[0]).overtravel if self.type == ONE_AXIS else 0.0
         if overtravel == 0.0 or self._state.needs_signal is not None:
             return segment
@@ -320,7 +321,7 @@ class Measuring:
     def _keep(
         self, answer: Sequence[float], segment: Segment, words: Sequence[tree.AxisWord]
     ) -> None:
-        """Keep the answer of the realtime part: where the axes are, and what was measured."""
+        """Keep the answer of the realtime part: positions of the axes, and measured values."""
         count = len(segment.target)
         has_touched, positions = bool(answer[0]), list(answer[1 : 1 + count])
         of_axes = answer[1 + count : 1 + 2 * count]
@@ -356,7 +357,7 @@ class Measuring:
         return [self._environment.axis_numbers[word.name] for word in words]
 
     def _probe_radius(self, start: Sequence[float], goal: Sequence[float]) -> list[float]:
-        """Return the way from the centre of the probe to the workpiece, in each axis, mm.
+        """Return the distance from the centre of the probe to the workpiece, in each axis, mm.
 
         The probe's radius is that of the tool; it touches in the direction of the motion.
         """
@@ -390,7 +391,7 @@ class Measuring:
 
 
 def _part_of_object(motions: Sequence[_AxisMotion]) -> float:
-    """Return the share of the way at which all axes are within the object of P-AXIS-00145, 00146.
+    """Return the share of the path at which all axes are within the object of P-AXIS-00145, 00146.
 
     Axes without this mode do not count; infinite: it is not touched.
     """

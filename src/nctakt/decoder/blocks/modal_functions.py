@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What modal G functions change, a method for each modal group; later blocks find it in the state.
+"""Effects of modal G functions, a method for each modal group; later blocks find them in the state.
 
 In: the functions of a block, in their order. Out: changes of ``state/modal_state.py``.
 """
@@ -70,7 +70,7 @@ class ModalFunctions:
         }
 
     def execute(self, function: int, span: Span) -> None:
-        """Execute a G function; one that acts in its block only, or on its words, does nothing."""
+        """Execute a G function; ignore one that acts only in its block, or on its words."""
         method = self._methods.get(group_of(function))
         if method is not None:
             method(function, span)

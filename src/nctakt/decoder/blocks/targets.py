@@ -89,7 +89,7 @@ class Targets:
     def positions_of(self, programmed: Mapping[int, float]) -> dict[int, float]:
         """Return the axis positions of an absolute point, of which these axes are programmed.
 
-        Where the program's coordinates are not those of the axes, it is one of all main axes.
+        If the program's coordinates are not those of the axes, all main axes are part of it.
         """
         positions = self._point(programmed, codes.ALL_OFFSETS, is_absolute=True)
         is_mapped = self._state.frame.is_active or self._environment.offsets.systems.is_active

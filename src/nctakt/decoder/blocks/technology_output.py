@@ -23,7 +23,7 @@ from nctakt.messages.programs.checked_blocks import WORD_VALUE_OUT_OF_RANGE
 from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
 from nctakt.nc.tree import Word
 
-#: What the lead of a type is that goes out before the path comes to its block.
+#: The lead of a type that is output before the path reaches its block.
 LEAD_KINDS = {
     "MEP_SVS": codes.LEAD_DISTANCE,
     "MEP_MOS": codes.LEAD_DISTANCE,

@@ -3,7 +3,7 @@
 
 Each new piece is compared with those of the last motions, and a crossing is reported; or
 (``masks``) the loop that it closes is left out, with the motions in it. A loop that is left out is
-kept as long as the path may lead back behind it.
+kept as long as the path may lead back past it.
 """
 
 from __future__ import annotations
@@ -137,12 +137,12 @@ class Chain:
         self.leading = self.number
 
     def compare_with_leading(self, last: int) -> None:
-        """Find where the newest piece of the contour crosses the way to the contour."""
+        """Find where the newest piece of the contour crosses the approach to the contour."""
         if self.number > self.leading + rows.REACH:
             self.leading = 0
             return
         if self.number == self.leading + 1:
-            return  # which it ends beside
+            return  # next to which it ends
         row = last * rows.PIECE_WIDTH
         for k in range(self.leading_count):
             at = (2 * rows.ROOM + k) * rows.PIECE_WIDTH
@@ -169,7 +169,7 @@ class Chain:
             piece = pieces.overlapping(self.rows, piece - 1, self.barrier, oldest, row)
 
     def enters(self, first: int, second: int, contour: int) -> int:
-        """Return whether two pieces cross where one leads beside the contour.
+        """Return whether two pieces cross where one leads alongside the contour.
 
         Around corners, up to a radius from the ends, the path may be farther from it than that.
         """
@@ -189,7 +189,7 @@ class Chain:
     def mask(self) -> None:
         """Leave out the loops that the newest piece closes.
 
-        It may lead back behind what was left out, so that a part of that is path after all.
+        It may lead back past a part that was left out, so that some of that is path after all.
         """
         room = 8
         while True:
@@ -227,14 +227,14 @@ class Chain:
         oldest = self.number - rows.REACH
         piece = last - 1
         if piece >= 0 and self.rows[piece * rows.PIECE_WIDTH + rows.SHAPE] != rows.GAP:
-            piece -= 1  # the path goes on from this one
+            piece -= 1  # the path continues from this one
         piece = pieces.overlapping(self.rows, piece, self.barrier, oldest, row)
         while piece >= 0 and not self.crossings.find(self.rows, piece * rows.PIECE_WIDTH, row):
             piece = pieces.overlapping(self.rows, piece - 1, self.barrier, oldest, row)
         return piece
 
     def search_loops(self, last: int) -> int:
-        """Piece of a loop behind which the newest piece leads; -1 without one."""
+        """Piece of a loop past which the newest piece leads; -1 without one."""
         self.crossings.required_sense = -self.side
         row = last * rows.PIECE_WIDTH
         oldest = self.number - rows.REACH
@@ -296,7 +296,7 @@ class Chain:
     def restore_loop(self, crossed_piece: int, last: int) -> int:
         """Lead the path around a loop again from its crossing; return 1 if done.
 
-        What of it is not path after all the rest of the newest piece will leave out.
+        The rest of the newest piece will leave out the part of it that is not path after all.
         """
         table = self.rows
         end = self.end_of_loop(crossed_piece)
@@ -334,7 +334,7 @@ class Chain:
         for i in range(rows.PIECE_WIDTH):
             self.rows[target * rows.PIECE_WIDTH + i] = self.rows[source * rows.PIECE_WIDTH + i]
 
-    # --- what is taken ---------------------------------------------------------------------------
+    # --- taking pieces ---------------------------------------------------------------------------
 
     def take(self, number: int) -> int:
         """Take the next piece of this motion; return its shape, ``rows.NOTHING`` without one."""
@@ -356,7 +356,7 @@ class Chain:
     def hide(self, x: float, y: float, radius: float) -> None:
         """Note an end of the newest motion, an arc that the tool does not fit into.
 
-        No path leads beside it, so that what is taken is compared with its ends.
+        No path leads alongside it, so the pieces taken are compared with its ends.
         """
         at = self.hidden_count % rows.MAX_HIDDEN * rows.HIDDEN_WIDTH
         self.hidden[at + rows.HIDDEN_X] = x
@@ -368,7 +368,8 @@ class Chain:
     def find_hidden(self) -> None:
         """Find where the next piece comes too near to a hidden end of an arc.
 
-        A thousandth of the radius is left to rounding: ends of arcs, and corners that are none.
+        A thousandth of the radius is left to rounding: ends of arcs, and corners that are not
+        really corners.
         """
         row = self.taken_count * rows.PIECE_WIDTH
         number = self.rows[row + rows.MOTION]

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Two motions of a contour, and how the paths beside them are joined at their corner (MO-9).
+"""Two motions of a contour, and how their offset paths are joined at the corner (MO-9).
 
 The tool's centre goes at a signed distance to the left of a motion, which is a row (``rows.py``).
-At an inner corner the paths beside both motions cut each other, at an outer one further pieces join
+At an inner corner the offset paths of both motions intersect, at an outer one further pieces join
 them.
 
-A change of direction below 0.01° is none: ends and centres of arcs are rounded.
+A change of direction below 0.01° does not count: ends and centres of arcs are rounded.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ class Corners:
         motions[at + rows.IS_TOO_SMALL] = 1.0 if is_too_small else 0.0
 
     def place_end(self, at: int) -> None:
-        """Let the tool pass the motion up to beside its end, joined by nothing."""
+        """Let the tool pass the motion up to its offset end, with nothing joined to it."""
         motions = self.motions
         self.joint_count = 0
         distance = motions[at + rows.END_DISTANCE]
@@ -95,7 +95,7 @@ class Corners:
         self.next_y = self.end_y
 
     def place_start(self, at: int) -> None:
-        """Let the tool begin the motion beside its start."""
+        """Let the tool begin the motion at its offset start."""
         motions = self.motions
         distance = motions[at + rows.START_DISTANCE]
         self.next_x = motions[at + rows.START_X] - motions[at + rows.START_SINE] * distance
@@ -107,7 +107,7 @@ class Corners:
         self.joint_count += 1
 
     def join(self, first: int, second: int) -> int:
-        """Join two motions; return 0 if the paths beside them leave a gap."""
+        """Join two motions; return 0 if their offset paths leave a gap."""
         motions = self.motions
         distance = motions[first + rows.END_DISTANCE]
         self.joint_count = 0
@@ -197,7 +197,7 @@ class Corners:
         self.next_y = y
 
     def meet_between(self, first: int, second: int, distance: float) -> None:
-        """Meet where the lines beside the directions at a corner intersect."""
+        """Meet where the offset lines of the directions at a corner intersect."""
         motions = self.motions
         share = distance / (1.0 + self.cosine(first, second))
         off_x = (motions[first + rows.END_SINE] + motions[second + rows.START_SINE]) * share
@@ -252,11 +252,11 @@ class Corners:
     # --- outer corners ---------------------------------------------------------------------------
 
     def go_around(self, first: int, second: int, distance: float) -> None:
-        """Lead the tool around an outer corner, from beside one direction to the other.
+        """Lead the tool around an outer corner, from the offset of one direction to the other.
 
-        In lines it goes straight on to where the lines beside both directions cut each other, at
-        sharp corners no farther than the distance, and then across; what goes on straight is part
-        of the line that it continues.
+        In lines it goes straight on to where both offset lines intersect, at sharp corners no
+        farther than the offset, and then across; a straight continuation is part of the line that
+        it continues.
         """
         motions = self.motions
         corner_x = motions[first + rows.END_X]
@@ -327,7 +327,7 @@ class Corners:
     # --- inner corners with arcs -----------------------------------------------------------------
 
     def meet_nearest(self, first: int, second: int, distance: float) -> int:
-        """Meet where the lines or circles beside two motions intersect next to the corner."""
+        """Meet where the offset lines or circles of two motions intersect next to the corner."""
         if (
             self.motions[first + rows.SHAPE] == rows.ARC
             and self.motions[second + rows.SHAPE] == rows.ARC
@@ -341,7 +341,7 @@ class Corners:
             else motions[first + rows.END_COSINE]
         )
         y = motions[second + rows.START_SINE] if arc == first else motions[first + rows.END_SINE]
-        # a point on the line beside the other motion, from the centre
+        # a point on the offset line of the other motion, from the centre
         off_x = motions[first + rows.END_X] - y * distance - motions[arc + rows.CENTRE_X]
         off_y = motions[first + rows.END_Y] + x * distance - motions[arc + rows.CENTRE_Y]
         across = x * off_y - y * off_x
@@ -351,14 +351,15 @@ class Corners:
         if half2 < 0.0:
             return 0
         half = arithmetic.square_root(half2)
-        # the foot of the line is on the corner's perpendicular: the nearer one is the shorter path
+        # the foot of the line is on the corner's perpendicular: the nearer point gives the shorter
+        # path
         along = middle + half if middle < 0.0 else middle - half
         at_x = motions[arc + rows.CENTRE_X] + off_x + x * along
         self.meet(at_x, motions[arc + rows.CENTRE_Y] + off_y + y * along)
         return 1
 
     def meet_of_arcs(self, first: int, second: int, distance: float) -> int:
-        """Meet where the circles beside two arcs intersect next to the corner."""
+        """Meet where the offset circles of two arcs intersect next to the corner."""
         motions = self.motions
         x = motions[second + rows.CENTRE_X] - motions[first + rows.CENTRE_X]
         y = motions[second + rows.CENTRE_Y] - motions[first + rows.CENTRE_Y]
@@ -386,14 +387,14 @@ class Corners:
         return 1
 
     def shifted_radius(self, at: int, distance: float) -> float:
-        """Radius of the circle beside an arc, in mm."""
+        """Radius of the offset circle of an arc, in mm."""
         sense = 1.0 if self.motions[at + rows.ANGLE] > 0.0 else -1.0
         return self.motions[at + rows.RADIUS] - sense * distance
 
     # --- a motion itself -------------------------------------------------------------------------
 
     def put_own(self, at: int, table: memoryview[float], row: int) -> int:
-        """Put the tool's path beside a motion into a row; return 0 if it runs backwards."""
+        """Put the offset path of a motion into a row; return 0 if it runs backwards."""
         motions = self.motions
         x = motions[at + rows.TOOL_X]
         y = motions[at + rows.TOOL_Y]

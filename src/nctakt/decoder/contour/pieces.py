@@ -117,7 +117,7 @@ def swept(x: float, y: float, x_2: float, y_2: float, sense: float) -> float:
 def angle_to(table: memoryview[float], row: int, x: float, y: float) -> float:
     """Angle in degrees from the start of an arc to a point on it, in its sense.
 
-    A point up to 1e-6 mm before the start is there, and not a turn away.
+    A point up to 1e-6 mm before the start counts as the start, and not as a turn away.
     """
     centre_x = table[row + rows.CENTRE_X]
     centre_y = table[row + rows.CENTRE_Y]
@@ -227,7 +227,7 @@ class Crossing:
     def of_both(
         self, table: memoryview[float], line: int, arc: int, first: int, second: int
     ) -> int:
-        """Find the crossing of a line and an arc; one that only touches does not cross."""
+        """Find the crossing of a line and an arc; touching does not count."""
         x = table[line + rows.END_X] - table[line + rows.START_X]
         y = table[line + rows.END_Y] - table[line + rows.START_Y]
         size = arithmetic.square_root(x * x + y * y)

@@ -22,7 +22,7 @@ from __future__ import annotations
     FURTHER,  # the columns below begin
 ) = range(10)
 
-#: Values of ``SHAPE``; ``NOTHING`` tells that there is no piece.
+#: Values of ``SHAPE``; ``NOTHING``: there is no piece.
 (
     NOTHING,
     LINE,
@@ -75,12 +75,12 @@ MOTIONS = 3
 #: How many of them are known at most.
 MAX_HIDDEN = 64
 
-#: How many motions before a new one its path is compared with; the path of as many waits where it
-#: is cut (``Chain.masks``).
+#: Number of earlier motions that a new path is compared with; with ``Chain.masks`` the path of as
+#: many motions is held back.
 REACH = 50
 
-#: Pieces that there is room for: of two reaches, with all that can join two motions; as many of
-#: loops that were left out come after them, each loop with a row after it.
+#: Capacity in pieces: two reaches, with everything that can join two motions; after them as many
+#: pieces of loops that were left out, each loop followed by a row.
 ROOM = 1024
 
 #: Pieces from which on those are forgotten that are neither compared nor waited for; up to how many
@@ -88,8 +88,7 @@ ROOM = 1024
 MANY = 500
 FULL = 1000
 
-#: What ``IS_OF_CONTOUR`` says of a motion: not compared, one of the contour, one that leads to it
-#: or from it.
+#: Values of ``IS_OF_CONTOUR``: not compared, part of the contour, leads to it or from it.
 NO_CONTOUR, OF_CONTOUR, LEADS = range(3)
 
 #: Pieces of the motion to a contour that are kept.

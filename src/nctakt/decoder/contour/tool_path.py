@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The path of the tool's centre beside a contour, motion by motion (MO-9).
+"""The offset path of the tool's centre along a contour, motion by motion (MO-9).
 
 In: motions of a plane in their order, each with the distance of the tool. Out: the pieces of each
-motion: the path beside it and, around an outer corner, what joins it with the next one. So a motion
-is known up to its end when the next one is there.
+motion: the offset path and, around an outer corner, the pieces that join it with the next one. So a
+motion is known up to its end once the next one is there.
 
-Where the path crosses itself the tool cuts what it has made or will make (``chain.py``). Where that
-is left out (``masks``), a motion that does not fit leaves a gap, which such a loop takes away, or
-which is found when its motion is taken.
+Where the path crosses itself the tool damages the contour (``chain.py``). Where such loops are left
+out (``masks``), a motion that does not fit leaves a gap, which such a loop removes, or which is
+found when its motion is taken.
 """
 
 from __future__ import annotations
@@ -16,17 +16,17 @@ from nctakt.decoder.contour import pieces, rows
 from nctakt.decoder.contour.chain import Chain
 from nctakt.decoder.contour.corners import Corners
 
-#: A piece up to this length is what rounding leaves, mm.
+#: A piece up to this length is a rounding error, mm.
 NOTHING_MM = 1e-9
 
 
 class ToolPath(Chain):
-    """Path of the tool's centre beside one contour.
+    """Path of the tool's centre along one contour.
 
     ``is_open``: the newest motion is not known up to its end. ``at_x``, ``at_y``: where the tool is
-    after the pieces so far. ``parts``: what comes after the newest motion is not compared with
-    what was. ``first``: the motion that the tool has begun with; ``contour_start``: the first one
-    of the contour, 0 none; ``closed``: the one that has ended where that begins. ``is_begun``: the
+    after the pieces so far. ``parts``: motions after the newest one are not compared with earlier
+    ones. ``first``: the motion that the tool has begun with; ``contour_start``: the first one of
+    the contour, 0 none; ``closed``: the one that has ended where that begins. ``is_begun``: the
     next piece begins at ``begin_x``, ``begin_y``, where one has been left out.
     """
 
@@ -96,7 +96,7 @@ class ToolPath(Chain):
         return motions[at + rows.IS_TOO_SMALL] == 0.0
 
     def begin(self, x: float, y: float, is_perpendicular: bool) -> None:
-        """Begin with the motion at the tool's position; it may first go beside its start."""
+        """Begin with the motion at the tool's position; it may first go to its offset start."""
         at = rows.SECOND_MOTION - self.last_motion
         self.open(at)
         self.contour_start = 0
@@ -128,8 +128,8 @@ class ToolPath(Chain):
     def try_add(self, low_x: float, high_x: float, low_y: float, high_y: float) -> bool:
         """Join the motion with the one before it if there is nothing to report of that.
 
-        False, and all is as it was: that one does not fit, or its path crosses another one, or it
-        may come near to these bounds.
+        Return false, with nothing changed, if that motion does not fit, if its path crosses
+        another, or if it may come near these bounds.
         """
         at = rows.SECOND_MOTION - self.last_motion
         if not self.corners.join(self.last_motion, at):
@@ -155,7 +155,7 @@ class ToolPath(Chain):
         return False
 
     def close(self, is_perpendicular: bool) -> bool:
-        """End the newest motion beside its end, or go back from there to the contour."""
+        """End the newest motion at its offset end, or go back from there to the contour."""
         self.corners.place_end(self.last_motion)
         if not self.put_motion(1, -1):
             return False
@@ -168,7 +168,7 @@ class ToolPath(Chain):
         return True
 
     def put_end(self, end_x: float, end_y: float) -> None:
-        """Go on to a point; where that is no way at all, the last piece ends there."""
+        """Continue to a point; if the distance is zero, the last piece ends there."""
         self.make_room()
         row = self.count * rows.PIECE_WIDTH
         pieces.put_line(self.rows, row, rows.LINE, self.at_x, self.at_y, end_x, end_y)
@@ -183,8 +183,8 @@ class ToolPath(Chain):
     def enclose(self) -> int:
         """End the newest motion at the contour's start; return the motion that does not fit.
 
-        In an inner corner the tool begins the contour and ends it where the paths beside both meet.
-        The first motion has led there, and nothing is taken yet.
+        In an inner corner the tool begins and ends the contour where both offset paths meet. The
+        first motion has led there, and nothing is taken yet.
         """
         number = self.number
         first = rows.FIRST_OF_CONTOUR
@@ -215,7 +215,7 @@ class ToolPath(Chain):
         return 0
 
     def beside_end(self) -> tuple[float, float]:
-        """Point beside the end of the newest motion."""
+        """Offset point at the end of the newest motion."""
         self.corners.place_end(self.last_motion)
         return (self.corners.end_x, self.corners.end_y)
 
@@ -284,7 +284,7 @@ class ToolPath(Chain):
     def put_if_long(self, row: int, is_contour: int) -> None:
         """Append the piece in a row if it is more than rounding leaves.
 
-        What is not appended has no direction of its own: the next piece begins where it does.
+        A piece that is not appended has no direction: the next piece begins where it does.
         """
         if self.is_begun:
             self.rows[row + rows.START_X] = self.begin_x
@@ -299,8 +299,8 @@ class ToolPath(Chain):
     def part(self, at: int, other: int, is_contour: int) -> None:
         """Pass a motion that does not fit and both its neighbours whole.
 
-        So the path of one neighbour crosses that of another one where they really meet. The path
-        beside the newest motion is the row after the pieces then, or a gap.
+        So the path of one neighbour crosses that of another one where they really meet. The offset
+        path of the newest motion is then the row after the pieces, or a gap.
         """
         corners = self.corners
         if self.cut_off_number == self.number:
@@ -350,7 +350,7 @@ class ToolPath(Chain):
         return self.crossed == self.contour_start and self.crossing == self.closed
 
     def keep_cut_off(self, at: int, other: int) -> None:
-        """Keep what the meeting with the next motion cuts off; that one may not fit."""
+        """Keep the part cut off at the junction with the next motion, which may not fit."""
         if other >= 0 and self.corners.meets_inside(at, other):
             self.corners.put_cut_off(at, self.cut_off, 0)
             self.cut_off_number = self.number + 1

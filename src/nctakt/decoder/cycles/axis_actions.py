@@ -77,7 +77,7 @@ class ActionBuilder:
         return actions.Speed(axis.rapid_speed, memory)
 
     def _direction(self, command: AxisCommand, traits: AxisTraits) -> tuple[Expression, bool]:
-        """DIR and whether it counts: on the way to a position only of a modulo axis."""
+        """DIR and whether it counts: for a motion to a position, only on a modulo axis."""
         direction = command.direction
         if direction is None or (command.position is not None and not traits.is_modulo):
             return Constant(0.0), False

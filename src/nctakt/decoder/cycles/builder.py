@@ -38,10 +38,10 @@ from nctakt.nc.vocabulary.variables.variable_table import Aggregate, Location
 
 SCOPES = {"BLOCK": codes.BLOCK_SCOPE, "PROG": codes.PROG_SCOPE, "GLOBAL": codes.GLOBAL_SCOPE}
 
-#: What ``kernel/base/timers.py`` calls the actions of ``#TIMER``.
+#: Numbers of the actions of ``#TIMER`` in ``kernel/base/timers.py``.
 TIMER_ACTIONS = {"START": 1, "STOP": 2, "READ": 3, "CLEAR": 4}
 
-#: Events that a cycle can record in a tick beside those of its statements.
+#: Events that a cycle can record in a tick besides those of its statements.
 _OWN_EVENTS = 3
 
 _REACTIONS = {
@@ -107,8 +107,8 @@ _PROBES_OF_A_CONDITION = 3
 class CycleBuilder:
     """Builds one cycle; ``first_probe``: its number in the probe rows.
 
-    The numbers after it belong to its conditions, ``$ELSE`` included. ``is_repeatable``: what is
-    built depends on the statement and on the units alone, and nothing is reported or registered.
+    The numbers after it belong to its conditions, ``$ELSE`` included. ``is_repeatable``: the result
+    depends on the statement and the units alone, and nothing is reported or registered.
     """
 
     def __init__(self, values: Values, first_probe: int) -> None:
@@ -278,7 +278,7 @@ class CycleBuilder:
         return branch
 
     def _otherwise(self, statement: tree.If) -> Branch:
-        """``$ELSE``: a branch that is always taken; it costs nothing of its own."""
+        """``$ELSE``: a branch that is always taken; it costs nothing itself."""
         assert statement.else_body is not None
         assert statement.else_span is not None
         body = self._sequence(statement.else_body)

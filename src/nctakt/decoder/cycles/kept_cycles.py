@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Cycles that have been built for one run, and run again in the next one as if built anew.
+"""Cycles that have been built for one run, and are run again in the next as if built anew.
 
 In: a definition, and its place in a run. Out: the built cycle, which is kept where its tree depends
 on its statement alone, and found again where the same statement is defined in the same place.
@@ -26,7 +26,7 @@ class CyclePlace:
 
 
 def built_cycle(values: Values, statement: tree.RealtimeCycle, at: CyclePlace) -> CycleDefinition:
-    """Return the cycle of a definition: a kept one if it would be built just so."""
+    """Return the cycle of a definition: a kept one if building it would give the same."""
     environment, state = values.environment, values.state
     kept = environment.kept_cycles
     key = (

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The share of a realtime cycle in the memory of P-CHAN-00407 (RC-504).
 
-In: the checked tree of a cycle. Out: bytes, the sum of documented sizes; the sizes are our own,
-since no source names the controller's. They depend on the program's text only, not on fused nodes.
+In: the checked tree of a cycle. Out: bytes, the sum of documented sizes; the sizes are nctakt's,
+since no source gives the controller's. They depend on the program's text only, not on fused nodes.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 """Texts and structures of a realtime cycle -> the nodes that compare and copy them.
 
 In: checked comparisons and assignments. Out: nodes of ``kernel/cycles/texts.py``, ``None`` for
-numbers. As with numbers, what is synchronous is read in each tick, and what is not has the value of
-the definition (RC-302).
+numbers. As with numbers, synchronous texts are read in each tick, asynchronous ones have their
+value at the definition (RC-302).
 """
 
 from __future__ import annotations
@@ -38,12 +38,12 @@ Index = Callable[[tree.Variable, Location | Aggregate], tuple[int, Expression | 
 
 
 class TextBuilder:
-    """Builds what concerns texts in one cycle.
+    """Builds the text operations of one cycle.
 
-    ``index`` returns where a variable is; ``freeze`` takes name, value and place of what is
-    asynchronous and keeps its value of the definition. ``events``: how
-    many more than one each the statements can record in a tick; ``steps``: elementary instructions
-    of accesses in each tick.
+    ``index`` returns where a variable is; ``freeze`` takes name, value and place of an asynchronous
+    variable and keeps its value at the definition. ``events``: number of events beyond one each
+    that the statements can record in a tick; ``steps``: elementary instructions of accesses in each
+    tick.
     """
 
     def __init__(
@@ -195,6 +195,6 @@ class TextBuilder:
 
 
 def _constant(data: bytes) -> Text:
-    """Return a text in a memory of its own."""
+    """Return a text in its own memory."""
     memory = memoryview(bytearray(data.ljust(CELL_BYTES * (len(data) // CELL_BYTES + 1), b"\0")))
     return Text(memory, CellRange(memory, 0, len(memory) // CELL_BYTES, Expression()), len(data))

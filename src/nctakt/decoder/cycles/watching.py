@@ -39,7 +39,7 @@ def read_condition(
     collector = Collector()
     read = inspect(Source("condition", lines), environment.names, parameters, collector)
     errors = [found for found in collector.diagnostics if found.severity.name == "ERROR"]
-    if errors:  # those of the lines around the text come of what is wrong in it
+    if errors:  # those of the lines around the text are caused by the mistake in it
         raise Failure(*([found for found in errors if _is_in_text(found)] or errors))
     (cycle,) = read.cycles
     condition = cycle.body[0]

@@ -51,11 +51,11 @@ class PendingContour(Protocol):
 
 
 class HeldMotions(Protocol):
-    """What a program holds of its motions until it knows the next one (``motion_stages.py``)."""
+    """The motions that a program holds until it knows the next one (``motion_stages.py``)."""
 
     @property
     def needs_next(self) -> bool:
-        """Whether the next motion shapes what is held."""
+        """Whether the next motion shapes the held one."""
 
 
 class PlainBlocks:
@@ -85,7 +85,7 @@ class PlainBlocks:
 
     @cached_property
     def _scanner(self) -> PlainScanner:
-        """What tells plain lines from others, made for the first line of a long program."""
+        """Distinguishes plain lines from others; made for the first line of a long program."""
         return plain_scanner(self._environment.parameters, self._environment.places.names)
 
     @cached_property

@@ -26,8 +26,8 @@ class PlainLines:
     ``is_transformed``: the positions are transformed; ``axis_check`` checks the limits of the axes
     then. ``leaves_last``: a motion that no plain one follows at once is left to the tree;
     ``leaves_functions``: one that M or H functions or an arc may follow. ``marks``: each block is
-    marked in the queue, with ``tick``, ``calls`` and ``depth``, unless it changes what is in force;
-    ``source``: where the latest block begins.
+    marked in the queue, with ``tick``, ``calls`` and ``depth``, unless it changes the functions in
+    force; ``source``: where the latest block begins.
     """
 
     def __init__(
@@ -133,7 +133,7 @@ class PlainLines:
         return index
 
     def is_left(self, lines: list[str], index: int) -> bool:
-        """Return whether ``lines[index]`` is left to the tree for what follows it."""
+        """Return whether ``lines[index]`` is left to the tree because of its successor."""
         if self.leaves_last:
             return self.is_followed(lines, index) == 0
         if self.leaves_functions and (

@@ -47,7 +47,7 @@ Decoded = Generator[Command, Answer]
 
 
 class AxisExchange:
-    """Decodes these commands for one program; ``adapt`` is called when the axes are others."""
+    """Decodes these commands for one program; ``adapt`` is called when the axes have changed."""
 
     def __init__(self, values: Values, adapt: Callable[[], None]) -> None:
         self._values = values
@@ -172,7 +172,7 @@ class AxisExchange:
     def _of_spindle(self, value: float) -> int:
         """Return the axis of a spindle by its logical number; -1: there is none to be fetched.
 
-        The channel's own spindle has given it; that of another channel may still have to.
+        The channel's own spindle has given it up; that of another channel may still have to.
         """
         index = self._places.c_axes.get(int(value), -1) if value == int(value) else -1
         if index < 0 or index != self._places.c_axis:
@@ -238,7 +238,7 @@ class AxisExchange:
     # --- the exchange ---------------------------------------------------------------------------
 
     def _change(self, target: Places, span: Span, number: int) -> Decoded:
-        """Let path and axes come to rest, give the axes that go, then take those that come."""
+        """Let path and axes come to rest, give up the leaving axes, then take the new ones."""
         places = self._places
         source = self._environment.source_id(span)
         before = places.present

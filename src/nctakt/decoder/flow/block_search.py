@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Block search: a program begins at one of its blocks, with the state that it would have there.
+"""Block search: a program begins at one of its blocks, in the state that it would have there.
 
 In: the commands of the program from its start on, with the shapes of its motions. Up to the start
 block motions, dwells, functions, messages and signals are left out; offsets, variables, realtime
@@ -131,7 +131,7 @@ class _BlockCycles:
         return kept
 
     def pass_block(self) -> Iterator[Command]:
-        """Yield what outlives a block that is left out, and drop the rest."""
+        """Yield the commands that outlive a skipped block, and drop the rest."""
         if not self.waiting:
             return
         waiting, self.waiting = self.waiting, []
@@ -164,8 +164,8 @@ class _BlockCycles:
 class BlockSearch:
     """The search in one program; ``start``: ``None`` without one.
 
-    ``pass_time`` is called with each command that takes time and is left out, ``in_loop`` returns
-    whether a realtime loop is decoded. ``is_active``: what comes from the program is left out.
+    ``pass_time`` is called with each skipped command that takes time, ``in_loop`` returns whether a
+    realtime loop is decoded. ``is_active``: commands of the program are skipped.
     """
 
     def __init__(
@@ -296,7 +296,7 @@ class BlockSearch:
             yield from self._block_cycles.pass_block()
 
     def _begin_at(self, reached: StartReached) -> Generator[Command, Answer]:
-        """Yield what prepares the start block: gear steps, spindles, the way to it, its cycles."""
+        """Yield commands that prepare the start block: gears, spindles, approach, cycles."""
         environment, span, number = self._values.environment, reached.span, reached.number
         yield from self._shift(reached.steps, span, number)
         yield from self._jobs.values()
@@ -318,7 +318,7 @@ class BlockSearch:
     def _approach(
         self, begin: Sequence[float], end: Sequence[float], span: Span, number: int
     ) -> Generator[Command, None]:
-        """Yield the straight way to where the block begins, at rapid traverse."""
+        """Yield the straight motion to the start of the block, at rapid traverse."""
         state, path = self._values.state, self._path
         kept = state.motion, getattr(path, "span", span)
         state.motion = RAPID

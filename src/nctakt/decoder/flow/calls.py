@@ -44,7 +44,7 @@ class Calls:
         """Note a program that runs: it may name programs of M6, G80 …"""
         self.has_implicit_programs |= bool(text.named_programs)
 
-    # --- what is called -------------------------------------------------------------------------
+    # --- called programs -------------------------------------------------------------------------
 
     def call(self, call: tree.SubprogramCall, number: int) -> Generator[Command, Answer, CallFrame]:
         """Return the frame of a call with its arguments."""
@@ -103,7 +103,7 @@ class Calls:
         return block, None
 
     def _named_program(self, word: tree.BlockWord) -> str:
-        """Return the program that ``#FILE NAME`` gives a word; raises where none has one."""
+        """Return the program that ``#FILE NAME`` gives a word; raises if there is none."""
         if not isinstance(word, tree.Word) or not isinstance(word.value, tree.Number):
             return ""
         key = program_key(word.name, word.value.value)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Blocks that only the run shows: numbers of functions that are computed, texts of macros.
 
-In: a block. Out: the block with its numbers, and statements checked as any others are. ``M[P1]``
-counts as the function whose number P1 gives in this moment.
+In: a block. Out: the block with its numbers, and statements checked like any others. ``M[P1]``
+counts as the function whose number is the present value of P1.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from nctakt.kernel.base import arithmetic
 from nctakt.messages.programs.checked_blocks import INVALID_FUNCTION_NUMBER
 from nctakt.nc import tree
 
-#: Words whose number tells what they do.
+#: Words whose number determines their effect.
 NUMBERED = ("G", "H", "M")
 
 

@@ -64,9 +64,9 @@ class Couplings:
     # --- begin and end of a program -------------------------------------------------------------
 
     def begin_program(self, span: Span) -> Generator[Command, Answer]:
-        """Couple again what an earlier program has left coupled, if the list says so.
+        """Couple the groups again that an earlier program has left coupled, if the list says so.
 
-        A group whose axes and spindles are not as they were is left out, with a warning.
+        A group whose axes or spindles have changed is left out, with a warning.
         """
         name = "#ENABLE AX LINK"
         for group in self._data.take_restored():
@@ -275,7 +275,7 @@ class Couplings:
         self._values.state.positions = list(answer)
 
     def _follow_limits(self, has_axes: bool, source: int, number: int) -> Iterator[Command]:
-        """Let masters keep the limits of their slaves from here on; no way back leads over it."""
+        """Make masters keep the limits of their slaves from here on; bars backward motion."""
         if not has_axes:
             return
         limits = self._values.state.limits
@@ -291,7 +291,7 @@ class Couplings:
             self._check_pair(pair, span)
 
     def _check_pair(self, pair: CoupledPair, span: Span) -> None:
-        """Check that a pair can be coupled beside those that are."""
+        """Check that a pair can be coupled in addition to the present ones."""
         slave, master = pair.members
         names = {"slave": self._name(slave), "master": self._name(master)}
         for group, others in self._active.groups.items():

@@ -38,7 +38,7 @@ class Return:
     span: Span
 
 
-#: What statements say to the structure around them; empty: it goes on.
+#: Results of statements for the enclosing structure; empty: continue.
 Signal = Literal["", "break", "continue", "end"] | Jump | Return
 Decoding = Generator[Command, Answer, Signal]
 
@@ -102,7 +102,7 @@ class Flow:
     def _run_pass(
         self, loop: tree.While | tree.Do | tree.Repeat | tree.For
     ) -> Generator[Command, Answer, tuple[bool, Signal]]:
-        """One run through a loop's body: whether the loop goes on, and what it says if not."""
+        """One run through a loop's body: whether the loop continues, and its result if not."""
         self._count(loop.span)
         signal = yield from self._run(loop.body, None)
         if signal in ("", "continue"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#`` commands of the main program without a module of their own.
+"""``#`` commands of the main program that have no separate module.
 
 In: checked nodes. Out: commands, or changes of the decoder's state.
 """
@@ -148,7 +148,7 @@ class HashCommands:
         yield from self._transformations.end_program(span)
 
     def command(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute a command; one that is not simulated passes the check if it does nothing."""
+        """Execute a command; one that is not simulated has passed the check if it does nothing."""
         words = tuple(word.name for word in command.words)
         self._check_coordinates(words, command.span)
         state = self._values.state
@@ -183,7 +183,7 @@ class HashCommands:
         yield ClearHistory(self._environment.source_id(command.span), number)
 
     def _take_positions(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Go on from where the axes are."""
+        """Continue from where the axes are."""
         source = self._environment.source_id(command.span)
         yield from self._check_numbers(command, number)
         self._check_free(command)
@@ -207,7 +207,7 @@ class HashCommands:
         yield SingleStep(source, number, resolution=int(resolution))
 
     def _optional_part(self, command: tree.HashCommand, number: int) -> Iterable[Command]:
-        """Let no backward motion go into a part that it would leave out."""
+        """Prevent backward motion into a part that it would leave out."""
         switch = command.words[2].name
         if switch == "ON":
             self._is_part_simulated = is_for_simulation(command)

@@ -32,15 +32,15 @@ from nctakt.nc.parse.printer import format_word
 #: Macros inside each other.
 MAX_MACROS = 20
 
-#: Characters that the macros of one statement can become.
+#: Maximum number of characters from the macros of one statement.
 MAX_CHARACTERS = 20_000
 
-#: Statements whose meaning is remembered; then all are forgotten.
+#: Maximum number of statements whose meaning is remembered; beyond it all are forgotten.
 MAX_REMEMBERED = 4096
 
 
 class Macros:
-    """The macros of one run of a program; ``fail`` gives it up.
+    """The macros of one run of a program; ``fail`` aborts it.
 
     ``named_programs``: the programs that ``#FILE NAME`` has named, by word.
     """
@@ -68,7 +68,7 @@ class Macros:
         return bool(self._texts)
 
     def expand_expressions(self, statement: tree.Statement) -> tree.Statement:
-        """The statement with what macros stand for in its expressions."""
+        """The statement with the macros in its expressions replaced."""
         pair = self._remembered.get(id(statement))
         if pair is None:
             self._depth = 0
@@ -84,7 +84,7 @@ class Macros:
         return pair[1]
 
     def _meaning(self, name: tree.StringLiteral) -> tree.Expression | None:
-        """What a macro stands for in an expression: a whole term."""
+        """The value of a macro in an expression: a whole term."""
         content = self._texts.get(name.value)
         if content is None:
             return None
@@ -102,13 +102,13 @@ class Macros:
         return meaning
 
     def _enter(self, name: str, span: Span) -> None:
-        """Enter a macro inside the others; fail where it is one too many."""
+        """Enter a macro inside the others; fail if the nesting is too deep."""
         self._depth += 1
         if self._depth > MAX_MACROS:
             self._fail(MACROS_NESTED_TOO_DEEP, span, name=name, limit=MAX_MACROS)
 
     def _count(self, content: str, name: str, span: Span) -> None:
-        """Count the text of a macro; fail where it is too much for one statement."""
+        """Count the text of a macro; fail if it is too much for one statement."""
         self._characters += len(content)
         if self._characters > MAX_CHARACTERS:
             self._fail(MACRO_TEXT_TOO_LONG, span, name=name, limit=MAX_CHARACTERS)
@@ -116,7 +116,7 @@ class Macros:
     def expand_block(self, block: tree.Block) -> list[tree.Statement] | None:
         """The statements of a block with macros; ``None`` for one without.
 
-        Their own macros are expanded as well.
+        Macros inside them are expanded as well.
         """
         macro = _first_macro(block)
         if macro is None:
@@ -152,7 +152,7 @@ class Macros:
         self._depth -= 1
 
     def _text(self, word: tree.BlockWord, macro: tree.StringWord) -> str:
-        """The text of a word; that of a macro is what it stands for."""
+        """The text of a word; for a macro its replacement."""
         if not isinstance(word, tree.StringWord):
             return format_word(word)
         span = word.span if self._depth == 1 else macro.span

@@ -46,9 +46,9 @@ class Chain:
     """A kinematic chain.
 
     ``tool``: the place of the holder; ``tool_direction``: from the tip to the clamp. ``angles``:
-    what is programmed for the tool's direction; ``has_vector``: a vector is; neither: the
-    positions of the rotary axes. ``linkage``: see ``UniversalKinematic``. ``uses_length``: whether
-    the tool's length counts.
+    the words programmed for the tool's direction; ``has_vector``: a vector is programmed; neither:
+    the positions of the rotary axes. ``linkage``: see ``UniversalKinematic``. ``uses_length``:
+    whether the tool's length counts.
     """
 
     joints: tuple[Joint, ...]
@@ -98,8 +98,8 @@ def inverse(rows: Sequence[Vector]) -> tuple[Vector, ...]:
 def map_values(chain: Chain, members: Sequence[int], tool_length: float) -> list[float]:
     """Return the row of a chain's map.
 
-    ``members``: the machine's numbers of the channel's axes; ``tool_length`` in mm, with what is
-    added to it.
+    ``members``: the machine's numbers of the channel's axes; ``tool_length`` in mm, with its
+    additions.
     """
     row = [0.0] * map_rows.MAP_WIDTH
     row[map_rows.SLOT] = members[0]
@@ -137,7 +137,7 @@ def _put_joints(row: list[float], chain: Chain, members: Sequence[int]) -> None:
 
 
 def _put_matrix(row: list[float], chain: Chain, is_split: bool) -> None:
-    """Put the way from the linear axes to the linear joints, and where split to the motion."""
+    """Put the offset from the linear axes to the linear joints, and if split to the motion."""
     matrix = chain.linkage[:3] or (X, Y, Z)
     shift = chain.linkage[3] if chain.linkage else ORIGIN
     if is_split:

@@ -48,7 +48,7 @@ class Parameters:
 
 
 class Walk:
-    """The way along a machine with all axes at 0: where it is, how it is turned, its joints."""
+    """The chain along a machine with all axes at 0: position, rotation, joints."""
 
     def __init__(self) -> None:
         self.joints: list[Joint] = []
@@ -94,7 +94,7 @@ class Walk:
         )
 
     def _turn(self, axis: Vector, angle: float) -> None:
-        """Turn what follows about an axis."""
+        """Turn the following parts about an axis."""
         columns = [self._turned(_rotated(column, axis, angle)) for column in (X, Y, Z)]
         first, second, third = columns
         self.rows = (

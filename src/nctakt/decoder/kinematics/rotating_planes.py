@@ -15,11 +15,11 @@ _DEGREES_PER_RADIAN = 57.29577951308232
 class RotatingPlane:
     """A plane that turns with a rotary axis; axes by their places in the channel.
 
-    ``axes``: those that form it, in the order of the command; one of them is the ``rotary`` one.
+    ``axes``: those that form it, in the order of the command; one of them is ``rotary``.
     ``radial``: the axis that leads to the axis of rotation, and is in the plane (``#FACE``); ``-1``
     on a cylinder. ``radius``: that of the cylinder in mm. ``zero_angle``: of the rotary axis where
-    0 is on the cylinder. ``beside``: how far the tool is beside the radial axis' line, in mm.
-    ``command``: as it is written.
+    0 is on the cylinder. ``beside``: the tool's offset across the radial axis' line, in mm.
+    ``command``: as written.
     """
 
     command: str
@@ -32,7 +32,7 @@ class RotatingPlane:
 
     @property
     def mapped(self) -> tuple[int, ...]:
-        """The axes that are elsewhere than what is programmed for them."""
+        """The axes whose positions differ from the programmed ones."""
         return (self.rotary,) if self.radial < 0 else (self.radial, self.rotary)
 
 

@@ -53,7 +53,7 @@ class ChannelAxes:
 
 
 def refusal(kinematic: Kinematic, axes: ChannelAxes) -> Text | None:
-    """Return why a kinematic cannot be active in a channel; ``None``: it can."""
+    """Return why a kinematic cannot be active in a channel; ``None`` if it can."""
     if kinematic.defect is not None:
         return kinematic.defect
     if kinematic.universal is not None:
@@ -159,7 +159,7 @@ class ChannelKinematics:
         return replace(kinematic, universal=universal, entries=entries, defect=None)
 
     def with_tool(self, kinematic: Kinematic, tool: Tool) -> Kinematic:
-        """Return a kinematic of step 0 with what a tool adds to its parameters (P-TOOL-00009)."""
+        """Return a kinematic of step 0 with a tool's additions to its parameters (P-TOOL-00009)."""
         more = tool.kinematic_parameters
         if not any(more.values()):
             return kinematic
@@ -173,13 +173,13 @@ class ChannelKinematics:
         return self._defined(kinematic, entries)
 
     def refusal(self, kinematic: Kinematic) -> Text | None:
-        """Return why a kinematic cannot be active in the channel; ``None``: it can."""
+        """Return why a kinematic cannot be active in the channel; ``None`` if it can."""
         return refusal(kinematic, self.axes)
 
     def map_values(self, step: int, kinematic: Kinematic, tool: Tool) -> list[float]:
         """Return the row of a kinematic that is not refused, for ``KinematicMaps.add``.
 
-        What the tool adds to the parameters counts in step 0 only.
+        The tool's additions to the parameters count in step 0 only.
         """
         chain = self.chain(kinematic if step else self.with_tool(kinematic, tool))
         return map_values(chain, self.axes.members, tool.length)
@@ -192,7 +192,7 @@ class ChannelKinematics:
 
 
 def added(values: Mapping[int, float], more: Mapping[int, float]) -> dict[int, float]:
-    """Return parameters with what a tool adds to them."""
+    """Return parameters with the additions of a tool."""
     return {
         index: values.get(index, 0.0) + more.get(index, 0.0) for index in sorted({*values, *more})
     }

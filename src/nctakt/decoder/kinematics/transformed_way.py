@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""The way of the machine's axes on a transformed block, against their software limits.
+"""The paths of the machine's axes on a transformed block, against their software limits.
 
 In: a line or an arc of programmed positions, the limits of the axes. Out: the first axis that
-leaves its limits, and how far it would go; or why the axes cannot follow. The way is sampled at
-least every one and a half degrees of what turns on it; between three samples the vertex of the
-parabola through them counts. Where rotary axes turn otherwise than what is programmed the samples
-are as many as keep their steps as small: beside a pole, where an axis turns far on a short way.
+leaves its limits, and how far it would go; or why the axes cannot follow. The path is sampled at
+least every one and a half degrees of rotation; between three samples the vertex of the parabola
+through them counts. Where rotary axes turn differently from what is programmed, there are enough
+samples to keep their steps as small: near a pole, where an axis turns far within a short distance.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ BEGIN = 1e-9
 
 
 class TransformedWay:
-    """The limits of one channel's axes; ``number``: the map; ``position``: what was found last.
+    """The limits of one channel's axes; ``number``: the map; ``position``: the last result.
 
-    ``obstacle``: ``map_rows.AXIS_OUTSIDE`` …, of what was found last.
+    ``obstacle``: ``map_rows.AXIS_OUTSIDE`` …, the last result.
     """
 
     def __init__(self, count: int, transformations: Transformations) -> None:
@@ -57,7 +57,7 @@ class TransformedWay:
         self.highs[axis] = high
 
     def start_at(self, axes: list[float]) -> None:
-        """Take positions of the axes: of two solutions the next block starts at the nearer one."""
+        """Set positions of the axes: of two solutions the next block starts at the nearer one."""
         for i in range(self.count):
             self.newest[i] = axes[i]
 

@@ -33,7 +33,7 @@ def universal_chain(kinematic: UniversalKinematic, axis_names: Sequence[str]) ->
 def programmed_angles(
     kinematic: UniversalKinematic, axis_names: Sequence[str]
 ) -> ProgrammedAngles | None:
-    """Return what is programmed for the tool's direction; ``None``: the rotary axes themselves.
+    """Return the words programmed for the tool's direction; ``None``: the rotary axes themselves.
 
     The angles are those of the rotary axes whose names begin with the letters of the mode; without
     such names they go by the index of the axis.

@@ -2,7 +2,7 @@
 """Akima splines: a curve through vertices, each piece from its neighbours (MO-18).
 
 H. Akima 1970, axis by axis, over the length of the chords: the slope at a vertex is the mean of the
-slopes of the chords beside it, each weighted by the change of slope on the other side; two chords
+slopes of the chords next to it, each weighted by the change of slope on the other side; two chords
 are extrapolated at either end. A piece is known when two more vertices are there.
 """
 
@@ -49,7 +49,7 @@ class AkimaCurve:
         return len(self.points) >= (2 if given else self.FEWEST)
 
     def piece(self, number: int) -> Cubic:
-        """Return the piece after vertex ``number``; what is not there ends the curve."""
+        """Return the piece after vertex ``number``; missing vertices end the curve."""
         slopes = (self._slope_at(number), self._slope_at(number + 1))
         ends = (self.points[number], self.points[number + 1])
         return hermite(*ends, slopes, self.chords[number])

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The curve that rounds a corner between two motions: two halves that meet at an interim point.
 
-Each half begins on its motion with that one's direction and curvature; at the interim point both
+Each half begins on its motion with the motion's direction and curvature; at the interim point both
 have one direction and curvature. The sources say polynomials of fourth degree. The realtime part
 carries cubics, so that each half is two of them, whose second derivative changes evenly over each:
 they have the same ends, directions and curvatures, and no more freedom than a polynomial of fourth
@@ -21,7 +21,8 @@ from nctakt.decoder.state.geometry.arcs import RADIANS
 from nctakt.decoder.state.geometry.cubics import Cubic, Point
 from nctakt.decoder.state.queued.commands import Segment
 
-#: A change of direction up to this is none, as in the realtime part; beside arcs 0.01 degrees.
+#: A change of direction up to this does not count, as in the realtime part; next to arcs 0.01
+#: degrees.
 SAME_DIRECTION = 1e-6
 SAME_DIRECTION_OF_ARCS = math.radians(0.01)
 
@@ -41,10 +42,10 @@ class End(NamedTuple):
 
 
 class Joint:
-    """One motion beside a corner.
+    """One motion at a corner.
 
-    ``length`` in mm, without what a curve has taken before (``used``); ``longest``: what a curve
-    takes of it at most, a ``part`` of the whole motion.
+    ``length`` in mm, without the part used by an earlier curve (``used``); ``longest``: the most
+    that a curve uses of it, a ``part`` of the whole motion.
     """
 
     def __init__(
@@ -71,7 +72,7 @@ class Joint:
         return slope_of(self.segment, self._linear, at_end=self.is_before)
 
     def without(self, distance: float) -> Segment:
-        """Return the motion without this length in mm beside the corner."""
+        """Return the motion without this length in mm at the corner."""
         if distance == 0.0:
             return self.segment
         part = min(distance / self.length, 1.0)
@@ -127,7 +128,7 @@ def turn_of(before: Segment, after: Segment, linear: Sequence[int]) -> float:
 
 
 def smallest_turn(before: Segment, after: Segment) -> float:
-    """Return the change of the direction up to which a corner is none."""
+    """Return the change of direction up to which a corner does not count."""
     has_arc = before.arc is not None or after.arc is not None
     return SAME_DIRECTION_OF_ARCS if has_arc else SAME_DIRECTION
 
@@ -168,8 +169,8 @@ def curve(
 ) -> list[list[Cubic]]:
     """Return the cubics of both halves of the curve; ``halves``: their lengths as parameters.
 
-    A half is at least as long as the way to the interim point, so that one without a distance from
-    the corner has a length, too.
+    A half is at least as long as the distance to the interim point, so that a half without a
+    distance from the corner has a length, too.
     """
     first = 0.5 * max(halves[0], _distance(begin.position, middle, linear))
     second = 0.5 * max(halves[1], _distance(end.position, middle, linear))
@@ -198,7 +199,7 @@ def deviation_of(
 
 
 def _off(segment: Segment, point: Point, linear: Sequence[int]) -> float:
-    """Return the distance of a point from the nearest one of a line, or that of its angle."""
+    """Return the distance of a point from a line's nearest point, or from that at its angle."""
     begin, end = segment.start, segment.target
     ends = min(_distance(begin, point, linear), _distance(end, point, linear))
     if segment.arc is None:

@@ -2,10 +2,11 @@
 """Curves over corners that the realtime part does not round itself (``#CONTOUR MODE``, MO-3).
 
 The last stage of the decoder, after the compensation of the tool's radius: commands in, commands
-out. The realtime part rounds corners of two lines that meet without anything between them. Here are
-those with arcs, those with M and H functions, which act before the curve, at its interim point
-or after it, and those whose curve begins and ends at different distances or has a given interim
-point, and all under a transformation. A motion that contours is held until the next one arrives.
+out. The realtime part rounds corners of two lines that meet without anything between them. This
+module has those with arcs, those with M and H functions, which act before the curve, at its interim
+point or after it, and those whose curve begins and ends at different distances or has a given
+interim point, and all under a transformation. A motion that contours is held until the next one
+arrives.
 """
 
 from __future__ import annotations
@@ -49,17 +50,17 @@ from nctakt.kernel import rows
 from nctakt.messages.path.motion import CURVE_OUTSIDE_LIMITS
 from nctakt.nc.vocabulary.path_keywords import INTER_ACTION, POST_ACTION, PRE_ACTION
 
-#: Distances from the corner up to this are none, mm.
+#: Distances from the corner up to this count as 0, mm.
 NO_DISTANCE_MM = 1e-6
 
-#: How often a curve beside an arc is shortened at most until it keeps the deviation.
+#: Maximum number of times that a curve next to an arc is shortened to keep the deviation.
 MAX_STEPS = 12
 
 #: Maximum number of commands after a held motion.
 MAX_BETWEEN = 1000
 
 _ACTIONS = TechnologyOutput | AwaitAcknowledge | SpindleJob | AwaitSpindle
-#: What may come between two motions that a curve joins.
+#: Commands allowed between two motions that a curve joins.
 _WITHOUT_CONTOUR = (
     _ACTIONS
     | BlockMark
@@ -75,11 +76,11 @@ _WITHOUT_CONTOUR = (
 
 @dataclass(slots=True)
 class _Held:
-    """A motion that contours, with what comes after it.
+    """A motion that contours, with the commands after it.
 
-    ``form``: the curve at its end. ``used``: what the curve at its begin has taken of it, mm.
+    ``form``: the curve at its end. ``used``: the length used by the curve at its start, mm.
     ``is_compensated``: it is a piece of a compensated contour. ``standing``: the axes at its end
-    under a transformation, which bends their way.
+    under a transformation, which bends their paths.
     """
 
     segment: Segment
@@ -96,7 +97,7 @@ class _Held:
         return any(isinstance(command, _ACTIONS) for command in self.between)
 
     def joins(self, segment: Segment, is_compensated: bool) -> bool:
-        """Return whether a curve of here joins the motion with the next one.
+        """Return whether a curve made here joins the motion with the next one.
 
         With a limit of the jerk an arc is left to the realtime part, which is faster there; so is
         one of a compensated contour.
@@ -125,7 +126,7 @@ class Releasing(Protocol):
 
 class Contouring:
     """Rounds corners of one program; ``pass_time`` is called for held commands as if they were
-    taken; ``before``: the compensation of the tool's radius.
+    executed; ``before``: the compensation of the tool's radius.
 
     ``is_releasing``: commands are yielded for which it has been called.
     """
@@ -156,7 +157,7 @@ class Contouring:
 
     @property
     def needs_next(self) -> bool:
-        """Whether the next motion shapes what is held."""
+        """Whether the next motion shapes the held one."""
         return self._held is not None and (self._held.has_actions or self._held.form.is_own)
 
     @property
@@ -186,7 +187,7 @@ class Contouring:
             commands.close()
 
     def plain_body(self, body: list[Command]) -> list[Command]:
-        """Return the commands of a realtime loop's body, whose corners have no curves of here."""
+        """Return the commands of a realtime loop's body, whose corners get no curves here."""
         form = self._state.path.contour.form(self._state.limits)
         if not form.is_own:
             return body
@@ -216,7 +217,7 @@ class Contouring:
         return None
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
-        """Process a motion: it ends what is held, and is held itself if it contours."""
+        """Process a motion: it completes the held one, and is held itself if it contours."""
         held, self._held = self._held, None
         is_compensated = self._before.is_releasing
         used = 0.0
@@ -250,13 +251,13 @@ class Contouring:
         return self._state.feed.block_time_s == 0.0 and not transformation.is_straight
 
     def _finish(self) -> Iterator[Command]:
-        """Release the held motion; no further one joins it."""
+        """Release the held motion; no further motion joins it."""
         held, self._held = self._held, None
         if held is not None:
             yield from self._release(held)
 
     def _release(self, held: _Held) -> Iterator[Command]:
-        """Yield a motion whose corner is left to the realtime part, and what comes after it."""
+        """Yield a motion whose corner is left to the realtime part, and the commands after it."""
         segment = held.segment
         if held.form.is_own:
             segment = replace(segment, deviation=held.form.plain_deviation)
@@ -271,7 +272,7 @@ class Contouring:
     # --- the curve ------------------------------------------------------------------------------
 
     def _join(self, held: _Held, segment: Segment) -> Generator[Command, None, Segment]:
-        """Yield what comes up to the end of the curve between two motions; return the rest.
+        """Yield everything up to the end of the curve between two motions; return the rest.
 
         Where no curve fits, the corner is left to the realtime part.
         """
@@ -337,7 +338,7 @@ class Contouring:
     def _motions(self, half: list[cubics.Cubic], before: Segment, after: Segment) -> list[Segment]:
         """Return a half of the curve as motions of the block before the corner.
 
-        It is rapid only between rapid motions, and has the lower one of two feeds.
+        It is rapid only between rapid motions, and has the lower of two feeds.
         """
         is_feed = before.is_feed or after.is_feed
         feeds = [segment.feed for segment in (before, after) if segment.is_feed]

@@ -15,7 +15,7 @@ from dataclasses import replace
 from nctakt.decoder.state.geometry.arcs import RADIANS
 from nctakt.decoder.state.queued.commands import Segment
 
-#: What rounding may leave of a motion, as a part of its length.
+#: Rounding error allowed in a motion, as a share of its length.
 NOTHING_LEFT = 1e-9
 
 #: Sine of an angle below which two directions are the same.
@@ -25,7 +25,7 @@ Point = tuple[float, float]
 
 
 class Side:
-    """One motion beside a corner, from the corner's point of view.
+    """One motion at a corner, seen from the corner.
 
     ``part_at``: which part of the motion, counted from the corner, ends at a point of it.
     """
@@ -119,12 +119,12 @@ def rounding_centre(before: Side, after: Side, radius: float) -> tuple[Point, fl
     return (min(fitting)[1], left) if fitting else None
 
 
-#: What lies beside a motion: a point and a direction of a line, or a centre and a radius.
+#: Offset curve of a motion: point and direction of a line, or centre and radius.
 _Offset = tuple[Point, Point] | tuple[Point, float]
 
 
 def _beside(side: Side, distance: float) -> _Offset | None:
-    """Return what lies ``distance`` mm to the left of a motion."""
+    """Return the offset curve ``distance`` mm to the left of a motion."""
     if side.turn == 0.0:
         x, y = side.direction
         return ((side.corner[0] - y * distance, side.corner[1] + x * distance), (x, y))

@@ -13,7 +13,7 @@ from nctakt.decoder.state.queued.shape_commands import InsertCorner
 class HeldMotion:
     """A motion and the commands after it; ``time_s``: the duration of its block under G93.
 
-    ``corner``: what is inserted at its end, after ``corner_at`` of these commands.
+    ``corner``: the shape inserted at its end, after ``corner_at`` of these commands.
     """
 
     segment: Segment

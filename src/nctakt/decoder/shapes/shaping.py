@@ -2,10 +2,10 @@
 """Shapes motions that follow from several blocks: chamfers, roundings, splines (MO-4, MO-18).
 
 A stage between the decoder and the compensation of the tool's radius: commands in, commands out. A
-program that may insert chamfers or roundings has each motion held until the next one arrives; what
-comes between them is kept after it. A command that waits for the realtime part releases all motions
-before, so that nothing is inserted across it. In a spline the pieces of the curve take the place of
-the motions; arcs of an Akima spline stay, and the curve fits them at both ends.
+program that may insert chamfers or roundings has each motion held until the next one arrives;
+commands between them are kept after it. A command that waits for the realtime part releases all
+motions before, so that nothing is inserted across it. In a spline the pieces of the curve take the
+place of the motions; arcs of an Akima spline stay, and the curve fits them at both ends.
 """
 
 from __future__ import annotations
@@ -72,8 +72,8 @@ _AFTER = Text("after", "nach")
 
 
 class Shaping:
-    """Shapes the motions of one program; ``pass_time`` is called for held commands as if they
-    were taken.
+    """Shapes the motions of one program; ``pass_time`` is called for held commands as if they were
+    executed.
 
     ``is_releasing``: commands are yielded for which it has been called.
     """
@@ -94,7 +94,7 @@ class Shaping:
 
     @property
     def needs_next(self) -> bool:
-        """Whether the next motion shapes what is held: after a corner, or in a spline."""
+        """Whether the next motion shapes the held one: after a corner, or in a spline."""
         held = self._held
         return self._spline is not None or (held is not None and held.corner is not None)
 
@@ -192,7 +192,7 @@ class Shaping:
     # --- motions --------------------------------------------------------------------------------
 
     def _segment(self, segment: Segment) -> Iterator[Command]:
-        """Process a motion: it ends what is held, and is held itself."""
+        """Process a motion: it completes the held one, and is held itself."""
         self._pass_time(segment)
         segment = into_plane(segment, self._environment, self._state.path.plane)
         motion = HeldMotion(segment, self._path.span, self._state.feed.block_time_s)
@@ -207,7 +207,7 @@ class Shaping:
                 yield from self._release(held, None)
 
     def _finish(self) -> Iterator[Command]:
-        """Release the held motions; no further one joins them."""
+        """Release the held motions; no further motion joins them."""
         if self._spline is not None:
             yield from self._close_spline(None)
         held, self._held = self._held, None
@@ -218,7 +218,7 @@ class Shaping:
         yield from self._release(held, None)
 
     def _release(self, held: HeldMotion, inserted: Segment | None) -> Iterator[Command]:
-        """Yield a motion, then what comes after it with what is inserted there."""
+        """Yield a motion, then the commands after it with the shape inserted there."""
         yield from self._as_programmed(held.segment, held.span, held.time_s)
         self._before = held.segment
         self.is_releasing = True
@@ -282,7 +282,7 @@ class Shaping:
             yield from self._release_pieces(held, pieces)
 
     def _pause(self, spline: Spline, arc: Segment) -> Iterator[Command]:
-        """Let the curve end at an arc, and another one begin after it."""
+        """Let the curve end at an arc, and another begin after it."""
         if spline.is_bspline:
             self._values.fail(ARC_IN_BSPLINE, self._path.span)
         end = SplineEnd(arc.source, arc.number, self._path.span, TANGENTIAL, ())
@@ -311,7 +311,7 @@ class Shaping:
             yield from self._release_pieces(held, pieces)
 
     def _release_pieces(self, held: HeldMotion, pieces: list[Segment]) -> Iterator[Command]:
-        """Yield the pieces of a motion, then what comes after it."""
+        """Yield the pieces of a motion, then the commands after it."""
         for piece in pieces:
             yield from self._as_programmed(piece, held.span, 0.0)
         self._before = pieces[-1]
@@ -320,7 +320,7 @@ class Shaping:
         self.is_releasing = False
 
     def _stop(self) -> Iterator[Command]:
-        """Run what is held up to a mistake; of a spline what its points settle."""
+        """Flush held motions before a mistake; of a spline only the settled part."""
         spline, self._spline = self._spline, None
         self._end = None
         yield from self._finish()
@@ -335,7 +335,7 @@ class Shaping:
     # --- chamfers and roundings -----------------------------------------------------------------
 
     def _corner(self, corner: InsertCorner) -> None:
-        """Keep what is inserted after the held motion."""
+        """Keep the shape inserted after the held motion."""
         if self._spline is not None:
             self._values.fail(CORNER_IN_SPLINE, corner.span, word=corner.word)
         held = self._held
@@ -353,9 +353,9 @@ class Shaping:
         self._environment.warn(diagnostic(message, span, text))
 
     def _insert(self, held: HeldMotion, corner: InsertCorner, motion: HeldMotion) -> Segment | None:
-        """Cut two motions short at their corner; return what is inserted between them.
+        """Cut two motions short at their corner; return the shape inserted between them.
 
-        ``None`` for a rounding between motions that go straight on.
+        ``None`` for a rounding between motions in one straight line.
         """
         plane = self._state.path.plane_axes
         if _matrix(held.segment) != _matrix(motion.segment):
@@ -408,9 +408,9 @@ class Shaping:
     def _inserted(
         self, before: Segment, after: Segment, corner: InsertCorner, arc: Arc | None
     ) -> Segment:
-        """Return the chamfer or rounding as a motion of its own.
+        """Return the chamfer or rounding as a separate motion.
 
-        It is rapid beside a rapid motion. Its feed is that of ``#FRC``, else E of the motion
+        It is rapid next to a rapid motion. Its feed is that of ``#FRC``, else E of the motion
         before, else F.
         """
         is_feed = before.is_feed and after.is_feed
@@ -437,7 +437,7 @@ class Shaping:
 
 
 def _matrix(segment: Segment) -> Matrix | None:
-    """Return by what the plane of a motion is tilted."""
+    """Return the tilt of a motion's plane."""
     return None if segment.tilt is None else segment.tilt.matrix
 
 

@@ -31,14 +31,14 @@ from nctakt.messages.path.splines import (
     SPLINE_WITHOUT_MAIN_AXES,
 )
 
-#: A way of the main axes at most this long is none, mm.
+#: A motion of the main axes up to this length counts as none, mm.
 NO_WAY_MM = 1e-6
 
 Slope = Sequence[float | None]
 
 
 def slope_of(segment: Segment, linear: Sequence[int], *, at_end: bool) -> list[float]:
-    """Return the change of each axis with the length at one end of a motion."""
+    """Return the derivative of each axis by the length at one end of a motion."""
     start, target = segment.start, segment.target
     if segment.curve is not None:
         count = len(start)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Whether a curve over a corner is faster than the corner, where a transformation bends the ways.
+"""Whether a curve over a corner is faster than the corner, where a transformation bends the paths.
 
-Where the direction of an axis changes by d, its way on a curve that begins h before the corner
+Where the direction of an axis changes by d, its path on a curve that begins h before the corner
 bends by d/h per mm. So the curve takes about twice the root of d·h/a, or the cube root of d·h/j;
 from a standstill at the corner the axis needs twice that of 2·p·h/a, or 6·p·h/j, if p is its part
 of the length. The look-ahead leaves the bend 0.4 of the acceleration a or 0.1 of the jerk j, and
-with limited jerk the lines beside a curve go with its lesser acceleration, which costs as much.
+with limited jerk the lines next to a curve have its lower acceleration, which costs as much.
 """
 
 from __future__ import annotations

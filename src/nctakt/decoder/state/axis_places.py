@@ -56,7 +56,7 @@ class AxisIndices(dict[str, int]):
 
 
 def indices_of(places: Places) -> AxisIndices:
-    """Return the places by the names of their axes; a free one has a name of its own."""
+    """Return the places by the names of their axes; a free one has its own name."""
     return AxisIndices(
         (f"#{index}" if slot is None else slot.name, index) for index, slot in enumerate(places)
     )
@@ -74,11 +74,11 @@ class ChannelPlaces:
 
     ``machine_axes``: all of the machine. ``by_number``: logical number -> number in the machine of
     those that can be fetched. ``spindles``: logical number -> spindle and channel that it turns.
-    ``listed``: the places of the list, ``present`` those at this moment of decoding. ``room``: how
+    ``listed``: the places of the list, ``present`` those at this point of decoding. ``room``: how
     many places there can be. ``holder``: returns the channel that has an axis, 0 for none.
     ``c_axes``: as ``by_number``, of main spindles that can be axes of a path. ``without_axis``:
-    returns the spindles of the channel that have given their axes away.
-    ``c_axis``: number in the machine of the main spindle's axis, -1 where ``#CAX`` is not possible.
+    returns the spindles of the channel that have given their axes away. ``c_axis``: number in the
+    machine of the main spindle's axis, -1 where ``#CAX`` is not possible.
     """
 
     machine_axes: tuple[AxisConfiguration, ...]
@@ -120,7 +120,7 @@ class ChannelPlaces:
         return self.present[slot] is None
 
     def lacks_any(self, indices: Iterable[int]) -> bool:
-        """Return whether one of these places has no axis at this moment of decoding."""
+        """Return whether one of these places has no axis at this point of decoding."""
         present = self.present
         for index in indices:  # no generator: each arc asks
             if index >= len(present) or present[index] is None:

@@ -70,7 +70,7 @@ class CallStack:
     """The frames from the main program on; ``scopes``: their variables.
 
     ``modal_count``: the number of frames with a modal call. ``path_number``: a number for ``path``,
-    ``None`` until somebody has given it one.
+    ``None`` until it is given one.
     """
 
     frames: list[CallFrame] = field(default_factory=list)
@@ -99,7 +99,7 @@ class CallStack:
         return (*outer, OpenCall(inner.name, None))
 
     def path_number_of(self, number_of: Callable[[tuple[OpenCall, ...]], int]) -> int:
-        """Return the number of ``path``, which ``number_of`` gives where it has none yet."""
+        """Return the number of ``path``, assigned by ``number_of`` if it has none yet."""
         if self.path_number is None:
             self.path_number = number_of(self.path)
         return self.path_number

@@ -115,7 +115,7 @@ def controller_data(
 
 
 def _couplings(configuration: Machine, parameters: ChannelParameters) -> KeptCouplings:
-    """Return the groups at start-up: 0 with those pairs of the list whose axes there are."""
+    """Return the groups at start-up: 0 with those pairs of the list whose axes exist."""
     listed = parameters.couplings
     if not listed.pairs:
         return KeptCouplings({}, listed.after_reset, listed.after_end)

@@ -18,7 +18,7 @@ from nctakt.kernel import rows
 class CoupledPair:
     """A pair of a group: numbers of axes in the machine, or indices of the channel's spindles.
 
-    ``allowed_d``: mm or degrees that their actual positions may differ, 0: any way.
+    ``allowed_d``: mm or degrees that their actual positions may differ, 0: no limit.
     """
 
     slave: int
@@ -70,11 +70,11 @@ class ActiveCouplings:
         return next((pair.master for pair in self.of_axes if pair.slave == slot), -1)
 
     def spindles(self, master: int) -> list[int]:
-        """Return the spindles that follow one."""
+        """Return the spindles that follow a spindle."""
         return [one.slave for one in self._of_spindles() if one.master == master]
 
     def master_of_spindle(self, slave: int) -> int:
-        """Return the spindle that one follows; -1 for none."""
+        """Return the spindle that a spindle follows; -1 for none."""
         return next((one.master for one in self._of_spindles() if one.slave == slave), -1)
 
     def _of_spindles(self) -> list[CoupledPair]:
@@ -92,10 +92,10 @@ class ActiveCouplings:
 
 @dataclass(slots=True)
 class KeptCouplings:
-    """What outlives a program: the groups that are defined, and those that were active.
+    """State that outlives a program: the defined groups, and those that were active.
 
     ``last``: the group that is active or was so last. ``after_reset``, ``after_end``: whether the
-    next program couples again what was coupled then (P-CHAN-00104, 00105).
+    next program couples again the group coupled then (P-CHAN-00104, 00105).
     """
 
     groups: dict[int, tuple[CoupledPair, ...]]
@@ -129,7 +129,7 @@ class KeptCouplings:
 
 @dataclass(frozen=True, slots=True)
 class Couple(Command):
-    """An axis follows another one from here on; ``master``: -1 for none. Numbers in the machine.
+    """An axis follows another from here on; ``master``: -1 for none. Numbers in the machine.
 
     ``allowed_d``: mm or degrees that their actual positions may differ, 0: any way.
     """

@@ -52,7 +52,7 @@ class DecoderSignals(Protocol):
     def read(self, source: int, signal: int, senders: int) -> tuple[float, ...]:
         """Take a signal: the mask of its values and the values; empty if it is not there.
 
-        -1 in place of the mask, and its number, if another one has to be taken before.
+        -1 in place of the mask, and its number, if another signal must be taken first.
         """
 
 
@@ -69,17 +69,16 @@ class DecoderEnvironment:
     returns the number of a span (``base/source_ids.py``). ``line_text``: returns the line of a
     span. ``first_mistake``: checks statements that only the run shows, see
     ``nc/check/computed_statements.py``. ``spindle_gears``: index -> the gear steps of a spindle
-    that the CNC turns. ``text_id``: returns the number of a text for a user error, ``path_id``
-    that of the open programs, ``modal_id`` that of what is in force. ``warn``: receives
-    findings that do not stop the program. ``subprogram``: returns the text of a called file,
-    by name, calling file and span; raises ``DecodeError``. ``skip_levels``: blocks of these
-    levels are skipped.
-    ``marks_blocks``: each block is marked. ``controller_data``: data of V.G and V.S.
-    ``living_cycles``: cycles left by earlier programs. ``moving_axes``: returns the names of
-    the axes in independent motion. ``history_size``: the number of blocks in the history of the
-    path. ``signals``: those between the channels. ``places``: the axes of the channel and those
-    that it can fetch. ``poll`` is called while the decoder works. ``kept_cycles``: cycles of
-    earlier runs, if runs follow each other.
+    that the CNC turns. ``text_id``: returns the number of a text for a user error, ``path_id`` that
+    of the open programs, ``modal_id`` that of the functions in force. ``warn``: receives findings
+    that do not stop the program. ``subprogram``: returns the text of a called file, by name,
+    calling file and span; raises ``DecodeError``. ``skip_levels``: blocks of these levels are
+    skipped. ``marks_blocks``: each block is marked. ``controller_data``: data of V.G and V.S.
+    ``living_cycles``: cycles left by earlier programs. ``moving_axes``: returns the names of the
+    axes in independent motion. ``history_size``: the number of blocks in the history of the path.
+    ``signals``: those between the channels. ``places``: the axes of the channel and those that it
+    can fetch. ``poll`` is called while the decoder works. ``kept_cycles``: cycles of earlier runs,
+    if runs follow each other.
     """
 
     names: NameTable

@@ -85,7 +85,7 @@ class FeedForwardState:
 
 MM_PER_INCH = 25.4
 
-#: Approaches without a way around a corner, to a contour and from it.
+#: Approaches and departures of a contour without a path around a corner.
 _DIRECT_MODES = (APPROACH_DIRECT, APPROACH_INNER_CORNER, DEPART_WITHOUT_MOTION)
 
 #: Default of CONTERROR of ``#HSC``, mm.
@@ -166,7 +166,7 @@ class CompensationState:
 
 
 class LastArc(NamedTuple):
-    """What V.G says of the last arc: itself, its begin in mm, its words and centre, their unit."""
+    """The last arc for V.G: itself, its start in mm, its words and centre, their unit."""
 
     arc: Arc
     begin: Sequence[float]
@@ -197,7 +197,7 @@ class HscState:
     """``#HSC``: its ``curve`` may leave the polygon by ``deviation_mm`` or, without a name, by
     ``error_mm``; ``mode``: OPMODE.
 
-    ``deviation_mm`` and ``max_angle_deg`` are ``None`` where the channel list says them.
+    ``deviation_mm`` and ``max_angle_deg`` are ``None`` if the channel list gives them.
     """
 
     is_on: bool = False
@@ -224,8 +224,8 @@ class PathState:
     """The modal state of the path: plane, arcs, ends of blocks.
 
     ``limits_jerk``: the slope is an S-curve (P-CHAN-00071). ``radius``: the last R, 0 before the
-    first. ``contour``: how corners are rounded. ``has_diameters``: positions or ways of the face
-    axis are diameters (G51). ``turning_plane``: the axes of the plane of #FACE or #CYL.
+    first. ``contour``: how corners are rounded. ``has_diameters``: positions or distances of the
+    face axis are diameters (G51). ``turning_plane``: the axes of the plane of #FACE or #CYL.
     ``hsc_deviation``: that of ``#HSC`` in mm, 0 while it is off.
     """
 
@@ -272,9 +272,9 @@ class ToolState:
 class FeedGroup:
     """The axes that F refers to, other than the linear ones (``#FGROUP``).
 
-    ``axes``: their indices with a factor of their ways; empty: the linear ones. ``is_weakest``: F
-    is the speed of the axis that needs the longest time. ``rotary`` counts at ``radius`` mm, -1:
-    none does.
+    ``axes``: their indices with a factor of their distances; empty: the linear ones.
+    ``is_weakest``: F is the speed of the axis that needs the longest time. ``rotary`` counts at
+    ``radius`` mm, -1: none does.
     """
 
     axes: Mapping[int, float] = field(default_factory=dict)
@@ -319,7 +319,7 @@ class FeedState:
     """The meaning of F (``feed_mode``), its values under G93, G95 and G194, and programmed
     overrides.
 
-    ``follows_spindle``: the feed under G95 follows the speed of the spindle as it is (#TURN).
+    ``follows_spindle``: the feed under G95 follows the actual speed of the spindle (#TURN).
     Overrides are factors for feed and rapid blocks, of the path and by axis index. ``group``: the
     axes whose path F applies to, ``None``: the linear ones. ``slows_at_ends``: G13, to ``corner``.
     """
@@ -343,12 +343,12 @@ class FeedState:
 
 @dataclass(slots=True)
 class ThreadState:
-    """What threads take from blocks before: pitches in mm by their words, S of tapping in 1/min.
+    """Values of earlier blocks for threads: pitches in mm by their words, S of tapping in 1/min.
 
     ``speed``: below 0 turns backward, 0: none yet. ``spindle``: its place in the channel, -1: the
     main spindle. ``offset``: the start angle of cut threads in degrees, until another motion.
-    ``chains``: a thread goes on into the next block. ``has_noted_cutting``, ``has_noted_tapping``:
-    the notes on what was decided are given.
+    ``chains``: a thread continues into the next block. ``has_noted_cutting``,
+    ``has_noted_tapping``: the notes on decisions have been given.
     """
 
     pitches: dict[str, float] = field(default_factory=dict)
@@ -362,7 +362,7 @@ class ThreadState:
 
 @dataclass(frozen=True, slots=True)
 class Measured:
-    """What a measuring block has found for one axis, in mm or degrees.
+    """The result of a measuring block for one axis, in mm or degrees.
 
     ``has_touched``: the signal came. ``value``: with all offsets, in the active coordinate system;
     ``acs_value``: of the axis itself; ``pcs_value``: as programmed. ``deviation``: from the target.
@@ -377,11 +377,11 @@ class Measured:
 
 @dataclass(slots=True)
 class MeasuringState:
-    """How G100 measures until the end of the program, and what it has measured by axis index.
+    """How G100 measures until the end of the program, and its results by axis index.
 
-    ``type``: 0: that of the list. ``needs_signal``: ``None``: as the list says. ``lead``: mm in
-    front of the target where a simulated probe touches (SIMU_OFFSET). ``level``: the value of
-    HLI.PROBE that is the signal.
+    ``type``: 0: that of the list. ``needs_signal``: ``None``: as the list says. ``lead``: mm before
+    the target where a simulated probe touches (SIMU_OFFSET). ``level``: the value of HLI.PROBE that
+    is the signal.
     """
 
     type: int = 0
@@ -396,16 +396,16 @@ class ModalState:
     """The modal state; ``motion``: an active G function; ``feed_mm_s``: under G94, 0 before an F.
 
     ``parameters``: P1, P2, … ``measures``: edge banding is on (G108). ``message_file``: the file of
-    saved messages, ``named_programs``: those of M6 and G80 … by word (#FILENAME).
-    ``not_plain``: the active G functions that plain lines do not know, by group.
-    ``monitored``: the axes at a fixed stop or on their way to it.
-    ``has_read_signal``: the last ``#SIGNAL READ`` has taken one. ``limits``: weights, and the
-    limits of the path. ``shapes``: chamfers and roundings. ``measuring``: with a touch probe.
-    ``is_searching``: block search has not come to its start block. ``orientation``: what A, B, C
-    are under a transformation. ``wcs``, ``mcs``: V.A.WCS and V.A.MCS by axis, in mm or degrees.
-    ``frame``: mirroring, rotation and scaling. ``block_number``: the last N. ``couplings``: axes
-    that follow others. ``feed_forward``: G135 … G137. ``spindles_without_axis``: those whose axis
-    ``S[PUTAX]`` has given away, by their indices in the channel list.
+    saved messages, ``named_programs``: those of M6 and G80 … by word (#FILENAME). ``not_plain``:
+    the active G functions that plain lines do not know, by group. ``monitored``: the axes at a
+    fixed stop or moving towards it. ``has_read_signal``: the last ``#SIGNAL READ`` has taken one.
+    ``limits``: weights, and the limits of the path. ``shapes``: chamfers and roundings.
+    ``measuring``: with a touch probe. ``is_searching``: block search has not reached its start
+    block. ``orientation``: the meaning of A, B, C under a transformation. ``wcs``, ``mcs``: V.A.WCS
+    and V.A.MCS by axis, in mm or degrees. ``frame``: mirroring, rotation and scaling.
+    ``block_number``: the last N. ``couplings``: axes that follow others. ``feed_forward``: G135 …
+    G137. ``spindles_without_axis``: those whose axis ``S[PUTAX]`` has given away, by their indices
+    in the channel list.
     """
 
     motion: int

@@ -87,7 +87,7 @@ class BlockWeights:
 #: The weights of a block without any.
 BLOCK_UNWEIGHTED = BlockWeights()
 
-#: What each function weights; the others are accepted without effect.
+#: The limits that each function weights; the others are accepted without effect.
 _WEIGHTED = MappingProxyType(
     {
         SPEED_WEIGHTS: "speed",
@@ -121,7 +121,7 @@ class LimitState:
     direction up to ``max_bend`` (``kernel/path/segment_limits.py``) are for rounded corners.
     ``weights_motions`` (bits of P-CHAN-00190) and ``weights_arcs``: blocks have weights by their
     length or radius; ``block``: those of the last one. ``followed``: masters and their slaves by
-    index, with the share of a master's way that the slave goes: it keeps the limits of both.
+    index, with the ratio of the slave's distance to the master's, which keeps the limits of both.
     """
 
     weights: dict[int, AxisWeights] = field(default_factory=dict)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The gear steps of a spindle, and which one is active."""
+"""The gear steps of a spindle, and the active one."""
 
 from __future__ import annotations
 

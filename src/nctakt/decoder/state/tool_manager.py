@@ -18,11 +18,11 @@ from nctakt.hli.layout import TOOL_OFFSETS, TOOL_PARAMETERS, TOOLS
 from nctakt.lists.declared.tools import Tool
 from nctakt.messages.path.tools import TOOL_MANAGER_SILENT
 
-#: What is asked for: the data of a tool, or that it is got ready.
+#: Requests: the data of a tool, or its preparation.
 DATA = 1
 PREPARATION = 2
 
-#: Ticks after which a PLC that manages tools has said so: one in Structured Text opens the
+#: Ticks after which a PLC that manages tools has announced it: one in Structured Text opens the
 #: interface in its first two cycles.
 _ANNOUNCED_TICKS = 5
 #: How long the PLC may take for its answer.
@@ -38,7 +38,7 @@ Identity = tuple[int, int, int]
 
 
 class ToolManager:
-    """Asks the PLC for the tools of one program; ``known``: what it has answered so far."""
+    """Asks the PLC for the tools of one program; ``known``: its answers so far."""
 
     def __init__(self, environment: DecoderEnvironment, state: ModalState) -> None:
         self._environment = environment
@@ -66,7 +66,7 @@ class ToolManager:
     def ask(
         self, kind: int, identity: Identity, span: Span, number: int
     ) -> Generator[Command, Answer, tuple[Message | None, Tool | None]]:
-        """Ask for a tool and wait; return what is wrong, and the tool if it is valid."""
+        """Ask for a tool and wait; return the error, and the tool if it is valid."""
         request = self._request(kind, identity)
         source = self._environment.source_id(span)
         limit = ANSWER_LIMIT_S * 1_000_000 // self._environment.cycle_time_us

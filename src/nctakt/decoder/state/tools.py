@@ -4,7 +4,7 @@
 In: the tool list of the channel, the words T and D, the plane. Out: TOOL offsets as commands, the
 radius for compensation, the values of V.G.WZ…, V.G.T_AKT and V.G.D_AKT. A length acts along the
 axis perpendicular to the plane, in addition to the offset of the list for that axis. The offsets
-move nothing by themselves.
+alone move nothing.
 """
 
 from __future__ import annotations
@@ -184,7 +184,7 @@ class ActiveTool:
         return None if tool is None else self._listed(tool.number)
 
     def _take(self, tool: Tool, number: int, command: str, span: Span) -> None:
-        """Let this tool be the active one."""
+        """Activate this tool."""
         self._change_radius(tool.radius, command, span)
         self._select_kinematic(tool, span)
         suspended = self._environment.offsets.suspended
@@ -401,7 +401,7 @@ class ActiveTool:
         value: float,
         index: Callable[[Expression], float],
     ) -> None:
-        """Set what the active tool adds to a parameter of the kinematic, until the next D."""
+        """Set the active tool's addition to a parameter of the kinematic, until the next D."""
         if self._environment.offsets.transformation.is_transformation:
             self._fail(PARAMETER_DURING_TRANSFORMATION, variable.span)
         state = self._state.tool
@@ -443,7 +443,7 @@ class ActiveTool:
     ) -> Iterator[Command]:
         """Change the active tool until the next D, or a tool of the list until the next start-up.
 
-        Radius, length, free values, offsets of axes, validity, numbers, what it adds to kinematics.
+        Radius, length, free values, offsets of axes, validity, numbers, additions to kinematics.
         """
         state = self._state.tool
         changes_list = system_variable.number is not None
@@ -494,5 +494,5 @@ class ActiveTool:
 
 
 def _shown(identity: Identity) -> str:
-    """Return an ID as it is written: ``5``, ``5, 2, 1``."""
+    """Return an ID as written: ``5``, ``5, 2, 1``."""
     return ", ".join(map(str, identity)) if any(identity[1:]) else str(identity[0])

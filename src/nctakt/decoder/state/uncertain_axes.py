@@ -5,8 +5,8 @@ The decoder prepares blocks ahead with computed positions; an axis named in a si
 a cycle may be elsewhere by then. It is *uncertain* from the moment when the cycle may move it until
 its position is requested: with SCOPE=BLOCK from the end of the cycle's block on; with PROG and
 GLOBAL from the start of the cycle on, and, while that lives, again after each block or wait in
-which the path does not move the axis. So is an axis that the program itself moves beside the path
-(SA-4), from its command on, or lets oscillate (SA-15).
+which the path does not move the axis. The same applies to an axis that the program itself moves
+independently (SA-4), from its command on, or lets oscillate (SA-15).
 """
 
 from __future__ import annotations
@@ -129,7 +129,7 @@ class UncertainAxes:
         return tuple(axis for axis in axes if axis in doubtful) if doubtful else ()
 
     def move_alone(self, axis: str) -> None:
-        """Note that the program moves an axis beside the path."""
+        """Note that the program moves an axis independently of the path."""
         self._independent[axis] = None
 
     def oscillate(self, axis: str) -> None:
@@ -142,7 +142,7 @@ class UncertainAxes:
         (self._uncertain if anywhere else self._independent)[axis] = None
 
     def of_program(self, axes: Iterable[str]) -> tuple[str, ...]:
-        """Return those of these axes that no one but the program moves beside the path."""
+        """Return those of these axes that only the program moves independently of the path."""
         return tuple(
             axis for axis in axes if axis in self._independent and axis not in self._uncertain
         )

@@ -80,8 +80,7 @@ class ChannelSignals:
             self.tell(tick, rows.EVENT_SIGNAL_AWAITED, source, number, senders, 0.0, 0.0)
 
     def accept(self, tick: int) -> tuple[float, ...]:
-        """Take the signal that the decoder waits for: mask of the values that have come, and
-        values.
+        """Take the signal that the decoder waits for: mask of the values received, and values.
 
         In place of the mask -1 where another signal has to be taken before, and its number.
         """

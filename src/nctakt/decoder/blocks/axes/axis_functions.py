@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Functions whose axis words are values of their own: G74, G98, G99, G101, G102."""
+"""Functions whose axis words are not targets but values: G74, G98, G99, G101, G102."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a program may not do with axes that follow others (``#AX LINK``)."""
+"""Checks of what a program may not do with axes that follow others (``#AX LINK``)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def check_words(values: Values, words: Iterable[tree.AxisWord | tree.BracketComm
 
 
 def check_way(values: Values, start: Sequence[float], target: Sequence[float], span: Span) -> None:
-    """Raise ``DecodeError`` if a block moves a slave, whatever has put it into the block."""
+    """Raise ``DecodeError`` if a block moves a slave, however it got into the block."""
     for pair in values.state.couplings.of_axes:
         if start[pair.slave] != target[pair.slave]:
             _fail_if_slave(values, pair.slave, span)

@@ -34,7 +34,8 @@ _MM_S_PER_M_MIN = 1000.0 / 60.0
 class CuttingSpeeds:
     """The cutting speed of one program: ``surface`` in m/min, 0 before the first S under G96.
 
-    ``is_active``: G96. ``limit``: G196 in 1/min, 0 for none. ``sets_limit``: S of this block is it.
+    ``is_active``: G96. ``limit``: G196 in 1/min, 0 for none. ``sets_limit``: S of this block is
+    that limit.
     """
 
     values: Values

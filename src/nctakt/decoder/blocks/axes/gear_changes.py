@@ -2,7 +2,7 @@
 """M40 … M45, G112 and speeds that choose a gear step -> commands for the spindle.
 
 A change lets the spindle turn to the position of the active step, waits for the M function, and
-takes the limits of the new step. G112 takes them only, of a spindle that is at rest.
+takes the limits of the new step. G112 only takes the limits, for a spindle at rest.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class GearChanges:
     def chosen(self, index: int, speed: float, span: Span) -> int:
         """Return the gear step for a speed in 1/min; 0 where the speed does not choose.
 
-        The active step stays if it has the speed; else the first one that has it is taken.
+        The active step stays if it covers the speed; otherwise the first step that does is taken.
         """
         spindle = self._values.environment.parameters.spindles[index]
         listed = self._listed.ranges.get(spindle.logical_number)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""``X[INDP_SYN …]`` and ``X[INDP_ASYN …]``: axes that a program moves beside the path.
+"""``X[INDP_SYN …]`` and ``X[INDP_ASYN …]``: axes that a program moves independently of the path.
 
-The rules SA-1 … SA-9 are in docs/conformance/single-axes.md. A command waits until an axis
-whose position is uncertain is at rest, even in a motion that the program itself has begun (SA-4);
-from the target on that it gives, the decoder computes further.
+The rules SA-1 … SA-9 are in docs/conformance/single-axes.md. A command waits until an axis whose
+position is uncertain is at rest, even in a motion that the program itself has begun (SA-4); the
+decoder continues to compute from the target that it gives.
 """
 
 from __future__ import annotations

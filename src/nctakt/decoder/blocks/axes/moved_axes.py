@@ -42,7 +42,7 @@ class MovedAxes:
         return self._environment.offsets.transformation.with_moved(names)
 
     def is_along_axes(self) -> bool:
-        """Return whether each word of a block moves its own axis only, along a line."""
+        """Return whether each word of a block moves only its own axis, along a line."""
         offsets = self._environment.offsets
         is_line = self._state.motion not in ARCS and self._state.motion != ARC_IN_SPACE
         is_bent = self._state.frame.is_active or offsets.systems.is_active

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``X[OSC ON …]`` and ``X[OSC OFF …]``: axes that a program lets move to and fro beside the path.
+"""``X[OSC ON …]`` and ``X[OSC OFF …]``: axes that oscillate independently of the path.
 
 The rules SA-11 … SA-17 are in docs/conformance/single-axes.md. From OSC ON on the position of the
 axis is uncertain until a command requests it, which ends the oscillation at its second position.
@@ -100,7 +100,7 @@ class Oscillations:
     def _end(
         self, command: OscillationCommand, values: dict[str, float], axis: AxisConfiguration
     ) -> tuple[int, float]:
-        """Return how an oscillation ends, and the speed of the way to its second position."""
+        """Return how an oscillation ends, and the speed towards its second position."""
         if "INSTANT" in command.flags:
             return codes.HALTS, 0.0
         if "FEED" in values:
@@ -144,7 +144,7 @@ class Oscillations:
     def _stroke(
         self, command: OscillationCommand, first: float, second: float, axis: AxisConfiguration
     ) -> float:
-        """Return the way from the first position to the second; SHORT: the shorter one."""
+        """Return the distance from the first position to the second; SHORT: the shorter one."""
         stroke, full = second - first, axis.modulo_range
         if axis.is_modulo and "SHORT" in command.flags:
             stroke -= full * arithmetic.ceiling(stroke / full - 0.5)
@@ -167,8 +167,8 @@ class Oscillations:
         stroke: float,
         paused_s: float,
     ) -> float:
-        """Return the speed between the positions: for FREQ and TIME that with which two ways of
-        ``stroke``, their ramps included, and both waits take a period.
+        """Return the speed between the positions: for FREQ and TIME that with which two strokes of
+        ``stroke``, ramps included, and both waits take one period.
         """
         if "FEED" in values:
             return min(self._feed(values["FEED"], axis), axis.max_speed)

@@ -26,7 +26,7 @@ from nctakt.messages.axes.homing import (
 from nctakt.messages.path.motion import SIMPLIFIED
 from nctakt.nc.vocabulary.functions import NEGATIVE_LIMIT
 
-#: What a relative limit is added to.
+#: The base of a relative limit.
 _ADDED_TO_LIMIT = Text(
     "a limit under G91 is added to the limit in force",
     "ein Endschalter unter G91 kommt zum wirksamen Endschalter hinzu",

@@ -3,8 +3,8 @@
 
 Direction and speed of the main program are modal for each spindle; the default is M5. A new speed
 alone is a job with the active direction. The channel list decides when a job of a block is output
-and awaited (``spindel[i].m3_synch`` …); a spindle of the CNC turns regardless, one of the PLC
-receives no job that is not output.
+and awaited (``spindel[i].m3_synch`` …); a CNC spindle turns regardless, a PLC spindle receives only
+jobs that are output.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ from nctakt.nc.vocabulary.variables.system_variables import SystemVariable
 #: Degrees per second of a revolution per minute.
 DEGREES_PER_S = 6.0
 
-#: G functions that say what S is.
+#: G functions that decide the meaning of S.
 SPEED_FUNCTIONS = frozenset(
     (CUTTING_SPEED, CONSTANT_SPEED, SPINDLE_LIMIT, GEAR_STEP, NO_SPINDLE_OVERRIDE)
 )
@@ -189,7 +189,7 @@ class SpindleWords:
     def change_gear(
         self, words: list[tree.BlockWord], commands: Sequence[SpindleCommand], number: int
     ) -> Generator[Command, Answer, list[tree.BlockWord]]:
-        """Process M40 … M45; return the other words. A turning spindle goes on afterwards."""
+        """Process M40 … M45; return the other words. A turning spindle turns on afterwards."""
         others = []
         for word in words:
             stage = self.gears.stage_of(word)
@@ -222,7 +222,7 @@ class SpindleWords:
             yield from self.cutting.functions(numbers, index, span, number)
 
     def exchange(self, command: SpindleCommand, number: int) -> Generator[Command, Answer]:
-        """Let a spindle that is at rest give its axis, or take it again."""
+        """Make a spindle at rest give up its axis, or take it back."""
         (word,) = command.exchanges
         name, span = f"{command.name}[{word}]", command.span
         state = self.values.state
@@ -403,8 +403,8 @@ def main_of(spindles: Sequence[Spindle]) -> int:
 def index_of(values: Values, name: str) -> int:
     """Return the index of a spindle by its name in the program; -1 for an unknown one.
 
-    The name of the main spindle, like none at all, is that of the one that ``#MAIN SPINDLE`` has
-    made it; the others have their names in the channel list (P-CHAN-00007).
+    The name of the main spindle, or no name, means the one selected by ``#MAIN SPINDLE``; the
+    others have their names in the channel list (P-CHAN-00007).
     """
     spindles = values.environment.parameters.spindles
     listed_main = main_of(spindles)
@@ -428,7 +428,7 @@ def find(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
 
 
 def _listed(values: Values, name: str, span: Span) -> tuple[int, Spindle]:
-    """Return index and configuration of a spindle, whose axis the path does not have."""
+    """Return index and configuration of a spindle whose axis does not belong to the path."""
     index = index_of(values, name)
     assert index >= 0, name
     spindle = values.environment.parameters.spindles[index]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``#CS``, ``#ACS``, ``#BCS``, ``#ECS`` -> commands for the active coordinate system (MO-8).
 
-In: the tree of a checked command. Stored systems have numbers, those of each kind their own; one
-without gets the next free number. At most five of a kind are stored, ten are active at a time.
+In: the tree of a checked command. Stored systems are numbered separately for each kind; one without
+a number gets the next free one. At most five of a kind are stored, ten are active at a time.
 Systems with names (``#CS ADD``) form a stack; ``#CS SELECT`` activates it from the bottom up to one
 of them.
 """
@@ -116,7 +116,7 @@ class CsCommands:
         return listed
 
     def _from_list(self, name: str) -> Placement | None:
-        """Return a system of the channel list (P-CHAN-00490); ``None`` if it has no such one."""
+        """Return a system of the channel list (P-CHAN-00490); ``None`` if there is none."""
         components = self._listed.systems.get(name)
         if components is None:
             return None

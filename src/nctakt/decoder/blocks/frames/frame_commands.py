@@ -128,7 +128,7 @@ class FrameCommands:
     # --- commands -------------------------------------------------------------------------------
 
     def rotation(self, command: tree.HashCommand, number: int) -> Generator[Command, Answer]:
-        """Execute ``#ROTATION``; what it does not name stays as the program last had it."""
+        """Execute ``#ROTATION``; values that it does not name keep their last setting."""
         switch = command.words[1].name
         self._keep_contour(f"#ROTATION {switch}", command.span)
         frame = self._frame

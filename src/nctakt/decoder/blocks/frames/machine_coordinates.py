@@ -61,7 +61,7 @@ class MachineCoordinates:
     def _enter(
         self, command: MachineCommand, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """Switch off what lies between programmed positions and those of the axes."""
+        """Switch off everything between programmed positions and those of the axes."""
         self._check(command, span)
         if self._offsets.suspended is not None:
             return
@@ -79,7 +79,7 @@ class MachineCoordinates:
     def _leave(
         self, command: MachineCommand, span: Span, number: int
     ) -> Generator[Command, Answer]:
-        """Switch on again what was active before, with the present tool."""
+        """Switch everything on again that was active before, with the present tool."""
         self._check(command, span)
         suspended = self._offsets.suspended
         if suspended is None:

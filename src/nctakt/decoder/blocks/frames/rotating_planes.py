@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``#FACE`` and ``#CYL`` of the main program -> commands (MO-8).
 
-In: the tree of a checked command. Two axes form a plane of their own that turns with a rotary axis:
-the face of a turned part, or its cylinder developed. Switching moves no axis. Arcs, centres and the
+In: the tree of a checked command. Two axes form a separate plane that turns with a rotary axis: the
+face of a turned part, or its cylinder developed. Switching moves no axis. Arcs, centres and the
 tool's radius lie in this plane until ``OFF``, which returns to the plane before it.
 """
 
@@ -150,7 +150,7 @@ class RotatingPlanes:
         return RotatingPlane(command.shown, plane, rotary[0], linear[0], beside=beside)
 
     def _beside(self, radial: int, span: Span, number: int) -> Generator[Command, Answer, float]:
-        """Return where the axis across the radial one is, which stays there."""
+        """Return the position of the axis across the radial one, which stays there."""
         across = 1 - radial if radial < 2 else -1
         if (
             not 0 <= across < len(self._environment.axes)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """``#TOOL ORI CS`` and ``#ECS``: the tool and the axes of the coordinate system (MO-8).
 
-With ``#TOOL ORI CS`` the rotary axes turn the tool along an axis of the coordinate system. The
-axis is that of P-CHAN-00188, in the active ``#CS`` or else in the machine; P-CHAN-00189 chooses
-between the two positions of the rotary axes that give the direction. They go there in rapid
-motion: with a transformation about the tip, without one with the linear axes at rest. ``#ECS`` is
-the inverse: a system with the third axis along the tool as it is.
+With ``#TOOL ORI CS`` the rotary axes turn the tool along an axis of the coordinate system. The axis
+is that of P-CHAN-00188, in the active ``#CS`` or else in the machine; P-CHAN-00189 chooses between
+the two positions of the rotary axes that give the direction. They go there in rapid motion: with a
+transformation about the tip, without one with the linear axes at rest. ``#ECS`` is the inverse: a
+system with the third axis along the present tool direction.
 """
 
 from __future__ import annotations

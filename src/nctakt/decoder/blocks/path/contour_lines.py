@@ -139,7 +139,7 @@ class ContourLines:
         span: Span,
         angle: float,
     ) -> None:
-        """Give the first line its end, where the second one leads from to its target."""
+        """Set the end of the first line, from which the second line leads to its target."""
         if len(words) < 2:
             self._values.fail(CONTOUR_LINE_INCOMPLETE, first.span)
         if not self._state.absolute:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""G301, G302, ``#CHR``, ``#CHF``, ``#RND`` and ``#FRC`` of a block -> what is inserted (MO-4)."""
+"""G301, G302, ``#CHR``, ``#CHF``, ``#RND``, ``#FRC`` of a block -> chamfer or rounding (MO-4)."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class CornerWords:
         span: Span,
         number: int,
     ) -> InsertCorner | None:
-        """Return what the block inserts; takes I of G301 and G302 out of ``centre``."""
+        """Return the chamfer or rounding; takes I of G301 and G302 out of ``centre``."""
         if not self._sizes and not functions:
             return None
         name, size = "", 0.0

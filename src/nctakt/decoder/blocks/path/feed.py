@@ -3,7 +3,7 @@
 
 In: F, the G functions of the feed, ``#OVERRIDE``, ``X[OVERRIDE …]``, the length of a block. Out:
 its feed in mm/s, or degrees/s if only rotary axes move, 0 for rapid, and ``FeedModifiers`` if there
-are any. Each of G93 … G95 keeps an F of its own.
+are any. Each of G93 … G95 keeps its own F.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class FeedRate:
         """Process F; in inch under G70, per minute regardless of P-CHAN-00108, or per
         revolution.
 
-        Raises ``DecodeError`` for one that is not above 0.
+        Raises ``DecodeError`` unless it is above 0.
         """
         if value <= 0.0:
             self._values.fail(FEED_NOT_POSITIVE, span, value=value)
@@ -115,7 +115,7 @@ class FeedRate:
     ) -> tuple[float, FeedModifiers | None]:
         """Return feed and modifiers of a block; ``is_exempt``: without overrides (G166).
 
-        Rapid motions and threads have no feed of their own: 0.
+        Rapid motions and threads have no programmed feed: 0.
         """
         rapid = self._state.rapid
         feed_state = self._state.feed
@@ -190,7 +190,7 @@ class FeedRate:
         return self._state.feed_mm_s, -1, 0.0
 
     def _need(self, value: float, span: Span) -> None:
-        """Raise ``DecodeError`` where there is no F (MO-17)."""
+        """Raise ``DecodeError`` if there is no F (MO-17)."""
         if value == 0.0:
             self._values.fail(NO_FEED_ACTIVE, span)
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """G135, G136, G137: feed-forward control on, weighed by axis, off.
 
-It acts on the simulated drives that have it by their lists; the way of the command stays.
+It acts on the simulated drives whose lists provide it; the commanded path is unchanged.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def weigh_feed_forward(
 
 
 def follow_feed_forward(values: Values, source: int, number: int) -> Iterator[Command]:
-    """Yield what has changed for the drives."""
+    """Yield the changes for the drives."""
     state, active = values.state.feed_forward, values.environment.controller_data.feed_forward
     state.is_due = False
     for slot, one in enumerate(values.environment.places.present):

@@ -102,7 +102,7 @@ class FeedGroups:
         )
 
     def _length_of_weakest(self, ways: Sequence[float], group: FeedGroup) -> float:
-        """Return the way of the axis that needs the longest time for it at its highest speed."""
+        """Return the distance of the axis that takes longest for it at its highest speed."""
         longest = (0.0, 0.0)
         for index, axis in enumerate(self._environment.axes):
             speed = axis.max_speed
@@ -167,7 +167,7 @@ class FeedGroups:
             self._values.warn(message, span)
 
     def _choose(self, group: FeedGroup) -> None:
-        """Let F refer to a group; the linear axes, which it refers to anyway, are none."""
+        """Let F refer to a group; the linear axes, which it refers to anyway, are not a group."""
         if group.axes == self._linear():
             group = FeedGroup({}, False, group.rotary, group.radius)
         self._state.feed.group = None if group.is_linear else group

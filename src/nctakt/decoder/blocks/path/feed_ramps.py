@@ -2,8 +2,8 @@
 """Feeds that change within a block: G193 and G293, and G13 before the block's end.
 
 In: the segment of a block, the feed in force before it. Out: pieces of it, each with the feed that
-the ramp has in its middle, so that override and feed hold act as ever. None is shorter than a few
-ticks of motion.
+the ramp has in its middle, so that override and feed hold act as usual. No piece is shorter than a
+few ticks of motion.
 """
 
 from __future__ import annotations

@@ -213,7 +213,7 @@ class PathMotion:
     def _arc(
         self, start: list[float], target: list[float], words: PathWords, span: Span
     ) -> Arc | None:
-        """Return the arc of the block; ``None`` if it has only a radius and no way.
+        """Return the arc of the block; ``None`` if it has only a radius and does not move.
 
         Where the coordinate system tilts its plane, the centre is in that plane.
         """

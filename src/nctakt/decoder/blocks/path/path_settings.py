@@ -179,7 +179,7 @@ class PathSettings:
         yield from self._limit_bends(command.span, number)
 
     def _limit_bends(self, span: Span, number: int, has_changed: bool = False) -> Iterator[Command]:
-        """Let ``#HSC``, else ``#CONTOUR MODE``, say which corners are too sharp to be rounded."""
+        """Let ``#HSC``, else ``#CONTOUR MODE``, decide which corners are too sharp to round."""
         path, limits = self._state.path, self._state.limits
         max_bend = path.contour.max_bend
         if path.hsc.is_on:

@@ -56,7 +56,7 @@ class SplineWords:
     def commands(
         self, axes: list[tuple[tree.AxisWord, float]], span: Span, number: int
     ) -> Iterator[Command]:
-        """Yield what the block says of splines; takes the axis words of a direction away."""
+        """Yield the spline commands of the block; removes the axis words of a direction."""
         self.has_words = False
         spline = self._state.shapes.spline
         if self._vector:

@@ -3,7 +3,7 @@
 
 In: the modal words (I, J, K, F, S), start and target of a block. Out: its feed and the
 ``FeedModifiers`` that tell the realtime part how many degrees of which spindle belong to a mm of
-the path. The pitch is that of the main axis with the longest way; Z is it below 45°.
+the path. The pitch is that of the main axis with the longest distance; below 45° that is Z.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ from nctakt.nc.vocabulary.spindle_commands import SpindleCommand
 #: The highest number of cycles of a filter in ``#TURN``.
 MAX_FILTER_CYCLES = 20
 
-#: What ``#TURN`` cannot have here.
+#: Forms of ``#TURN`` that are not possible here.
 _NOT_SIMULATED = (("TIME_IN_REV_CPL", 1), ("THREAD_CUT_IGNORE_OV", 0))
 
 #: The words of the pitch, one for each of the first three axes.

@@ -13,7 +13,7 @@ from nctakt.nc.vocabulary.path_keywords import INTER_ACTION
 #: Default of deviations and distances, mm.
 DEVIATION_MM = 1.0
 
-#: The largest part of a motion that a curve takes beside one corner.
+#: The largest part of a motion that a curve uses at one corner.
 MAX_PART = 0.499
 
 #: Stands for a distance of 0 where the curve has a given interim point, mm.
@@ -21,7 +21,7 @@ NO_DISTANCE_MM = 1e-9
 
 
 class ContourForm(NamedTuple):
-    """How the curve at one corner is.
+    """The form of the curve at one corner.
 
     ``is_own``: the realtime part cannot round like this; it would with ``plain_deviation``.
     ``deviation`` in mm, 0: ``distances`` from the corner say where the curve begins and ends.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What becomes of programmed coordinates before any offset: scaling, rotation, mirroring.
+"""Conversion of programmed coordinates before any offset: scaling, rotation, mirroring.
 
 In: ``#SCALE``, ``#ROTATION``, G68, G20 … G23, G351. Out: coordinates of the active system without
 its offsets, and back. The order is scaling of the program's axes about their zero, rotation in the
@@ -41,7 +41,7 @@ class ContourFrame:
         return bool(self.mirrored) or self.is_scaled or self.is_turned
 
     def adopt(self, other: ContourFrame) -> None:
-        """Be the same map as another one."""
+        """Become a copy of another map."""
         self.mirrored = other.mirrored
         self.factors = dict(other.factors)
         self.is_scaled = other.is_scaled

@@ -2,10 +2,10 @@
 """Nested coordinate systems of the program, shifted and rotated: ``#CS``, ``#ACS`` …
 
 The systems of ``#BCS`` are below all of ``#ACS``, which are below all of ``#CS``; those of one kind
-lie in the order of their activation, and one of ``#ECS`` is alone. A system has an origin for each
-axis of the channel and a rotation matrix over the first three axes. Coordinates p with the active
-offsets s and the tool offset t give the axis positions origin + matrix * (p + s) + t (MO-8). The
-tool offset is not rotated: it acts along the axes.
+lie in the order of their activation, and one of ``#ECS`` is always alone. A system has an origin
+for each axis of the channel and a rotation matrix over the first three axes. Coordinates p with the
+active offsets s and the tool offset t give the axis positions origin + matrix * (p + s) + t (MO-8).
+The tool offset is not rotated: it acts along the axes.
 
 In: the six components of ``#CS ON``: a shift along three axes in mm and three angles in degrees;
 the third turns about the third axis, the second about the resulting second axis, the first about
@@ -34,7 +34,7 @@ MAIN_AXES = 3
 #: Maximum deviation of a plane's normal from an axis (1 - cosine).
 ASKEW = 1e-12
 
-#: A tool whose direction is this near to the normal of a plane is upright on it.
+#: A tool whose direction is this near to the normal of a plane is perpendicular to it.
 UPRIGHT = 1e-9
 
 SavedOffsets = tuple[tuple[float, ...], ...]
@@ -155,7 +155,7 @@ class CoordinateSystems:
     def into(self, tilt: Matrix, positions: Sequence[float]) -> list[float]:
         """Return positions of the axes in a tilted plane.
 
-        A coordinate that only rounding changes from one position to the next stays what it is.
+        A coordinate that changes only by rounding from one position to the next is kept.
         """
         turned = turned_in(tilt, positions)
         if len(self._newest) == len(turned):
@@ -176,7 +176,7 @@ class CoordinateSystems:
     def placement(self) -> Placement:
         """Return the innermost system as one that lies where all active ones do.
 
-        It is the same place for one that is activated alone, with the same offsets below.
+        It is the same place for a system that is activated alone, with the same offsets below.
         """
         lower = self._systems[0].lower.shift if self._systems else (0.0,) * MAIN_AXES
         first, second, third = (self._origin[axis] - lower[axis] for axis in range(MAIN_AXES))
@@ -216,7 +216,7 @@ class CoordinateSystems:
     ) -> Generator[Command, None, LowerOffsets | None]:
         """Deactivate the last system of a kind; return the offsets below it.
 
-        ``None`` if it is not the innermost one: its own offsets are lost, the active ones stay.
+        ``None`` if it is not the innermost one: its offsets are lost, the active ones stay.
         """
         index = sum(system.layer <= layer for system in self._systems) - 1
         left = self._systems.pop(index)

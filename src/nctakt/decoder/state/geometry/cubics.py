@@ -42,7 +42,7 @@ def straight(start: Point, target: Point) -> Cubic:
 
 
 def between(one: Point, other: Point, part: float) -> Point:
-    """Return the point after a part of the line from one to the other."""
+    """Return the point after a share of the line between two points."""
     return tuple(a + (b - a) * part for a, b in zip(one, other, strict=True))
 
 
@@ -64,7 +64,7 @@ def halves(cubic: Cubic) -> tuple[Cubic, Cubic]:
 
 
 def point(cubic: Cubic, t: float) -> Point:
-    """Return the point at the cubic's own parameter."""
+    """Return the point at a value of the cubic's parameter."""
     rest = 1.0 - t
     factors = (rest * rest * rest, 3.0 * rest * rest * t, 3.0 * rest * t * t, t * t * t)
     return tuple(

@@ -58,7 +58,7 @@ def remaining_offset_kinds(command: OffsetCommand) -> int:
 
 @dataclass(slots=True)
 class SuspendedCoordinates:
-    """What ``#MCS ON`` has switched off.
+    """The settings that ``#MCS ON`` has switched off.
 
     ``steps`` and ``map_number``: of the transformation. ``is_without_tools``: tools that are
     selected meanwhile have no offsets (EX TOOL); ``has_tool``: one was selected, and it has.
@@ -77,7 +77,8 @@ class ActiveOffsets:
 
     ``axes``: the numbers of the channel's axes in the machine. ``zero_groups``: zero offsets by
     group and axis. ``default_group``: the group at program start. ``clamp_group``: the active clamp
-    offsets. ``suspended``: what is off until ``#MCS OFF``, ``None`` without ``#MCS ON``.
+    offsets. ``suspended``: the settings that are off until ``#MCS OFF``, ``None`` without ``#MCS
+    ON``.
     """
 
     def __init__(
@@ -238,7 +239,7 @@ class ActiveOffsets:
     def resume(
         self, suspended: SuspendedCoordinates, source: int, number: int
     ) -> Iterator[Command]:
-        """Switch on again what ``suspend`` has switched off."""
+        """Undo ``suspend``."""
         self.suspended = None
         yield from self.systems.resume(suspended.systems, source, number)
         for kind in range(codes.OFFSET_KINDS):

@@ -2,7 +2,7 @@
 """The arc that leads to a compensated contour, or from it, as a tangent (G05, MO-9).
 
 Its centre lies where the perpendicular bisector of its ends meets the line from the end of the
-contour to the tool beside it.
+contour to the tool.
 """
 
 from __future__ import annotations

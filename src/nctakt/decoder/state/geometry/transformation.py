@@ -4,10 +4,10 @@
 While a transformation is active the decoder's positions are those of the tool's tip in the machine
 (MCS) and of the rotary axes; offsets and coordinate systems act on them. Switching moves no axis:
 the positions are computed anew from those of the axes, by the maps that the ticks use, to the bit.
-Under ``#PTP`` the positions stay what they are, and motions are those of the axes.
+Under ``#PTP`` the positions stay the same, and motions are those of the axes.
 
 Out: ``SetTransformation`` commands, positions, and the first axis that leaves its software limits
-on the way of a block.
+during a block.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.transformations.kinematics import Kinematic
 
-#: The kinematics of both steps; ``None``: that step does nothing.
+#: The kinematics of both steps; ``None``: the step does nothing.
 Steps = tuple[Kinematic | None, Kinematic | None]
 NO_STEPS: Steps = (None, None)
 
@@ -212,7 +212,7 @@ class ActiveTransformation:
     # --- commands -------------------------------------------------------------------------------
 
     def begin_program(self) -> Iterator[Command]:
-        """Yield the command that deactivates what an earlier program has left."""
+        """Yield the command that deactivates the transformation left by an earlier program."""
         self._activate(0, NO_STEPS)
         self.selected = list(self.kinematics.transformations.default_ids)
         if self._maps.used > 1:
@@ -229,7 +229,7 @@ class ActiveTransformation:
     ) -> Generator[Command, None, list[float]]:
         """Activate a map of ``steps`` or of a plane, 0 for none.
 
-        Return ``positions`` as they are programmed from here on.
+        Return ``positions`` as programmed from here on.
         """
         axes = self.to_axes(positions)
         self._activate(number, steps)
@@ -241,7 +241,7 @@ class ActiveTransformation:
     def change_tool(
         self, tool: Tool, positions: Sequence[float], source: int, block: int
     ) -> Generator[Command, None, list[float]]:
-        """Let another tool be the one of the kinematic; return as ``switch``."""
+        """Use another tool for the kinematic; return as ``switch``."""
         is_straight = self.is_straight
         number = self.map_of(self.steps, tool)
         if number == self.number:
@@ -253,7 +253,7 @@ class ActiveTransformation:
     def change_tool_of_plane(
         self, tool: Mapping[int, float], positions: Sequence[float], source: int, block: int
     ) -> Generator[Command, None, list[float]]:
-        """Let the offsets of another tool be those of the plane; return as ``switch``."""
+        """Use the offsets of another tool for the plane; return as ``switch``."""
         assert self.plane is not None
         number = self.map_of_plane(self.plane, tool)
         if number == self.number:

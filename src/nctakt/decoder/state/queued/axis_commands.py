@@ -41,7 +41,7 @@ class FeedForward(Command):
 
 @dataclass(frozen=True, slots=True)
 class MoveAlone(Command):
-    """An axis begins to move beside the path: to a position, or by a distance, mm or degrees."""
+    """An axis begins an independent motion: to a position, or by a distance, mm or degrees."""
 
     packed_as = rows.MOVE_ALONE
 
@@ -55,8 +55,8 @@ class MoveAlone(Command):
 class Oscillate(Command):
     """An axis begins to move to and fro between two positions, mm or degrees.
 
-    ``stroke``: the way from the first to the second. ``count``: how often it comes to the second
-    one, -1 until it is ended.
+    ``stroke``: the distance from the first to the second. ``count``: how often it reaches the
+    second, -1 until it is ended.
     """
 
     packed_as = rows.OSCILLATE

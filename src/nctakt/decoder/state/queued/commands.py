@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What goes down the queue to the realtime part: plain data, no text, no names.
+"""The commands in the queue to the realtime part: plain data, no text, no names.
 
 ``packing.py`` turns them into rows of the queue, whose kinds and columns ``kernel/rows.py``
 declares. A command that ``waits`` is answered through the decoder's ``yield``: with the value that
@@ -92,8 +92,8 @@ class Dwell(Command):
 class LoadCycle(Command):
     """A realtime cycle, defined and, unless ``definition_only``, started when it is taken.
 
-    ``identity`` is 0 without an ID; ``scope``: ``codes.BLOCK_SCOPE`` …. ``moves_on``: its
-    motions go on when it ends (MOVE_CONT).
+    ``identity`` is 0 without an ID; ``scope``: ``codes.BLOCK_SCOPE`` …. ``moves_on``: its motions
+    continue when it ends (MOVE_CONT).
     """
 
     packed_as = rows.DEFINE_CYCLE
@@ -132,8 +132,8 @@ class CycleControl(Command):
 class TechnologyOutput(Command):
     """A function for the PLC, by its code; ``ticks``: how long it takes.
 
-    ``value``: what the program gives it (M110 = 130), ``None`` for nothing. ``lead``: how much
-    before its place it goes out, mm or s as ``lead_kind`` says (``codes.LEAD_DISTANCE`` …).
+    ``value``: the program's value for it (M110 = 130), ``None`` for none. ``lead``: how much before
+    its place it is output, mm or s depending on ``lead_kind`` (``codes.LEAD_DISTANCE`` …).
     """
 
     packed_as = rows.TECHNOLOGY
@@ -152,7 +152,7 @@ class TechnologyOutput(Command):
 
 @dataclass(frozen=True, slots=True)
 class AwaitAcknowledge(Command):
-    """Goes on when the PLC has taken this function."""
+    """Continues when the PLC has accepted this function."""
 
     packed_as = rows.AWAIT_ACKNOWLEDGE
 
@@ -163,7 +163,7 @@ class AwaitAcknowledge(Command):
 class WriteVariable(Command):
     """A synchronous variable gets a value when this is taken (RC-308).
 
-    ``is_reported``: it is an event; that of a V.RT* variable, which changes how the run goes on.
+    ``is_reported``: it is an event; that of a V.RT* variable, which changes the further run.
     """
 
     packed_as = rows.WRITE_VARIABLE
@@ -212,7 +212,7 @@ class UserMessage(Command):
 
 @dataclass(frozen=True, slots=True)
 class SetOffset(Command):
-    """An offset of a machine axis is another one from here on, in mm or degrees (MO-8).
+    """An offset of a machine axis changes from here on, in mm or degrees (MO-8).
 
     ``kind`` as in ``kernel/axes/coordinates.py``.
     """
@@ -321,7 +321,7 @@ class UserErrorStop(Command):
 
 @dataclass(frozen=True, slots=True)
 class Flush(Command):
-    """The path comes to rest before what follows is taken; ``waits``: the decoder, too (RC-005)."""
+    """The path comes to rest before the next command; ``waits``: the decoder, too (RC-005)."""
 
     packed_as = rows.FLUSH
 
@@ -347,7 +347,7 @@ class ReadRealtime(Command):
 
 @dataclass(frozen=True, slots=True)
 class PositionRequest(Command):
-    """The decoder waits for the path's positions when it is at rest, and ``axes`` too (RC-409).
+    """The decoder waits for the path's positions when it is at rest, and ``axes``, too (RC-409).
 
     ``axes``: numbers in the machine.
     """
@@ -381,7 +381,7 @@ class ProgramStop(Command):
 
 @dataclass(frozen=True, slots=True)
 class GiveUp(Command):
-    """After what was prepared the channel stops with an error of the decoder."""
+    """After the prepared commands the channel stops with an error of the decoder."""
 
     packed_as = rows.GIVE_UP
 
@@ -431,7 +431,7 @@ class ProgramTimer(Command):
 
 @dataclass(frozen=True, slots=True)
 class LoopBegin(Command):
-    """``#RT WHILE``: what follows, up to its end, is the body of a realtime loop."""
+    """``#RT WHILE``: everything up to its end is the body of a realtime loop."""
 
     packed_as = rows.LOOP_BEGIN
 
@@ -445,7 +445,7 @@ class LoopPass(Command):
 
 @dataclass(frozen=True, slots=True)
 class LoopEnd(Command):
-    """``#RT ENDWHILE``: the decoder goes on when the loop is left."""
+    """``#RT ENDWHILE``: the decoder continues when the loop is left."""
 
     packed_as = rows.LOOP_END
 
@@ -458,7 +458,7 @@ class FixedStop(Command):
     """``X[FIXED_STOP ON|OFF …]`` for the axis at this place of the channel.
 
     ``limit``: mm or degrees between command and actual position, for this many ``ticks``.
-    ``begin``, ``end``: parts of the way. ``needed``: an axis that finds no stop is an error.
+    ``begin``, ``end``: shares of the distance. ``needed``: an axis that finds no stop is an error.
     """
 
     packed_as = rows.FIXED_STOP
@@ -549,7 +549,7 @@ class SendSignal(Command):
 class AwaitSignal(Command):
     """``#WAIT SYN`` for a signal from the channels of a mask, 0: a broadcast.
 
-    ``overtakes``: also one that its sender has sent after others.
+    ``overtakes``: also a signal that its sender has sent after others.
     """
 
     packed_as = rows.AWAIT_SIGNAL
@@ -587,7 +587,7 @@ class DecoderSignal(DecoderWait):
 
 @dataclass(frozen=True, slots=True)
 class NextTick(DecoderWait):
-    """The decoder goes on when another tick has begun."""
+    """The decoder continues when another tick has begun."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -595,7 +595,7 @@ class AwaitTools(NextTick):
     """As ``NextTick``, for the answer of the tool manager of the PLC."""
 
 
-#: What the decoder gets back from a command that waits.
+#: The decoder's answer to a command that waits.
 Answer = float | tuple[float, ...] | None
 
 
@@ -617,7 +617,7 @@ def is_block(command: Command) -> bool:
 
 
 def waits(command: Command) -> bool:
-    """Whether the decoder goes on only with an answer."""
+    """Whether the decoder continues only with an answer."""
     return isinstance(command, ReadRealtime | PositionRequest | LoopEnd | DecoderWait) or (
         isinstance(command, Flush) and command.waits
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the speed of a segment depends on beside its feed: overrides, and a spindle."""
+"""Modifiers of a segment's feed: overrides, and a spindle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nctakt.kernel import rows
 
 @dataclass(frozen=True, slots=True)
 class FeedModifiers:
-    """What the speed of a segment depends on beside its feed.
+    """Modifiers of the feed of one segment.
 
     ``override``: the programmed one as a factor. ``is_exempt``: the operator's has no effect.
     ``spindle``: whose speed the feed follows, by its place in the channel, -1 none; the feed counts

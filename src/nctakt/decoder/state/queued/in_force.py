@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is in force in a block: the modal G functions, the zero offset and the tool."""
+"""The settings in force in a block: the modal G functions, the zero offset and the tool."""
 
 from __future__ import annotations
 

@@ -19,9 +19,9 @@ class AxisLimits:
     jerks: tuple[float, float]
 
     def lower_with(self, slave: AxisLimits, share: float) -> AxisLimits:
-        """Return these limits of a master so that a slave keeps its own.
+        """Return these limits of a master such that a slave keeps its own.
 
-        ``share``: the part of the master's way that the slave goes.
+        ``share``: the ratio of the slave's distance to the master's.
         """
         return AxisLimits(
             _lower(self.speeds, slave.speeds, share),

@@ -12,7 +12,7 @@ from operator import attrgetter
 from nctakt.decoder.state.queued.commands import Command, WriteText
 from nctakt.kernel import rows
 
-#: What reads source, block number and arguments of a command whose arguments are its fields.
+#: Getter of source, block number and arguments of a command whose arguments are its fields.
 _READERS: dict[type[Command], Callable[[Command], tuple[float, ...]]] = {}
 
 

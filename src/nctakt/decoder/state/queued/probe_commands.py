@@ -14,7 +14,7 @@ class Touch(Command):
 
     ``part``: share of its length where a simulated probe touches, below 0: nowhere; ``ticks``:
     after how many ticks, below 0: never. ``level``: the value of HLI.PROBE that is the signal.
-    ``continues``: the motion goes on to its target. ``needed``: a missing signal is an error.
+    ``continues``: the motion continues to its target. ``needed``: a missing signal is an error.
     ``may_be_pressed``: the probe may be pressed where the motion begins.
     """
 

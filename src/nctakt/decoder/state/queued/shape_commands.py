@@ -50,7 +50,7 @@ class ReleaseMotions(ShapeCommand):
 AKIMA, BSPLINE = "AKIMA", "BSPLINE"
 #: How a spline begins and ends: by its vertices, as the neighbouring motion, by a vector.
 AUTO, TANGENTIAL, USER = TRANSITIONS = ("AUTO", "TANGENTIAL", "USER")
-#: Axes and what they have in a vector.
+#: Axes with their components of a vector.
 Vector = tuple[tuple[int, float], ...]
 
 
@@ -90,9 +90,9 @@ class SplineState:
 class ShapeState:
     """The programmed state of shapes.
 
-    ``waits_for_next``: a text of the program may insert chamfers or roundings, or let splines begin
-    as the motion before. ``corner_size``: the last I of G301 or G302 in mm, 0 before the first.
-    ``open_line``: the block of ``#ANG`` whose line the next block ends.
+    ``waits_for_next``: a text of the program may insert chamfers or roundings, or splines that
+    begin like the motion before. ``corner_size``: the last I of G301 or G302 in mm, 0 before the
+    first. ``open_line``: the block of ``#ANG`` whose line the next block ends.
     """
 
     waits_for_next: bool = False

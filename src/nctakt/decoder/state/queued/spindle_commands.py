@@ -75,7 +75,7 @@ class SpindleAxis(Command):
 
 @dataclass(frozen=True, slots=True)
 class AwaitSpindle(Command):
-    """Goes on when the spindle has reached its speed or position, or the PLC has acknowledged."""
+    """Continues when the spindle has reached its speed or position, or the PLC has acknowledged."""
 
     packed_as = rows.AWAIT_SPINDLE
 

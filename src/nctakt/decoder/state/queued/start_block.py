@@ -15,8 +15,8 @@ from nctakt.kernel import rows
 class SingleStep(Command):
     """Single block has no effect from here on, or again (``#SINGLE STEP``).
 
-    ``resolution``: it stops before blocks whose numbers are multiples of this, 0: of all;
-    ``None``: as before, and whether it is disabled counts.
+    ``resolution``: it stops before blocks whose numbers are multiples of this, 0: of all; ``None``:
+    as before, and being disabled counts.
     """
 
     packed_as = rows.SINGLE_STEP
@@ -59,7 +59,7 @@ class StartBlock:
 
 @dataclass(frozen=True, slots=True)
 class StartReached(Command):
-    """The start block begins here, after what the search leaves out; it ends in the search.
+    """The start block begins here, after the part skipped by the search; it ends in the search.
 
     ``span``: the block. ``positions``: where the program has the axes. ``uncertain``: the axes that
     realtime cycles may have moved since, which stay where they are. ``steps``: the gear step that

@@ -9,13 +9,13 @@ from nctakt.base.dataclass import dataclass
 from nctakt.decoder.state.queued.commands import Command
 from nctakt.kernel import codes, rows
 
-#: Time or distance of ``#TOOL LIFE DEF`` that stays as it is.
+#: Time or distance of ``#TOOL LIFE DEF`` that is unchanged.
 UNCHANGED = -1.0
 
 
 @dataclass(frozen=True, slots=True)
 class SetToolLife(Command):
-    """What becomes of the tool life: ``action`` ``codes.LIFE_SENT`` …
+    """A change of the tool life: ``action`` ``codes.LIFE_SENT`` …
 
     ``tool``: number of the text of the tool's ID, ``basic``: its first part. ``time``: seconds,
     ``distance``: mm.

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What the programs of several channels need of each other: signals and axes.
+"""Signals and axes that the programs of several channels need from each other.
 
-In: what all checked programs of a machine send, await, fetch and give. Out: warnings for signals
-that none of them sends, and for axes of another channel that none of them gives. A single program
-is not judged: those of the other channels are elsewhere. Computed numbers fit any.
+In: the signals and axes that all checked programs of a machine send, await, fetch and give. Out:
+warnings for signals that none of them sends, and for axes of another channel that none of them
+gives. A single program is not judged, since those of the other channels are not known. Computed
+numbers fit any.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ class ProgramUses:
     """The uses of one program in a channel of the machine of this folder.
 
     ``owners``: logical numbers of axes -> the channel whose list has them; ``own_names``: the axes
-    of the channel's list with their numbers. ``is_main``: it may run by itself.
+    of the channel's list with their numbers. ``is_main``: it may run on its own.
     """
 
     file: str
@@ -37,7 +38,7 @@ class ProgramUses:
 
 
 def report_missing_partners(programs: Sequence[ProgramUses], collector: Collector) -> None:
-    """Report each signal and axis that a program waits for and that no other one sends or gives."""
+    """Report each signal and axis that a program waits for and that no other sends or gives."""
     for machine in dict.fromkeys(program.machine for program in programs):
         of_machine = [program for program in programs if program.machine == machine]
         mains = dict.fromkeys(program.file for program in of_machine if program.is_main)

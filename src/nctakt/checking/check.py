@@ -2,7 +2,7 @@
 """Files, folders and texts -> their diagnostics, in one order.
 
 In: files, folders, texts, and the machine for programs. Out: ``CheckResult``. Nothing is executed,
-and mistakes in a file do not keep others from being checked. Beside errors, suspicious code in
+and mistakes in a file do not keep others from being checked. Besides errors, suspicious code in
 programs is reported (``nc/lint``).
 """
 
@@ -75,10 +75,9 @@ class CheckResult:
     """The checked files by name, and all diagnostics by file, line, column and number.
 
     ``machines``: the folders with a start-up list of a usual name, and the start-up lists of other
-    names. ``uses_default``: a program was checked for the
-    default machine, since it belongs to none of these. ``around``: the start-up lists of machines
-    that are not inputs themselves, in whose folders programs lie. ``settings``: the machines that
-    settings name, and which.
+    names. ``uses_default``: a program was checked for the default machine, since it belongs to none
+    of these. ``around``: the start-up lists of machines that are not inputs themselves, in whose
+    folders programs lie. ``settings``: the machines named by settings, and by which.
     """
 
     files: tuple[CheckedFile, ...]
@@ -109,7 +108,7 @@ def check_files(
     ``detail``: the extent of reports on list entries without effect. ``root``: a further folder for
     the files that lists name. ``for_all``: all programs are for ``machine``, even those in the
     folder of another one. ``rtconf``: the reading of scheduling lists. ``poll`` is called
-    repeatedly while programs are read, and may end the check by an exception. ``memory``: what is
+    repeatedly while programs are read, and may end the check by an exception. ``memory``: the state
     kept between checks of programs that change. An unreadable file is a diagnostic as well;
     ``files`` of the result is empty if no file was checked.
     """
@@ -252,7 +251,7 @@ class _Checker:
         return data if self._is_text(path, data[:BEGIN_BYTES]) else None
 
     def _lines(self, path: Path) -> Sequence[str] | None:
-        """Return the lines of a program of any length; ``None`` as above."""
+        """Return the lines of a program of any length; ``None`` as in the method before."""
         if not path.is_file():  # a pipe can be read only once
             data = self._read(path)
             if data is None:
@@ -300,7 +299,7 @@ class _Checker:
         self._targets.add(machine)
 
     def _machine_of(self, program: Path | None) -> None:
-        """The machine that the project of a program names, else the one around the program.
+        """The machine named by the project of a program, else the one around the program.
 
         ``None``: a text, which belongs to the project of the working directory.
         """
@@ -397,7 +396,7 @@ class _Checker:
                 self._keep(file, [found])
 
     def _machine_of_plc(self, path: Path) -> Machine | None:
-        """Return the machine that a PLC is for, if the check knows it: one that the user names."""
+        """Return the machine of a PLC, if the check knows it: one named by the user."""
         if self._for_all:
             return self._default_machine
         with contextlib.suppress(Failure):
@@ -504,7 +503,7 @@ class _Checker:
             self._queue(path, (target,), "either" if is_input else "called")
 
     def _script(self, name: str, checked: Checked, target: Target) -> Iterator[Diagnostic]:
-        """Keep what a program's comments expect; return what no run of it could do."""
+        """Keep the expectations in a program's comments; return those that no run could meet."""
         expected = checked.script.expectations
         self._scripted.append(
             ScriptedProgram(
@@ -521,7 +520,7 @@ class _Checker:
 def _ordered(findings: Sequence[Finding], channels: Mapping[str, set[int]]) -> tuple[Finding, ...]:
     """Return each finding once, in the order of file, line, column, number.
 
-    ``channels``: file -> the channels for which it was checked; a diagnostic of all has none.
+    ``channels``: file -> the channels for which it was checked; a diagnostic for all has none.
     """
     first: dict[_Key, Finding] = {}
     concerned: dict[_Key, set[int]] = {}

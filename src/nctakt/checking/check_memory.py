@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What an editor's check of a program keeps, so that a change costs what it changes.
+"""State kept by an editor's check of a program, so that a change costs only what it changes.
 
 In: a program's text again and again. Out: for each a complete reading, equal to a fresh one. A text
 is a chain of sections: at checkpoints between two statements the state of the reading is kept.
-After a change the reading goes on from the last state before it, and ends at the first
-checkpoint after it whose state is as before; findings and states after that only get new line
-numbers.
+After a change the reading continues from the last state before it, and ends at the first checkpoint
+after it whose state is unchanged; findings and states after that only get new line numbers.
 """
 
 from __future__ import annotations
@@ -22,8 +21,8 @@ from nctakt.nc.plain_shapes import PlainShapes
 from nctakt.nc.source import Source
 from nctakt.testing.expectations import is_script
 
-#: Maximum number of lines of a section, and the number below which none is begun before the next
-#: checkpoint of the reading before.
+#: Maximum number of lines of a section, and the length below which no new section begins before the
+#: next checkpoint of the previous reading.
 SECTION_LINES = 4096
 _MIN_LINES = 50
 
@@ -38,7 +37,7 @@ class LastShift:
         self._shift: LineShift | None = None
 
     def between(self, old: Sequence[str], new: Sequence[str]) -> LineShift | None:
-        """Return which lines of ``old`` became others in ``new``, ``None`` if all are equal."""
+        """Return which lines of ``old`` differ in ``new``, ``None`` if all are equal."""
         if old is not self._texts[0] or new is not self._texts[1]:
             self._shift = shift_between(old, new)
             self._texts = old, new
@@ -46,7 +45,7 @@ class LastShift:
 
 
 class MarkedLines:
-    """The numbers of the lines of one text that ``is_marked`` picks out, kept through changes."""
+    """The numbers of the lines of one text that ``is_marked`` selects, kept through changes."""
 
     def __init__(self, is_marked: Callable[[str], object], shifts: LastShift) -> None:
         self._is_marked = is_marked
@@ -189,7 +188,7 @@ class _Rereading:
         self._checkpoints.append(_Checkpoint(line, self._reading.state, counts))
 
     def _joins(self, checkpoint: _Checkpoint) -> bool:
-        """Take over what is after a checkpoint, if the state before it is as before."""
+        """Take over everything after a checkpoint, if the state before it is unchanged."""
         before, shift = self._before, self._shift
         assert before is not None
         try:
@@ -221,7 +220,7 @@ class _Rereading:
 
 
 class FileMemory:
-    """What is kept of one file: readings by channel and role, and which comments matter."""
+    """The memory of one file: readings by channel and role, and which comments matter."""
 
     def __init__(self) -> None:
         self._shifts = LastShift()
@@ -230,7 +229,7 @@ class FileMemory:
         self.scripts = MarkedLines(is_script, self._shifts)
 
     def of_channel(self, channel: ProgramChannel) -> ProgramMemory:
-        """Return the memory for a channel; an empty one if the machine was loaded anew."""
+        """Return the memory for a channel; an empty one if the machine was reloaded."""
         key = (channel.number, channel.role)
         known = self._readings.get(key)
         if known is None or not known.channel.is_same(channel):
@@ -239,13 +238,13 @@ class FileMemory:
 
 
 class CheckMemory:
-    """What is kept of all files of an editor, by name."""
+    """The memory of all files of an editor, by name."""
 
     def __init__(self) -> None:
         self._files: dict[str, FileMemory] = {}
 
     def of_file(self, name: str) -> FileMemory:
-        """Return what is kept of a file."""
+        """Return the memory of a file."""
         return self._files.setdefault(name, FileMemory())
 
     def forget(self, name: str) -> None:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Axes that realtime cycles command, and that the program moves or has given away.
 
-In: definitions of cycles and commands of the axis exchange, with what is certain there. Out: the
+In: definitions of cycles and commands of the axis exchange, with the facts certain there. Out: the
 facts after them, and the errors of a run (50603, 901800) where they are certain.
 """
 
@@ -35,7 +35,7 @@ _GIVEN = Text("the program has given it away before", "das Programm hat sie vorh
 
 
 def note_exchange(command: HashCommand, facts: Facts, axes: list[str]) -> None:
-    """Note which axes of the channel a command gives away; what it fetches makes all uncertain."""
+    """Note which axes of the channel a command gives away; fetching makes all uncertain."""
     if is_c_axis(command):
         facts.given_axes = frozenset()
         return
@@ -86,7 +86,7 @@ def begin_cycle(cycle: RealtimeCycle, facts: Facts, findings: Findings) -> None:
 
 
 def _scope(cycle: RealtimeCycle) -> str:
-    """Return the scope of a cycle as it is written, empty if it is not."""
+    """Return the scope of a cycle as written, empty if it is not written."""
     for item in cycle.keywords:
         if isinstance(item, Keyword) and item.name == "SCOPE":
             return item.value.name if isinstance(item.value, Name) else ""
@@ -94,7 +94,7 @@ def _scope(cycle: RealtimeCycle) -> str:
 
 
 def _target(command: AxisCommand) -> float | None:
-    """Return a constant absolute target without offsets of its own."""
+    """Return a constant absolute target without additional offsets."""
     if command.kind != "position" or command.offset:
         return None
     position = command.position
@@ -114,7 +114,7 @@ def end_block(facts: Facts) -> None:
 def check_motion(axis: str, target: float | None, facts: Facts, findings: Findings) -> None:
     """Report a block that moves an axis to a target while a cycle commands it in each tick.
 
-    A cycle that goes on brings the axis to its own target first, for the block waits for it.
+    A cycle that continues first brings the axis to its target, since the block waits for it.
     """
     command = facts.commanded.get(axis)
     if command is None or target is None or facts.is_shifted is not False or facts.is_inch:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Realtime cycles that nothing starts, and starts of cycles that nothing defines.
 
-In: what each checked program defines and starts, and which files it calls. Out: warnings, where a
-main program with all that it calls is known. A computed ID or call may mean any cycle.
+In: the cycles that each checked program defines and starts, and the files it calls. Out: warnings,
+if a main program and everything it calls is known. A computed ID or call may mean any cycle.
 """
 
 from __future__ import annotations

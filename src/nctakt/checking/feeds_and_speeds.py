@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Blocks without a feed, and speeds beyond those of a spindle.
 
-In: the blocks of a program with what is certain there. Out: the facts after them, and what a run
-would report (20008, 900905) where it is certain.
+In: the blocks of a program with the facts certain there. Out: the facts after them, and the errors
+of a run (20008, 900905) if they are certain.
 """
 
 from __future__ import annotations
@@ -33,14 +33,14 @@ from nctakt.nc.vocabulary.functions import (
 )
 from nctakt.nc.vocabulary.spindle_commands import split
 
-#: Modes of F that have no value at the start of a program, whatever the channel list says.
+#: Modes of F that have no value at the start of a program, regardless of the channel list.
 _WITHOUT_START = frozenset((INVERSE_TIME_FEED, FEED_PER_REVOLUTION, FEED_SHARE))
-#: G functions beside which S is no speed that the spindle takes over.
+#: G functions with which S is not a speed that the spindle takes over.
 _OTHER_SPEEDS = frozenset((CUTTING_SPEED, SPINDLE_LIMIT, GEAR_STEP, NO_SPINDLE_OVERRIDE, *THREADS))
 
 
 def begin_program(facts: Facts, channel: ChannelParameters) -> None:
-    """Note what a main program begins with."""
+    """Note the facts at the start of a main program."""
     start = channel.program_start
     functions = start.g_functions.values()
     in_force = {group_of(function): function for function in functions}

@@ -157,7 +157,7 @@ def _search(
         message = diagnostic(NOTHING_TO_CHECK, folder=str(folder), suffixes=suffixes)
         diagnostics.append(Finding(folder.as_posix(), message))
     if any(path.suffix.casefold() in PROJECT_SUFFIXES for path in plc):
-        # What no project lists has been left out of it.
+        # Files that no project lists have been left out of it.
         plc = [path for path in plc if path.suffix.casefold() not in OBJECT_SUFFIXES]
     return plc
 

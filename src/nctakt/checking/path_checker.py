@@ -3,8 +3,8 @@
 blocks without feed, axes that others have.
 
 In: the statements of a program in the order of execution, each once. Out: the diagnostics that a
-run would give. Only constants count, and only what is certain: where a position, a plane or an
-offset depends on a value, a call, a branch or a realtime cycle, nothing is said.
+run would give. Only constants and certain facts count: where a position, a plane or an offset
+depends on a value, a call, a branch or a realtime cycle, nothing is reported.
 """
 
 from __future__ import annotations
@@ -144,8 +144,8 @@ class PathState:
 class PathChecker:
     """Follows one program; ``axes``: those of the channel by name, in the order of the path.
 
-    ``begins``: the program may be a main program, and then begins as the channel list says.
-    ``speed_limits``: spindle -> its highest speed in 1/min, of those with one gear step.
+    ``begins``: the program may be a main program, which begins with the settings of the channel
+    list. ``speed_limits``: spindle -> its highest speed in 1/min, of those with one gear step.
     """
 
     def __init__(
@@ -173,11 +173,11 @@ class PathChecker:
 
     @property
     def state(self) -> PathState:
-        """What later statements depend on."""
+        """State that later statements depend on."""
         return PathState(self._facts.copy(), self._has_axis_cycles, self._is_main)
 
     def resume(self, state: PathState) -> None:
-        """Go on from a state."""
+        """Continue from a state."""
         self._facts = state.facts.copy()
         self._has_axis_cycles = state.has_axis_cycles
         self._is_main = state.is_main
@@ -369,7 +369,7 @@ class PathChecker:
                 self._arc_limits(arc, start, block.span)
 
     def _diameter_or_radius(self, axis: AxisConfiguration, value: float) -> float | None:
-        """Return what a value of the face axis is under G51; ``None`` where that is uncertain."""
+        """Return the meaning of a face axis value under G51; ``None`` if that is uncertain."""
         facts = self._facts
         is_diameter = axis.absolute_diameters if facts.is_absolute else axis.relative_diameters
         if axis.absolute_diameters != axis.relative_diameters and facts.is_absolute is None:
@@ -412,7 +412,7 @@ class PathChecker:
             )
 
     def _single_axis(self, bracket: BracketCommand) -> None:
-        """Check where an axis beside the path would go, against its limits."""
+        """Check the target of an independent axis against its limits."""
         facts, axis = self._facts, self._axes.get(bracket.name)
         if axis is None or axis.is_modulo or facts.is_shifted is not False:
             return
@@ -462,7 +462,7 @@ class PathChecker:
     def _position_of(
         self, positions: Mapping[str, float], plane: tuple[int, int]
     ) -> list[float] | None:
-        """Return a position as the path has it; ``None`` where one of the plane is unknown."""
+        """Return a position as on the path; ``None`` if one of the plane is unknown."""
         names = self._names[: max(plane) + 1]
         if any(self._names[index] not in positions for index in plane):
             return None

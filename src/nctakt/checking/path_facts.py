@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is certain at a point of a program: positions, modal functions, feeds, axes of cycles.
+"""Facts certain at a point of a program: positions, modal functions, feeds, axes of cycles.
 
 In: the facts of two branches. Out: those that hold in both.
 """
@@ -30,7 +30,7 @@ class CommandedAxis:
 
 @dataclass(slots=True)
 class Facts:
-    """What is certain at a point of the program; ``None``: unknown.
+    """Facts certain at a point of the program; ``None``: unknown.
 
     ``positions``: axis -> programmed position in mm or degrees. ``radius_mm``: that of R.
     ``is_shifted`` is false while no offset acts. ``lacking_feeds``: the modes of F (G93 …) in which
@@ -54,7 +54,7 @@ class Facts:
     commanded: dict[str, CommandedAxis] = field(default_factory=dict)
 
     def copy(self) -> Facts:
-        """Return them apart from later ones."""
+        """Return a copy that later ones do not change."""
         return replace(self, positions=dict(self.positions), commanded=dict(self.commanded))
 
     def join(self, other: Facts) -> None:

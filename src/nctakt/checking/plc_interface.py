@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What the code of a PLC and the machine's lists say of each other.
+"""Checks of a PLC's code against the machine's lists.
 
 In: a checked PLC program that uses the interface, and a machine. Out: warnings for channels and
 axes that the machine lacks, functions of the channel lists that the code does not acknowledge or
-that only the code knows, handshakes that nothing completes, V.E variables of another layout. What
-the code computes may be anything: it is left out.
+that only the code knows, handshakes that nothing completes, V.E variables of another layout.
+Computed values may be anything, and are left out.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ Numbers = frozenset[int] | None
 
 @dataclass(slots=True)
 class _Facts:
-    """What the bodies of a program do with the interface."""
+    """Uses of the interface in the bodies of a program."""
 
     indices: list[tuple[str, tree.Index, int]]
     announced: list[Node]
@@ -50,7 +50,7 @@ class _Facts:
     commands: list[tuple[str, Node]]
     semaphores: set[str]
     known: dict[int, Node]
-    #: What is assigned to pointers to structures.
+    #: Assignments to pointers to structures.
     pointed: list[Pointed]
     #: Parts of the interface are reached by addresses: other code may write them.
     has_addresses: bool = False

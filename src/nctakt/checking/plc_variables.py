@@ -33,7 +33,7 @@ _CHANNELS, _GLOBAL = "gpVECh", "gpVEGlob"
 
 @dataclass(frozen=True, slots=True)
 class Pointed:
-    """What a statement assigns to a pointer: the channel of V.E variables, 0 for the global ones.
+    """Assignment to a pointer: the channel of V.E variables, 0 for the global ones.
 
     ``channel`` is ``None`` for any other address.
     """
@@ -44,7 +44,7 @@ class Pointed:
 
 @dataclass(frozen=True, slots=True)
 class _Leaf:
-    """A number, truth or text: its path, where it lies, and what it holds."""
+    """A number, truth or text: its path, its place, and its type."""
 
     path: str
     offset: int
@@ -55,7 +55,7 @@ class _Leaf:
 
 
 def pointed(target: object, value: object) -> Pointed | None:
-    """Return what an assignment says of a pointer to a structure; ``None`` for other ones."""
+    """Return the meaning of an assignment to a pointer to a structure; ``None`` for others."""
     variable = getattr(target, "target", None)
     if not isinstance(variable, Variable) or not isinstance(variable.type, PointerType):
         return None
@@ -139,7 +139,7 @@ def _listed(machine: Machine, channel: int) -> Iterator[_Leaf]:
 def _leaves(
     kind: Type, path: str, offset: int, member: Variable | None, last: int
 ) -> Iterator[_Leaf]:
-    """Yield what lies in a type; of an array nothing that begins far beyond offset ``last``.
+    """Yield the leaves of a type; of an array none that begin far beyond offset ``last``.
 
     ``member``: that of the outermost structure.
     """

@@ -39,10 +39,11 @@ from nctakt.testing.expectations import Script, parse_script
 class Checked:
     """The links of a checked program to others: its GLOBAL cycles, the files that it calls.
 
-    ``script``: what its comments expect, ``branch_lines``: the lines of its branches.
-    ``signals`` and ``exchanges``: what it sends, awaits, fetches and gives. ``subprogram_end``: a
-    note that it ends as a subprogram, where it may also be a main program. ``cycles``: those that
-    it defines and starts. ``is_complete``: it has an end, and all files that it calls are there.
+    ``script``: the expectations in its comments, ``branch_lines``: the lines of its branches.
+    ``signals`` and ``exchanges``: the signals and axes it sends, awaits, fetches and gives.
+    ``subprogram_end``: a note that it ends as a subprogram, where it may also be a main program.
+    ``cycles``: those that it defines and starts. ``is_complete``: it has an end, and all files that
+    it calls are there.
     """
 
     global_cycles: GlobalCycles
@@ -79,8 +80,8 @@ def check_program(
 
     ``access`` admits the files that may be read. ``tools``, ``axes``, ``number``, ``speed_limits``:
     those of the channel. ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is
-    only called by others. ``poll`` is called at regular intervals. ``memory``: what is kept of it.
-    Called files must exist, as well as those that the channel list runs with each main program.
+    only called by others. ``poll`` is called at regular intervals. ``memory``: the state kept of
+    it. Called files must exist, as well as those that the channel list runs with each main program.
     """
     data = ProgramChannel(
         names, channel, limits, tools, role, axes, is_shifted, number, speed_limits

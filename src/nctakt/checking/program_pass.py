@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """One reading of a program by parser, checker, linter and the checker of the path.
 
-In: its text and channel. Out: findings, and what links the program to others, each as a list in the
-order of the text. Between two statements the reading has a state, from which another one can go on:
-what is found after it depends on nothing else.
+In: its text and channel. Out: findings, and the program's links to others, each as a list in the
+order of the text. Between two statements the reading has a state from which another can continue:
+later findings depend on nothing else.
 """
 
 from __future__ import annotations
@@ -143,11 +143,11 @@ class ProgramPass:
 
     @property
     def state(self) -> PassState:
-        """What later statements depend on; only in a pause of the inspection."""
+        """State that later statements depend on; only in a pause of the inspection."""
         return PassState(self.inspection.state, self.linter.state, self.path.state)
 
     def resume(self, state: PassState, line: int) -> None:
-        """Go on from a state before a line."""
+        """Continue from a state before a line."""
         self.inspection.resume(state.inspection, line)
         self.linter.resume(state.linter)
         self.path.resume(state.path)

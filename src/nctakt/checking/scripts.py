@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Comments that make a program a test -> what no run of it could do.
+"""Comments that make a program a test -> expectations that no run could meet.
 
-In: the inputs and expectations of each checked program, the machine, whether a PLC is there whose
-variables no check knows. Out: diagnostics about names that the machine does not have, files that
-are not there, and firings in lines where no realtime cycle has a branch.
+In: the inputs and expectations of each checked program, the machine, whether there is a PLC whose
+variables the check does not know. Out: diagnostics about names that the machine does not have,
+files that are not there, and firings in lines where no realtime cycle has a branch.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.testing.expectations import Expectation, Script
 from nctakt.testing.named_files import missing_files
 
-#: Names that only the machine has, whatever PLC runs beside it.
+#: Names that only the machine has, whichever PLC it is connected to.
 _OF_MACHINE = re.compile(r"(CH\d+\.)?V\.", re.IGNORECASE)
 
 
 @dataclass(frozen=True, slots=True)
 class ScriptedProgram:
-    """A program with its expected firings, the lines of its branches, and what it calls."""
+    """A program with its expected firings, the lines of its branches, and its calls."""
 
     path: Path
     firings: Sequence[Expectation]
@@ -42,10 +42,10 @@ class ScriptedProgram:
 def impossible_inputs(
     script: Script, program: Path, machine: AssembledMachine, access: FileAccess
 ) -> Iterator[Diagnostic]:
-    """Yield what is wrong with the files and names in the comments of a program.
+    """Yield the mistakes in files and names in the comments of a program.
 
-    Names are not judged where the comments name another machine, files not for a text that lies
-    nowhere.
+    Names are not judged where the comments name another machine, files not for a text without a
+    folder.
     """
     if program.is_file():
         yield from missing_files(script, program.parent, access)
@@ -73,7 +73,7 @@ def _with_places(script: Script, failure: Failure) -> Iterator[Diagnostic]:
 
 
 def _has_plc(script: Script, program: Path, access: FileAccess) -> bool:
-    """Return whether a PLC or a model runs beside the program whose variables are not known."""
+    """Return whether there is a PLC or model whose variables are not known."""
     if any(name != DEFAULT_PLC for name in script.plcs):
         return True
     try:
@@ -88,7 +88,7 @@ def _has_plc(script: Script, program: Path, access: FileAccess) -> bool:
 def impossible_firings(programs: Sequence[ScriptedProgram]) -> Iterator[Diagnostic]:
     """Yield 900663 for each firing in a line where neither program nor called file has a branch.
 
-    A line of a program that calls a file which is not there is not judged.
+    A line of a program that calls a missing file is not judged.
     """
     by_path = {one.path: one for one in programs}
     for program in programs:

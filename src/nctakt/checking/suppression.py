@@ -52,7 +52,7 @@ class Suppression:
 
 @dataclass(frozen=True, slots=True)
 class Suppressions:
-    """The comments of a program, and what is wrong with those that cannot be read."""
+    """The comments of a program, and the mistakes in those that cannot be read."""
 
     items: tuple[Suppression, ...]
     diagnostics: tuple[Diagnostic, ...]
@@ -159,7 +159,7 @@ def _marked_lines(source: Source) -> Iterator[tuple[int, str]]:
 
 
 def _line_about(source: Source, number: int, line: str, *, is_list: bool) -> int:
-    """Return the line that a comment is about: its own, or the next one that says something."""
+    """Return the line that a comment is about: its own, or the next that is not empty."""
     while number < len(source.lines):
         code = line.partition("#")[0] if is_list else without_comments(line)
         if code.strip():

@@ -99,9 +99,9 @@ class Targets:
         self.assigned[path] = _channels(AssembledMachine(configuration, has_history=False))
 
     def use(self, path: Path, folder: Path | None) -> None:
-        """Let the programs of a folder (``None``: texts) be for the machine assigned to ``path``.
+        """Assign the programs of a folder (``None``: texts) to the machine assigned to ``path``.
 
-        One that could not be loaded leaves them to the others.
+        A machine that could not be loaded leaves them to the others.
         """
         if path in self.assigned:
             self._assigned_to[folder] = path
@@ -109,7 +109,7 @@ class Targets:
     def _machine_of(self, folder: Path | None) -> Sequence[Target]:
         """Return the machine of a folder's programs.
 
-        The assigned one, else the innermost one around it, else one that searches in the folder.
+        The assigned machine, else the innermost one around it, else one that searches the folder.
         """
         if folder in self._assigned_to:
             return self.assigned[self._assigned_to[folder]]

@@ -4,8 +4,8 @@
 In: a ``Source``. Out: ``ProgramText`` and the diagnostics of parser and checker in the order of the
 text. At most one statement is in memory at a time, so a program of any length can be checked.
 
-``Inspection`` can stop between two statements and go on from the state there: an editor has only a
-part of a program read again after a change.
+``Inspection`` can stop between two statements and continue from the state there, so that an editor
+rereads only part of a program after a change.
 
 Long programs come from CAM systems: blocks of letters and numbers in few shapes. The check of such
 a block depends on its letters and on the numbers of its functions, never on the values of its axis
@@ -233,7 +233,7 @@ class Inspection:
 
     @property
     def state(self) -> InspectionState:
-        """What the check of later statements depends on; only in a pause of ``read``."""
+        """State that the check of later statements depends on; only in a pause of ``read``."""
         section = self._section
         return InspectionState(
             self._statements.state,
@@ -248,7 +248,7 @@ class Inspection:
         )
 
     def resume(self, state: InspectionState, line: int) -> None:
-        """Go on from a state before a line."""
+        """Continue from a state before a line."""
         self._statements = StatementReader(self._source, self._collector, line)
         self._statements.resume(state.reader)
         self._counter.state = state.counter
@@ -414,7 +414,7 @@ class Inspection:
         if self._watcher is not None:
             self._watcher.statement(statement)
 
-    # --- what only the end of a section or of the text shows --------------------------------------
+    # --- findings at the end of a section or of the text ------------------------------------------
 
     def _end_section(self) -> None:
         section = self._section
@@ -435,7 +435,7 @@ class Inspection:
     def finish(self) -> list[Diagnostic]:
         """End the text; return all its mistakes in their order, with those of labels and calls.
 
-        ``found`` stays as it is.
+        ``found`` is unchanged.
         """
         count = len(self.found)
         self._end_section()

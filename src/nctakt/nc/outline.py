@@ -100,7 +100,7 @@ class Labels:
                 self.lines[label] = line
 
     def copy(self) -> Labels:
-        """Return them apart from later ones."""
+        """Return a copy that later ones do not change."""
         return Labels(dict(self.lines), dict(self.in_loops), dict(self.doubled))
 
     def shifted(self, shift: LineShift) -> Labels:
@@ -144,9 +144,8 @@ class Call:
 class SignalUse:
     """A ``#SIGNAL`` or ``#WAIT`` as far as its numbers are constant.
 
-    ``number``: ``None`` where it is computed. ``channels``: receivers or senders, empty for all;
-    ``None`` where one is computed. ``is_wait``: of ``#WAIT``; ``line``: its
-    text.
+    ``number``: ``None`` if it is computed. ``channels``: receivers or senders, empty for all;
+    ``None`` if one is computed. ``is_wait``: of ``#WAIT``; ``line``: its text.
     """
 
     is_wait: bool

@@ -33,7 +33,7 @@ class PlainShapes:
 
 
 def plain_shape(block: Block) -> PlainShape | None:
-    """Return all that the check of a plain block depends on; ``None`` if it depends on more.
+    """Return everything that the check of a plain block depends on; ``None`` if it depends on more.
 
     G functions change the meaning of later blocks, M functions may end the program, and a block
     number may be computed: only blocks of axis words, F above 0, G00 and G01 have a shape.

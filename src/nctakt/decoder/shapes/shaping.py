@@ -72,8 +72,7 @@ _AFTER = Text("after", "nach")
 
 
 class Shaping:
-    """Shapes the motions of one program; ``pass_time`` is called for held commands as if they were
-    executed.
+    """Shapes the motions of one program; ``pass_time`` is called for held commands as if executed.
 
     ``is_releasing``: commands are yielded for which it has been called.
     """

@@ -2,7 +2,7 @@
 """rtconf.lis: the scheduling of the controller's threads (P-RTCF-00001 … 00018).
 
 In: the bytes of the list. Out: ``RtconfConfiguration``. Source: manual "Configuration list of
-realtime parameters", version 1.07, whose German text is the better one. There are only these 17
+realtime parameters", version 1.07; its German text is the better one. There are only these 17
 parameters: each unknown entry is a separate warning, hexadecimal numbers are refused.
 """
 

@@ -52,7 +52,7 @@ class ListReference:
 
 @dataclass(frozen=True, slots=True)
 class ChannelStartup:
-    """The entries of the start-up list for one channel; ``None``: no such list.
+    """The entries of the start-up list for one channel; ``None`` without a list.
 
     ``backward_memory_bytes`` 0: no backward motion on the path (P-STUP-00033).
     ``look_ahead_blocks``: the number of blocks of the look-ahead (P-STUP-00070/71).

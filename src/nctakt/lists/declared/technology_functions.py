@@ -65,7 +65,7 @@ class TechnologyFunction:
 
     ``synchronisation`` is its type without modifiers. ``axis_name``: the axis or spindle in whose
     section of the interface it is output, empty for the channel's. ``process_time_us``: µs.
-    ``lead``: how much it goes out before the path comes to it, mm (MEP) or s (MET).
+    ``lead``: how far ahead of its place on the path it is output, mm (MEP) or s (MET).
     """
 
     number: int
@@ -77,7 +77,7 @@ class TechnologyFunction:
 
     @property
     def synchronisation_bits(self) -> int:
-        """The bits of its type and modifiers; 0 for what is not known or not valid."""
+        """The bits of its type and modifiers; 0 if they are unknown or invalid."""
         known = {**SYNCHRONISATIONS, **MODIFIERS}
         bits = 0
         for name in (self.synchronisation, *self.modifiers):
@@ -98,7 +98,7 @@ def technology_functions(
 ) -> dict[int, TechnologyFunction]:
     """Return the functions of ``letter`` (``m``, ``h``) that are defined, by number, ascending.
 
-    ``axes``: the names of the channel's axes and spindles; a function for any other one is the
+    ``axes``: the names of the channel's axes and spindles; a function for any other axis is the
     channel's (21131).
     """
     functions: dict[int, TechnologyFunction] = {}
@@ -139,7 +139,7 @@ def _lead(values: Values, at: tuple[str, int], synchronisation: str, collector: 
 
 
 def tool_output(values: Values, collector: Collector) -> TechnologyFunction | None:
-    """Return how T goes to the PLC, ``None``: not at all (P-CHAN-00086)."""
+    """Return how T is passed to the PLC, ``None``: not at all (P-CHAN-00086)."""
     synchronisation, modifiers = split(values.names("tool.synch"), "NO_SYNCH")
     if synchronisation == "NO_SYNCH":
         return None
@@ -159,7 +159,7 @@ def tool_output(values: Values, collector: Collector) -> TechnologyFunction | No
 def process_time_us(
     values: Values, at: tuple[str, int], synchronisation: str, collector: Collector
 ) -> float:
-    """Return the process time of a function; nothing waits for one of the type MOS (20760)."""
+    """Return the process time of a function; nothing waits for functions of type MOS (20760)."""
     tenths = values.integer(*at)
     if tenths and synchronisation == "MOS":
         values.report(

@@ -30,11 +30,11 @@ class Tool:
     -> offset in mm, for rotary axes in degrees; only those that the list gives. ``parameters``:
     free values (P-TOOL-00007). ``spindle_number``: the logical number of the spindle that
     holds the tool; 0: none. ``kinematic_id``: the kinematic that its selection preselects (P-TOOL-
-    00011); 0: none. ``kinematic_parameters``: index -> what is added to a parameter of the
-    kinematic of the first step, in 0.1 µm or 1e-4° (P-TOOL-00009). ``type``: P-TOOL-00001;
+    00011); 0: none. ``kinematic_parameters``: index -> addition to a parameter of the kinematic of
+    the first step, in 0.1 µm or 1e-4° (P-TOOL-00009). ``type``: P-TOOL-00001;
     ``is_inch``: lengths of the list are inches. ``identity``: basic, sister and variant number by
-    which programs select it; 0 for one that is not valid. ``speeds``: the least and the highest
-    one of its spindle in 1e-3 degrees per second, ``acceleration`` in degrees per second²; 0: that
+    which programs select it; 0 for one that is not valid. ``speeds``: lowest and highest speed of
+    its spindle in 1e-3 degrees per second, ``acceleration`` in degrees per second²; 0: that
     of the spindle.
     """
 

@@ -29,7 +29,7 @@ _FUNCTION = Text("a function", "eine Funktion")
 
 
 def whole_number(name: str, value: Any, minimum: int = 0) -> int:
-    """Return a whole number; raises ``Failure`` for any other value and for one too small."""
+    """Return a whole number; raises ``Failure`` for any other value and if it is too small."""
     if type(value) is int and value >= minimum:
         return value
     is_whole = isinstance(value, SupportsIndex) and not isinstance(value, bool)
@@ -48,9 +48,9 @@ def text(name: str, value: object) -> str:
 
 
 def number_or_text(name: str, value: object) -> float | str:
-    """Return the value of a variable; raises ``Failure`` for what no variable holds.
+    """Return the value of a variable; raises ``Failure`` for a value that no variable can have.
 
-    A number of numpy becomes the one of Python.
+    A NumPy number becomes a Python number.
     """
     plain = plain_number(value)
     if not isinstance(plain, str | int | float):

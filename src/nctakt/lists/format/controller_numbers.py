@@ -19,7 +19,7 @@ from nctakt.lists.format.parameter import Parameter
 #: Numbers for any parameter: above its range, below it.
 ABOVE, BELOW = 1023, 1024
 
-#: What a number says of the value.
+#: Meaning of a number for the value.
 CASES: dict[str, Text] = {
     "zero": Text("it is 0, which is not allowed", "er ist 0, was nicht erlaubt ist"),
     "negative": Text("it is negative", "er ist negativ"),
@@ -57,7 +57,7 @@ CASES: dict[str, Text] = {
 
 @dataclass(frozen=True, slots=True)
 class ParameterNumber:
-    """One number for one parameter; see the head of this file."""
+    """A number for a parameter; see the head of this file."""
 
     number: int
     id: str
@@ -87,7 +87,7 @@ def numbers_of(parameter_id: str) -> tuple[ParameterNumber, ...]:
 
 
 def parameters_of(number: int) -> tuple[ParameterNumber, ...]:
-    """Return what a number says, for each of its parameters."""
+    """Return the meaning of a number, for each of its parameters."""
     return tuple(one for one in all_numbers() if one.number == number)
 
 
@@ -97,7 +97,7 @@ def range_number(parameter: Parameter, value: float) -> int:
 
 
 def bound_number(parameter_id: str, value: float, *, is_above: bool) -> int:
-    """Return the number of a value above or below what is allowed."""
+    """Return the number for a value above or below the allowed range."""
     numbers: dict[str, int] = {}
     for one in numbers_of(parameter_id):
         if one.found == "list":

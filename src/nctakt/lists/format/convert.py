@@ -120,7 +120,7 @@ def _boolean(parameter: Parameter, word: Word, dialect: ListDialect, report: _Re
         return _TRUTH[word.text.upper()]
     if word.text in parameter.names:
         number = parameter.names[word.text]
-        # A name without a number stands for "no value".
+        # A name without a number means "no value".
         return None if number is None else number == 1
     number = parse_integer(word.text, hexadecimal=dialect.hexadecimal)
     if number is None:

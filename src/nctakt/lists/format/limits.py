@@ -57,7 +57,7 @@ def _within(
         return item
     is_kept = value <= bound if is_upper else value >= bound
     if is_kept or value in parameter.also or value == parameter.default == 0:
-        # A default of 0 stands for "not set".
+        # A default of 0 means "not set".
         return item
     position = _position(file, item, values.get(limiting))
     if position is not None:

@@ -39,7 +39,7 @@ from nctakt.messages.machines.lists import (
     UNKNOWN_PARAMETER,
 )
 
-#: Maximum number of separate reports of unknown entries, beside those near a known name.
+#: Maximum number of separate reports of unknown entries, apart from those near a known name.
 _NAMED_ENTRIES = 20
 
 
@@ -123,7 +123,7 @@ def _limits(
         if key in selected and not reference_of(*selected[key]):
             own = convert(*selected[key], schema.dialect, value, Collector())
             value = value if own is None else own
-        if value not in (None, 0):  # 0 may stand for "not set"
+        if value not in (None, 0):  # 0 may mean "not set"
             found[limit.id] = f"{with_indices(*key)} = {shown(value)}"
     return found
 
@@ -180,7 +180,7 @@ def _check_indices(parameter: Parameter, entry: Entry, collector: Collector) -> 
 def _check_duplicate(
     parameter: Parameter, first: Entry, second: Entry, name: str, collector: Collector
 ) -> Entry:
-    """Return the effective entry: the last one, or that with the present name."""
+    """Return the effective entry: the last, or the one with the present name."""
     old_name_second = first.pattern == parameter.pattern != second.pattern
     winner = first if old_name_second else second
     collector.report(

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The declaration of a parameter: once, for reading, checking, explaining and documenting it.
 
-In: what the manuals' parameter tables say. Out: ``Parameter`` records; ``Schema`` gathers those of
-one kind of list.
+In: the manuals' parameter tables. Out: ``Parameter`` records; ``Schema`` gathers those of one kind
+of list.
 """
 
 from __future__ import annotations
@@ -85,7 +85,7 @@ def integer_bounds(type_: ValueType) -> tuple[int, int]:
 
 @dataclass(frozen=True, slots=True)
 class Alias:
-    """An old name of a parameter; ``silent``: it is as valid as the present one.
+    """An old name of a parameter; ``silent``: it is as valid as the present name.
 
     ``id``: the manuals' ID of the old name, if it has one.
     """
@@ -111,17 +111,17 @@ class Limit:
 class Parameter:
     """One parameter of a list.
 
-    ``id`` is the manuals' ID, empty where no source gives one. ``path`` is the name with the
-    ranges of its indices: ``thread[0..6].function[0..6].name``. ``low`` and ``high`` are inclusive,
-    ``None`` stands for the bound of the type; for a STRING ``high`` is the greatest length. Beside
-    this range the numbers ``also`` are allowed, within it ``excluded`` are not; ``at_least`` and
-    ``at_most`` are bounds that other parameters set. ``names`` are the values of a NAME or the
+    ``id`` is the manuals' ID, empty where no source gives one. ``path`` is the name with the ranges
+    of its indices: ``thread[0..6].function[0..6].name``. ``low`` and ``high`` are inclusive,
+    ``None`` means the bound of the type; for a STRING ``high`` is the greatest length. The numbers
+    ``also`` are allowed outside this range, ``excluded`` are not allowed within it; ``at_least``
+    and ``at_most`` are bounds that other parameters set. ``names`` are the values of a NAME or the
     flags of a FLAGS parameter with their numbers, where a number is known; ``has_more_names``: the
     sources do not list all of them. ``default_id``: the parameter whose value is the default.
     ``restart``: a change counts from the next start of the controller. ``relevance`` matters where
-    ``effect`` is ``WITHOUT_EFFECT``. ``concern``: what it is about, ``page``: the number of its
-    page in the public help. ``invalid`` replaces a defective value where that is not the default,
-    and ``invalid_message`` reports it.
+    ``effect`` is ``WITHOUT_EFFECT``. ``concern``: its subject, ``page``: the number of its page in
+    the public help. ``invalid`` replaces a defective value where that is not the default, and
+    ``invalid_message`` reports it.
     """
 
     id: str
@@ -184,7 +184,7 @@ def range_text(parameter: Parameter, limits: Mapping[str, str] = MappingProxyTyp
     """Return the range of a parameter as text, empty without one.
 
     ``1 … P-AXIS-00008``, ``0 | 512 … ∞``, ``> 0 … 1``; for a text ``≤`` and its maximum length.
-    ``limits``: what is said of other parameters that are bounds, by their IDs.
+    ``limits``: texts for other parameters that are bounds, by their IDs.
     """
     if parameter.type is ValueType.STRING:
         return "" if parameter.high is None else f"≤ {parameter.high}"

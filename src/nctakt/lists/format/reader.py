@@ -40,9 +40,9 @@ _WELL_FORMED = re.compile(r"[A-Za-z_]\w*(\[[0-9]{1,9}\])*(\.[A-Za-z_]\w*(\[[0-9]
 class ListDialect:
     """The differences between the kinds of list.
 
-    ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as
-    the ID of the parameter with it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE beside
-    1 and 0. ``expects_end``: a missing End is a warning. ``comment_notes``: a ``#`` outside of the
+    ``hexadecimal``: numbers may be written as 0x… . ``references``: a number may be written as the
+    ID of the parameter with it (``P-AXIS-00212.0``). ``boolean_words``: TRUE and FALSE as well as 1
+    and 0. ``expects_end``: a missing End is a warning. ``comment_notes``: a ``#`` outside of the
     first column, or without a blank after it, is a note.
     """
 
@@ -58,9 +58,9 @@ class Entry:
     """A line ``name value`` of a list.
 
     ``path`` is the name with its indices normalised (``thread[00].name`` -> ``thread[0].name``),
-    ``pattern`` the same with empty brackets. A name that is not well formed has itself as
-    pattern. ``rest`` is what follows the name, from ``rest_column`` on. ``is_verbatim``: all of it
-    is the value, without comments and quotation marks (XML).
+    ``pattern`` the same with empty brackets. A malformed name is its own pattern. ``rest`` is the
+    text after the name, from ``rest_column`` on. ``is_verbatim``: all of it is the value, without
+    comments and quotation marks (XML).
     """
 
     path: str
@@ -129,7 +129,7 @@ def _check_comment(key: Span, line: str, collector: Collector) -> None:
 def _read_entry(file: str, number: int, line: str) -> Entry:
     start = len(line) - len(line.lstrip(BLANKS))
     match = _KEY.match(line, start)
-    # A line that begins with a quotation mark has no name; its whole first word is taken for one.
+    # A line that begins with a quotation mark has no name; its whole first word counts as the name.
     end = match.end() if match else len(line)
     key = line[start:end]
     span = Span(file, number, start + 1, end + 1)

@@ -61,8 +61,8 @@ def effective_value(
 ) -> Value:
     """Return the value of the parameter with this ID, ``None`` if there is none.
 
-    There is none for a parameter with more indices than ``indices`` of which the list names several
-    elements.
+    There is none if the parameter has more indices than ``indices`` and the list names several of
+    its elements.
     """
     key = key_of(schema, parameter_id, indices)
     if key is None:

@@ -57,11 +57,11 @@ class Schema:
         return self.table.parameters()
 
     def find(self, pattern: str) -> tuple[Parameter, Alias | None] | None:
-        """Return the parameter with this name, and the alias if the name is a further one."""
+        """Return the parameter with this name, and the alias if it is a further name."""
         return self.table.find(pattern)
 
     def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
-        """Return the parameters with that ID: some IDs stand for several names."""
+        """Return the parameters with that ID: some IDs belong to several names."""
         return self.table.by_id(parameter_id)
 
     def nearest(self, pattern: str) -> str | None:

@@ -54,9 +54,9 @@ _FOLDER = Path(__file__).parent.parent / "declared"
 _LIMIT = re.compile(r"([<>]?)(?:([0-9]+)\*)?(P-[A-Z]{4}-[0-9]{5})(?:/([0-9]+))?")
 _MORE = "…"
 _ID = re.compile(r"P-[A-Z]{4}-[0-9]{5}")
-#: What the line of a parameter with an effect has, and no other.
+#: Columns that only the line of a parameter with an effect has.
 _USED = "\tused\t"
-#: What the line of a parameter with a further name has.
+#: Columns of the line of a parameter with a further name.
 _ALIAS = re.compile(r"[\t ](?:old|same)=")
 
 NO_NAMES: Mapping[str, Mapping[str, int | None]] = MappingProxyType({})
@@ -139,13 +139,13 @@ class ParameterTable:
         return parameter
 
     def find(self, pattern: str) -> tuple[Parameter, Alias | None] | None:
-        """Return the parameter with this name, and the alias if the name is a further one."""
+        """Return the parameter with this name, and the alias if it is a further name."""
         if pattern in self._lines:
             return self._parameter(pattern), None
         return self._by_alias.get(pattern)
 
     def by_id(self, parameter_id: str) -> tuple[Parameter, ...]:
-        """Return the parameters with that ID: some IDs stand for several names."""
+        """Return the parameters with that ID: some IDs belong to several names."""
         return tuple(map(self._parameter, self._patterns_by_id.get(parameter_id, ())))
 
     def patterns(self) -> tuple[str, ...]:
@@ -277,7 +277,7 @@ def _parse_range(text: str) -> _Range:
         else:
             singles.append(_number(alternative))
     if singles and not has_range:
-        # Single numbers only: the first one is the range, the others are allowed beside it.
+        # Single numbers only: the first is the range, the others are allowed in addition.
         allowed = replace(allowed, low=singles[0], high=singles[0])
     return replace(allowed, also=tuple(singles))
 

@@ -98,7 +98,7 @@ def read_time(value: TimeLike) -> Time:
 def nanoseconds(text: str) -> int | None:
     """Return a text with a unit in nanoseconds, rounded up; ``None`` if it is not such a text.
 
-    A number of ticks has no length of its own, and a number without a unit none here.
+    A number of ticks has no fixed length, and neither has a number without a unit here.
     """
     match = _match(text)
     if match is None or not match["unit"] or match["unit"] not in _UNITS:

@@ -37,7 +37,7 @@ _LONGEST_REAL = 400
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word of a value and its span; ``quoted``: it stood in quotation marks."""
+    """A word of a value and its span; ``quoted``: it was in quotation marks."""
 
     text: str
     span: Span

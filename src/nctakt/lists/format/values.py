@@ -86,7 +86,7 @@ class Values:
         return (pattern, indices) in self.entry_values
 
     def given(self, pattern: str, *indices: int) -> EntryValue | None:
-        """Return what a list gives a parameter with or without an effect; ``None``: nothing."""
+        """Return a list's value for a parameter, with or without effect; ``None`` without one."""
         key = (pattern, indices)
         return self.entry_values.get(key) or self.unused_values.get(key)
 
@@ -146,7 +146,7 @@ class Values:
     ) -> None:
         """Report ``message`` at the entry ``at``: the pattern, then the indices.
 
-        ``number``: that of a case which the values do not tell.
+        ``number``: that of a case which the values do not determine.
         """
         span, line = self.position(*at)
         message_at_entry = collector.report_as(number, message, span, line, **values)

@@ -22,7 +22,7 @@ def c_axes(machine: Machine) -> dict[int, int]:
 
 
 def path_axes(machine: Machine) -> dict[int, int]:
-    """Return logical number -> index of the axes that turn no spindle and follow none forever."""
+    """Return logical number -> index of the axes that turn no spindle and are no slaves."""
     spindles = spindle_numbers(machine)
     return {
         axis.logical_number: index

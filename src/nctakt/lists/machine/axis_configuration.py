@@ -207,16 +207,15 @@ class AxisConfiguration:
     """One axis; ``dynamics`` are those of the gear step that is active after start-up.
 
     ``is_modulo``: positions repeat every ``modulo_range``, and there are no software limits.
-    ``override_mode``: P-AXIS-00491. ``ignores_channel_hold``: P-AXIS-00540.
-    ``max_override_pct``: P-AXIS-00109. ``follows_exactly``:
-    actual position = command position (P-AXIS-00096). ``obstacle``: what the axis cannot pass, in
-    mm or degrees; 0: nothing. ``file``: the list that describes the axis. ``is_face``: it is the
-    face axis of a lathe, whose position is a radius; ``is_c_axis``: the C axis of a lathe
-    (both P-AXIS-00015). ``absolute_diameters``, ``relative_diameters``: what G51 makes of its
-    positions and ways (P-AXIS-00058, 00059). ``mode``: all of P-AXIS-00015. ``filter_type``: of its
-    FIR filter, 0 none.
-    ``gears``: the dynamics of all gear steps. ``checks_tool_speed``: P-AXIS-00474.
-    ``gantry``: what it follows forever.
+    ``override_mode``: P-AXIS-00491. ``ignores_channel_hold``: P-AXIS-00540. ``max_override_pct``:
+    P-AXIS-00109. ``follows_exactly``: actual position = command position (P-AXIS-00096).
+    ``obstacle``: position that the axis cannot pass, in mm or degrees; 0: none. ``file``: the list
+    that describes the axis. ``is_face``: it is the face axis of a lathe, whose position is a
+    radius; ``is_c_axis``: the C axis of a lathe (both P-AXIS-00015). ``absolute_diameters``,
+    ``relative_diameters``: the effect of G51 on its positions and distances (P-AXIS-00058, 00059).
+    ``mode``: all of P-AXIS-00015. ``filter_type``: of its FIR filter, 0 none. ``gears``: the
+    dynamics of all gear steps. ``checks_tool_speed``: P-AXIS-00474. ``gantry``: the axis that it
+    follows permanently.
     """
 
     logical_number: int

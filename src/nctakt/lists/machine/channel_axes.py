@@ -2,7 +2,7 @@
 """The axes and spindles of a channel -> their axis lists in the machine.
 
 In: the values of the channel list, all axes of the machine. Out: ``ChannelAxis``,
-``ChannelSpindle``. One without an axis list, or of another channel, is reported and left out.
+``ChannelSpindle``. An axis without an axis list, or of another channel, is reported and left out.
 """
 
 from __future__ import annotations

@@ -63,7 +63,7 @@ class ListedGears:
 
 
 def listed_gears(values: Values) -> ListedGears:
-    """Return what a channel list says about the gear steps of its spindles."""
+    """Return the settings of a channel list for the gear steps of its spindles."""
     return ListedGears(
         values.flag("main_spindle_gear_change"),
         {
@@ -101,7 +101,7 @@ class ListedFeedGroup:
 
 
 def listed_feed_group(values: Values) -> ListedFeedGroup:
-    """Return what a channel list says about the axes of the feed."""
+    """Return the settings of a channel list for the axes of the feed."""
     return ListedFeedGroup(
         frozenset(
             values.text("gruppe[].achse[].bezeichnung", 0, index)
@@ -299,7 +299,7 @@ class ChannelParameters:
 
     @property
     def blocks_ahead(self) -> int:
-        """How many blocks functions that go out early need to be queued, 0: none does."""
+        """Number of blocks that must be queued for functions output early, 0: none."""
         functions = (*self.m_functions.values(), *self.h_functions.values())
         return self.lead_blocks if any(function.lead for function in functions) else 0
 
@@ -311,7 +311,7 @@ class ChannelParameters:
         return tuple(dict.fromkeys([*names, *listed]))
 
     def function(self, letter: str, number: int) -> TechnologyFunction:
-        """Return a function that is defined; T is the same one for all tools."""
+        """Return a defined function; T is the same function for all tools."""
         if letter == "T":
             assert self.tool_selection.output is not None
             return self.tool_selection.output
@@ -528,7 +528,7 @@ def program_parameter(number: int) -> str:
 def _program_start(values: Values, collector: Collector) -> ProgramStart:
     factor = values.real("prog_start.feedrate_factor")
     if factor <= 0:
-        # -1 stands for "not configured" and is not a defect.
+        # -1 means "not configured" and is not a defect.
         if factor != -1:
             values.report(
                 collector,

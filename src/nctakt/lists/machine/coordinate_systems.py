@@ -33,7 +33,7 @@ class ListedSystems:
 
 
 def listed_systems(values: Values) -> ListedSystems:
-    """Return what a channel list says about coordinate systems; those without a name are none.
+    """Return the coordinate systems of a channel list; those without a name do not count.
 
     Of two paths in a channel the first counts.
     """

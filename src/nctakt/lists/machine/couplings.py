@@ -35,10 +35,10 @@ class ListedPair:
 
 @dataclass(frozen=True, slots=True)
 class ListedCouplings:
-    """What a channel list says about coupled axes.
+    """The settings of a channel list for coupled axes.
 
-    ``after_reset``: what was coupled then is coupled again (P-CHAN-00104), ``after_end``: also
-    after the end of a program (P-CHAN-00105).
+    ``after_reset``: axes coupled then are coupled again (P-CHAN-00104), ``after_end``: also after
+    the end of a program (P-CHAN-00105).
     """
 
     pairs: tuple[ListedPair, ...]
@@ -48,10 +48,10 @@ class ListedCouplings:
 
 @dataclass(frozen=True, slots=True)
 class AxisGantry:
-    """The axis that one follows forever, by its logical number, 0: none; mm or degrees.
+    """The axis that another follows permanently, by its logical number, 0: none; mm or degrees.
 
-    ``allowed_d``: how far actual positions may differ, 0: any way. ``offset``: the position beside
-    that of the master.
+    ``allowed_d``: how far actual positions may differ, 0: no limit. ``offset``: the position
+    relative to the master's.
     """
 
     master: int = 0

@@ -38,7 +38,7 @@ class DynamicWeights:
 
 
 def dynamic_weights(values: Values, collector: Collector) -> DynamicWeights:
-    """Return what a channel list says about weights of the dynamics."""
+    """Return the settings of a channel list for weights of the dynamics."""
     return DynamicWeights(
         values.integer("dynamic_weighting_active"),
         values.flag("curve_dynamic_weighting_active"),

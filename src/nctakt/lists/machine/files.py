@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Paths in lists -> files.
 
-In: a path as a list has it, and the folders where the lists of the machine are searched: the folder
-of the start-up list, its parents up to the folder that the user named (the one above at least), the
-working directory, the root folder. Out: the file. Both slashes and any letter case count, as on
-Windows. Where no folder has the path as a whole, its first parts are left out one after the other:
-``./listen/x.lis`` is ``x.lis`` where the files lie beside the start-up list. What was found with
-such tolerance is one note for the machine. ``..`` after a folder takes that away: all messages name
-a file by its shortest path.
+In: a path as written in a list, and the folders where the lists of the machine are searched: the
+folder of the start-up list, its parents up to the folder that the user named (the one above at
+least), the working directory, the root folder. Out: the file. Both slashes and any letter case
+count, as on Windows. If no folder has the path as a whole, its first parts are dropped one by one:
+``./listen/x.lis`` is ``x.lis`` if the files are next to the start-up list. Files found with such
+tolerance are listed in one note for the machine. ``..`` after a folder takes that away: all
+messages name a file by its shortest path.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from nctakt.messages import Collector
 from nctakt.messages.files import FILE_OUTSIDE
 from nctakt.messages.machines.machine import LIST_FILE_MISSING, PATHS_TAKEN_AS
 
-#: The built-in machines by name, the one that counts without any other first.
+#: The built-in machines by name, the default one first.
 BUILT_IN_MACHINES = ("demo", "demo5")
 _MACHINES = Path(__file__).parent.parent.parent / "machines"
 #: The folder of the first of them.
@@ -230,7 +230,7 @@ def _entries(folder: Path) -> list[str]:
 def machine_folder(name: str | Path, base: Path = Path()) -> Path:
     """Return the folder or start-up list that ``name`` means, seen from the folder ``base``.
 
-    The name of a built-in machine means that one, unless something there is called so.
+    The name of a built-in machine means that machine, unless a file there has the same name.
     """
     folder = base / name
     return _MACHINES / name if str(name) in BUILT_IN_MACHINES and not folder.exists() else folder

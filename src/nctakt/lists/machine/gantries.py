@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Axes that follow another one forever: their lists, checked against those of the others."""
+"""Axes that follow another permanently: their lists, checked against the others."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def with_gantries(
     owned: Collection[int],
     collector: Collector,
 ) -> tuple[AxisConfiguration, ...]:
-    """Return the axes; a wrong master (P-AXIS-00070) is reported, and none then.
+    """Return the axes; a wrong master (P-AXIS-00070) is reported and left out.
 
     ``values``: their lists. ``owned``: the indices of those that channels have.
     """
@@ -54,7 +54,7 @@ def with_gantries(
 def _compare(
     axis: AxisConfiguration, leader: AxisConfiguration, values: Values, collector: Collector
 ) -> None:
-    """Report what has to be the same in both lists (285690635), and limits that do not count."""
+    """Report values that differ between both lists (285690635), and limits that do not count."""
     numbers = {"slave": axis.logical_number, "master": leader.logical_number}
     if _modulo_range(axis) != _modulo_range(leader):
         values.report(collector, GANTRY_MODULO_DIFFERS, ("kenngr.achs_mode",), **numbers)
@@ -87,7 +87,7 @@ def _modulo_range(axis: AxisConfiguration) -> tuple[float, float] | None:
 
 
 def _like(axis: AxisConfiguration, leader: AxisConfiguration) -> AxisConfiguration:
-    """Return a slave with what it takes over from its master."""
+    """Return a slave with the values taken over from its master."""
     dynamics = replace(
         axis.dynamics,
         max_acceleration=leader.dynamics.max_acceleration,
@@ -98,7 +98,7 @@ def _like(axis: AxisConfiguration, leader: AxisConfiguration) -> AxisConfigurati
 
 
 def gantries(axes: Sequence[AxisConfiguration]) -> Iterator[tuple[int, int, AxisGantry]]:
-    """Yield slave and master of each gantry by their indices, and what the slave's list says."""
+    """Yield slave and master of each gantry by their indices, and the slave's settings."""
     for index, axis in enumerate(axes):
         for other, leader in enumerate(axes):
             if axis.gantry.master and leader.logical_number == axis.gantry.master:

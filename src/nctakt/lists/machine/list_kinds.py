@@ -83,7 +83,7 @@ def kind_of(name: str, data: bytes) -> Schema | None:
 
 
 def is_startup_list(path: Path, access: FileAccess) -> bool:
-    """Return whether a file is a start-up list by its entries, whatever its name."""
+    """Return whether a file is a start-up list by its entries, regardless of its name."""
     try:
         return kind_of(path.name, access.read_bytes(path)) is STARTUP
     except Failure:

@@ -2,8 +2,8 @@
 """A machine folder -> ``Machine``.
 
 In: a folder with a start-up list (or that list itself), ``None`` for the demo machine. Out: all
-that its lists say, immutable, and what was found wrong with them. Only where no machine at all can
-result ``Failure`` is raised; everything else is mended and reported.
+settings of its lists, immutable, and the mistakes in them. ``Failure`` is raised only if no machine
+at all can result; everything else is mended and reported.
 """
 
 from __future__ import annotations

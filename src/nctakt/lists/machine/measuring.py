@@ -58,7 +58,7 @@ class ChannelMeasuring:
 
 
 def axis_measuring(values: Values) -> AxisMeasuring:
-    """Return what an axis list says about measuring."""
+    """Return the settings of an axis list for measuring."""
     mode = "meas_simu.meas_simu_mode"
     simulation = values.integer(mode)
     return AxisMeasuring(
@@ -86,7 +86,7 @@ def _stop_lag(values: Values) -> float:
 
 
 def channel_measuring(values: Values) -> ChannelMeasuring:
-    """Return what a channel list says about measuring."""
+    """Return the settings of a channel list for measuring."""
     return ChannelMeasuring(
         values.integer("messtyp"),
         values.flag("meas_error_no_signal"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What T and D do, in the values of a channel list."""
+"""Effects of T and D, from the values of a channel list."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _LENGTH_UNITS = 10_000
 
 @dataclass(frozen=True, slots=True)
 class ToolLifeRules:
-    """When the tool life is sent, and what counts in it.
+    """When the tool life is sent, and what counts towards it.
 
     ``is_sent``: with each change of the tool (P-CHAN-00076); ``omits_zero``: P-CHAN-00243,
     ``counts_rapid``: P-CHAN-00255, ``by_d``: that of another tool begins with D (P-CHAN-00482).
@@ -39,9 +39,9 @@ class ToolSelection:
     """The effects of T and D, and the tools that D accepts; lengths in mm.
 
     ``by_t``: T also selects the offsets of its number. ``flushes``: the channel is flushed before a
-    D word. ``output``: how T goes to the PLC, ``None``: not at all. ``flushes_before_t``: the path
-    is at rest before T goes out. ``moves_directly``: axes move by new offsets in the block of D.
-    ``keeps_length_axis``: the length acts along the third main axis in every plane.
+    D word. ``output``: how T is passed to the PLC, ``None``: not at all. ``flushes_before_t``: the
+    path is at rest before T goes out. ``moves_directly``: axes move by new offsets in the block of
+    D. ``keeps_length_axis``: the length acts along the third main axis in every plane.
     ``min_length``, ``min_radius``: 0 for any tool. ``life``: of the tool life. ``is_external``: an
     external tool management may have the tools (P-CHAN-00016), and is informed of T if
     ``informs_of_t`` (P-CHAN-00087).
@@ -75,7 +75,7 @@ class ToolSelection:
 
 
 def tool_selection(values: Values, collector: Collector) -> ToolSelection:
-    """Return what a channel list says about T and D; reported: a flush without effect (21244)."""
+    """Return the settings of a channel list for T and D; report a flush without effect (21244)."""
     flushes_before_t = values.flag("t_with_implicit_flush")
     is_managed = values.flag("t_info_to_wzv")
     if flushes_before_t and not is_managed:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The texts of the user's own errors (P-STUP-00169): lines of a number and its text.
+"""The texts of user-defined errors (P-STUP-00169): lines of a number and its text.
 
 In: the bytes of the file. Out: number -> text. Empty lines and comments that begin with ``#`` are
 skipped; a line that is not a number from 1 to 1000 with a text is reported.

@@ -2,8 +2,8 @@
 """Assignments of structures and whole arrays, checked before the run (RC-208, RC-310).
 
 In: assignments with an aggregate on the right side. Out: diagnostics. An aggregate may be assigned
-to one of the same type, in a realtime cycle to a synchronous one (RC-301). Where a single value is
-needed, the message suggests the member that was probably meant.
+to another of the same type, in a realtime cycle to a synchronous one (RC-301). Where a single value
+is needed, the message suggests the member that was probably meant.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the words of a block may not be together (nc-programs).
+"""Combinations of words that a block may not have (nc-programs).
 
 In: a block whose words are checked one by one. Out: diagnostics about several of them.
 """
@@ -148,7 +148,7 @@ class BlockChecker:
             self._findings.report(TANGENTIAL_ALONE, word.span)
 
     def _reference(self, block: Block) -> None:
-        """Check that G92 has axis words, whose values are offsets, and no motion."""
+        """Check that G92 has axis words, whose values are offsets, and does not move."""
         functions = functions_of(block)
         reference = functions.get(REFERENCE_OFFSET)
         if reference is None:
@@ -166,7 +166,7 @@ class BlockChecker:
 def check_contour_line(
     block: Block, functions: Collection[float], channel: ChannelParameters, findings: Findings
 ) -> None:
-    """Check the word of an angle beside the G functions of its block."""
+    """Check the word of an angle against the G functions of its block."""
     span = next(
         word.span for word in block.words if isinstance(word, Word) and word.name == ANGLE_WORD
     )

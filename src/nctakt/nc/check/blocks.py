@@ -126,9 +126,9 @@ Role = Literal["main", "called", "either"]
 
 @dataclass(slots=True)
 class _BlockState:
-    """The words of a block so far: their names, the G function of each group, any unknown word,
-    the axes that it moves beside the path, whether a G function is computed, whether G74 homes
-    spindles.
+    """The words of a block so far: their names, the G function of each group, any unknown word, the
+    axes that it moves independently of the path, whether a G function is computed, whether G74
+    homes spindles.
 
     A block that begins with an unknown word is usually not NC text, so one report is enough.
     """
@@ -146,7 +146,7 @@ class _BlockState:
     homes_spindles: bool = False
 
 
-#: What is reported once per program about gear changes.
+#: Findings about gear changes that are reported once per program.
 _GEAR_CHANGE = Text(
     "the spindle turns to the position of the active step, the PLC acknowledges the M function, "
     "then the limits of the new step count and the spindle goes on as before",
@@ -397,13 +397,13 @@ class WordChecker:
     # --- other words -----------------------------------------------------------------------------
 
     def _is_of_path(self, command: BracketCommand) -> bool:
-        """Check ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; return whether it is one of them."""
+        """Check ``X[OVERRIDE …]`` or ``X[FIXED_STOP …]``; return false for anything else."""
         if command.name not in self.axes:
             return False
         return check_path_axis(command, self._values, self._findings)
 
     def _is_independent(self, command: BracketCommand, state: _BlockState) -> bool:
-        """Check a command for an axis beside the path, X[OSC …] …; return whether it is one."""
+        """Check a command for an independent axis, X[OSC …] …; return whether it is one."""
         name = command.name
         if name not in self.axes:
             return False

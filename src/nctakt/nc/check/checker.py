@@ -2,9 +2,9 @@
 """Statements -> diagnostics, before the program runs.
 
 In: statements, the variables and the list of their channel. Out: diagnostics; nothing is executed.
-A program without errors can be decoded; the decoder checks what depends on values. Support of
-commands: ``support_level.py``. Code after a constant false condition is not checked unless a jump
-may lead there. ``inspection.py`` applies the checker to a whole text.
+A program without errors can be decoded; the decoder checks everything that depends on values.
+Support of commands: ``support_level.py``. Code after a constant false condition is not checked
+unless a jump may lead there. ``inspection.py`` applies the checker to a whole text.
 """
 
 from __future__ import annotations
@@ -170,12 +170,12 @@ class Checker:
 
     @property
     def state(self) -> CheckerState:
-        """What the check of later statements depends on."""
+        """State that the check of later statements depends on."""
         targets = {name: tuple(spans) for name, spans in self.targets.items()}
         return CheckerState(self._role, targets, self._findings.state, self._exchange.fetched)
 
     def resume(self, state: CheckerState) -> None:
-        """Go on from a state."""
+        """Continue from a state."""
         self._role = state.role
         self.targets = {name: list(spans) for name, spans in state.targets.items()}
         self._findings.resume(state.findings)
@@ -193,7 +193,7 @@ class Checker:
 
     @property
     def joins_motions(self) -> bool:
-        """Whether a statement so far lets motions depend on their neighbours."""
+        """Whether any statement so far makes motions depend on their neighbours."""
         return self._words.joins_motions
 
     @property
@@ -202,11 +202,11 @@ class Checker:
         return frozenset(self._findings.named_programs)
 
     def take_signals(self) -> list[SignalUse]:
-        """Return what was sent or waited for since the last call of this method."""
+        """Return the signals sent or awaited since the last call of this method."""
         return self._signals.take()
 
     def take_exchanges(self) -> list[AxisUse]:
-        """Return what was fetched or given since the last call of this method."""
+        """Return the axes fetched or given since the last call of this method."""
         return self._exchange.take() + self._words.take_exchanges()
 
     def has_fetched(self, names: Iterable[object]) -> bool:

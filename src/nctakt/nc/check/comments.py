@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Comments that look like inputs or expectations of a test and are none: ``; expct: M100``.
+"""Comments that look like inputs or expectations of a test but are not: ``; expct: M100``.
 
 In: lines of a program. Out: diagnostics. The controller ignores comments, so such a mistake changes
 no run: it is an error where comments are read, a warning elsewhere.

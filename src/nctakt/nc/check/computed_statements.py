@@ -26,7 +26,7 @@ def first_mistake(
 ) -> Diagnostic | None:
     """Return the first error in statements at ``span``, ``None`` if there is none.
 
-    ``line`` gives the text that they were read from, where a message shows a part of it.
+    ``line`` returns the text that they were read from, for a message that shows part of it.
     ``is_main``: they belong to the main program itself. ``named_programs``: the words whose program
     ``#FILE NAME`` has named.
     """

@@ -36,12 +36,12 @@ class Findings:
 
     @property
     def state(self) -> FindingsState:
-        """What later findings depend on."""
+        """State that later findings depend on."""
         named = frozenset(self.named_programs)
         return tuple(self._reported), frozenset(self.macros), self.has_other_macros, named
 
     def resume(self, state: FindingsState) -> None:
-        """Go on from a state."""
+        """Continue from a state."""
         reported, macros, self.has_other_macros, named = state
         self._reported = dict.fromkeys(reported)
         self.macros = set(macros)
@@ -81,14 +81,14 @@ class Findings:
         return text, replace(span, column=begin, end_column=begin + len(text))
 
     def report_simplified(self, command: str, meaning: Text, span: Span) -> None:
-        """Report once what nctakt does where no source settles it."""
+        """Report once what nctakt does where the sources are silent."""
         key = f"simplified {command}"
         if key not in self._reported:
             self._reported[key] = None
             self.report(SIMPLIFIED, span, command=command, meaning=meaning)
 
     def report_support(self, entry: Entry, span: Span, name: str = "", nearest: str = "") -> None:
-        """Report a refused entry, and an accepted one once; ``name``: as the program writes it.
+        """Report a refused entry, and an accepted one once; ``name``: as written in the program.
 
         ``nearest``: a known name that may be meant.
         """

@@ -37,7 +37,7 @@ _POSITIONS = ("CMDPOS", "ACTPOS")
 
 
 class CommandChecker:
-    """Checks the commands of one program; ``axes``: the names of the channel's."""
+    """Checks the commands of one program; ``axes``: the names of the channel's axes."""
 
     def __init__(self, values: ValueChecker, axes: Sequence[str], findings: Findings) -> None:
         self._values = values

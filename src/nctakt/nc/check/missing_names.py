@@ -52,7 +52,7 @@ _DECLARED_IN = {
     )
     for family in ("RTG", "RTA", "G", "A")
 }
-#: What others call the values of a tool.
+#: Names that other controls use for the values of a tool.
 _TOOL_WORDS = {"RADIUS": "R", "RAD": "R", "LENGTH": "L", "LEN": "L", "LAENGE": "L"}
 _INDEX = re.compile(r"\[\d+\]")
 
@@ -88,8 +88,8 @@ class MissingNames:
                 report(STRUCTURE_USED_AS_VALUE, span, name=missing.name, member=missing.nearest)
 
     def report_axis(self, variable: Variable) -> bool:
-        """Report V.A or V.G without an axis, or of one that the channel lacks; return whether it is
-        such a variable.
+        """Report V.A or V.G without an axis, or with an axis that the channel does not have; return
+        whether it is such a variable.
         """
         if not variable.parts:
             return False
@@ -120,7 +120,7 @@ class MissingNames:
         )
 
     def _ignored(self, variable: Variable) -> Text | None:
-        """Return where the list declares a variable in vain; ``None``: it does not."""
+        """Return where the list declares a variable that is ignored; ``None`` if it does not."""
         if not variable.parts:
             return None
         found = self._names.ignored.get(f"V.{variable.family}.{variable.parts[0].name}")
@@ -133,7 +133,7 @@ class MissingNames:
         )
 
     def nearest_system_variable(self, variable: Variable) -> str:
-        """Return the controller's variable that an unknown one is meant for, else an empty text."""
+        """Return the controller's variable probably meant by an unknown one, else an empty text."""
         first, _, last = path_text(variable).rpartition(".")
         name = f"{first}.{_TOOL_WORDS.get(last, last)}"
         if name not in self._meant:
@@ -175,7 +175,7 @@ class MissingNames:
         return ""
 
     def _lacks_axis(self, variable: Variable) -> bool:
-        """Return whether the V.RTA variable exists for another axis than the one named."""
+        """Return whether the V.RTA variable exists for an axis other than the one named."""
         if variable.family != "RTA" or len(variable.parts) < 2:
             return False
         parts = [(part.name, len(part.indices)) for part in variable.parts[:-1]]

@@ -2,7 +2,7 @@
 """Commands that are refused but for the values with which they change nothing.
 
 In: checked commands of start sequences: ``#LAH``, ``#FILTER``, ``#TRANSVELMIN``, ``#TRC``. Out:
-what is refused by name, and a note on what is accepted.
+errors for settings refused by name, and notes on accepted ones.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ from nctakt.nc.vocabulary.entries import ACCEPTED
 class Setting:
     """A command: its ``keywords`` with the bounds of the values that change nothing.
 
-    ``words``: those without a value that change nothing. ``others``: further keywords of the
-    command, all of which change something. ``pairs``: keywords that need another one unless their
-    value is 0. ``value``: the bounds of a value without a keyword.
-    ``forms``: how the command is written.
+    ``words``: words without a value that change nothing. ``others``: further keywords of the
+    command, all of which change something. ``pairs``: keywords that require another unless their
+    value is 0. ``value``: the bounds of a value without a keyword. ``forms``: how the command is
+    written.
     """
 
     keywords: Mapping[str, tuple[float, float]] = field(default_factory=dict)
@@ -134,7 +134,7 @@ def check_setting(command: HashCommand, values: ValueChecker, findings: Findings
 
 
 def _lacks_pair(setting: Setting, command: HashCommand) -> bool:
-    """Return whether a keyword lacks the one that it needs."""
+    """Return whether a keyword is missing the one that it requires."""
     given = {item.name: item for item in keywords(command)}
     for name, other in setting.pairs.items():
         item = given.get(name)

@@ -74,7 +74,7 @@ def constant(expression: Expression | None) -> int | None:
 
 
 class SignalChecker:
-    """Checks the commands of one program; ``uses``: what it sends and waits for."""
+    """Checks the commands of one program; ``uses``: the signals it sends and awaits."""
 
     def __init__(self, values: ValueChecker, axes: Sequence[str], findings: Findings) -> None:
         self._values = values
@@ -191,7 +191,7 @@ class SignalChecker:
         return True
 
     def _meaning(self, action: str, name: str, command: HashCommand) -> bool:
-        """Check what the items say together; return whether that is right."""
+        """Check the items as a whole; return whether they are right."""
         parsed = signal_command(command)
         number = parsed.numbers.get("ID", parsed.numbers.get("IDMIN"))
         if number is None:
@@ -218,7 +218,7 @@ class SignalChecker:
         return True
 
     def _note_use(self, action: str, command: HashCommand) -> None:
-        """Note what is sent or waited for."""
+        """Note the signals sent or awaited."""
         if action not in ("SIGNAL", "WAIT"):
             return
         parsed = signal_command(command)

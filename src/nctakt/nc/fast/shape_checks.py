@@ -52,7 +52,7 @@ class _UndecidedError(Exception):
 def is_decided_by_shape(statement: Statement, numbers: Container[Span], count: int) -> bool:
     """Return whether the ``count`` varying numbers, at these spans, are all free of checks.
 
-    The statements inside have shapes of their own.
+    The statements inside have their own shapes.
     """
     try:
         return sum(number.span in numbers for number in _free(statement, ())) == count

@@ -5,9 +5,8 @@ In: lines. Out: the ``Shape`` of the statement that begins there, its numbers, a
 number and comment. Generated programs repeat statements of the same shape with other numbers. A
 number that is a value (``X10``, ``[3 * P1]``) and not 0 is not part of the shape; the numbers of
 functions, parameters and elements (``G01``, ``P1``, ``V.P.A[2]``) are. The shape of a structure is
-that of its ``$`` lines; the statements between them are *runs*, each with a shape of its own.
-Statements with a label, a quoted text, ``#`` or ``%``, and long ones, have no shape; the parser
-reads them.
+that of its ``$`` lines; the statements between them are *runs*, each with its own shape. Statements
+with a label, a quoted text, ``#`` or ``%``, and long ones, have no shape; the parser reads them.
 """
 
 from __future__ import annotations
@@ -235,7 +234,7 @@ class ShapeScanner(LineScanner):
         return self.count - marks <= 24 and not self.has_nul(line, i, end)
 
     def begin_line(self) -> None:
-        """Reset what is known of the line before."""
+        """Reset the state of the previous line."""
         self.depth = 0
         self.element_depth = 0
         self.behind_element = False

@@ -57,7 +57,7 @@ MAX_SHAPE_CHARACTERS = 60_000
 #: The first of the consecutive numbers in the text of a shape.
 _FIRST_VALUE = 1001
 
-#: The line that stands for a run in the text of a shape.
+#: The line that represents a run in the text of a shape.
 _RUN_TEXT = "G1"
 
 #: The slots of a number.
@@ -243,7 +243,7 @@ class _Placeholder:
 
 
 def _text_of(key: bytes) -> tuple[list[str], list[_Placeholder], list[int]]:
-    """Return NC text of this shape, its placeholders, and the lines that stand for runs."""
+    """Return NC text of this shape, its placeholders, and the lines that represent runs."""
     lines: list[str] = []
     placeholders: list[_Placeholder] = []
     runs: list[int] = []

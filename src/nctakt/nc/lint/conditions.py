@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Comparisons of a condition that have one result, whatever is read.
+"""Comparisons of a condition that have only one possible result.
 
 In: a condition of a program or of a realtime cycle. Out: a warning where the type of a variable
-(900239) or the way of an axis (901052) decides the comparison with a constant.
+(900239) or the travel range of an axis (901052) decides the comparison with a constant.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ def check_bounds(
     is_inch: bool,
     in_cycle: bool = False,
 ) -> None:
-    """Report a comparison that the type of its variable, or the way of an axis, decides.
+    """Report a comparison decided by the type of its variable or the travel range of an axis.
 
-    ``in_cycle``: types of live variables only, since frozen values have findings of their own.
+    ``in_cycle``: types of live variables only, since frozen values have separate findings.
     """
     left, right, operator = comparison.left, comparison.right, comparison.operator
     if constant(left) is not None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Constants that a variable of whole numbers does not hold as they are (RC-307).
+"""Constants that a variable of whole numbers changes on assignment (RC-307).
 
 In: an assignment of a program or realtime cycle. Out: a warning (901050) where its constant value
 is rounded: ``V.RTG.OVERRIDE.VEL.CYCLE = 0.5`` stops the path, ``V.E.COUNT += 0.4`` adds nothing;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a program defines and starts: realtime cycles by their IDs."""
+"""Realtime cycles that a program defines and starts, by their IDs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class CycleUse:
     """A definition or a START of a realtime cycle, or a call whose effect is unknown.
 
     ``identity``: ``None`` for a computed ID, and for such a call, which is definition and start in
-    one. ``is_deferred``: a DEF, which a START has to follow. ``line``: its text.
+    one. ``is_deferred``: a DEF, which needs a later START. ``line``: its text.
     """
 
     identity: int | None

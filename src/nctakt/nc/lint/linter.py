@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Tree -> findings beyond errors: programs that run but probably do not do what was meant.
+"""Tree -> findings beyond errors: programs that run but probably not as intended.
 
 In: the statements of a program, the variables of its channel, the limits of a tick. Out: warnings
 and notes, and the use of GLOBAL realtime cycles, because only a set of programs shows whether one
@@ -174,8 +174,8 @@ class _Writer:
 class LinterState:
     """The state of a linter between two statements.
 
-    ``certain``: what holds there; ``writers``: the cycles that write variables; ``types``: those of
-    the program's own variables.
+    ``certain``: the facts that hold there; ``writers``: the cycles that write variables; ``types``:
+    those of the program's variables.
     """
 
     certain: _State
@@ -202,7 +202,7 @@ class Linter:
 
     The caller announces each section (main program, local subprogram) and passes its statements one
     by one, so that the program need not be in memory. ``tools``: those of the channel's list.
-    ``selection``: what T and D do in this channel.
+    ``selection``: the effects of T and D in this channel.
     """
 
     def __init__(
@@ -227,23 +227,23 @@ class Linter:
         #: GLOBAL cycles in the order of the text, and IDs of deleted ones, ``None``: a computed ID.
         self.defined: list[GlobalCycle] = []
         self.deleted: list[int | None] = []
-        #: What is defined and started, in the order of the text.
+        #: Cycles defined and started, in the order of the text.
         self.cycle_uses: list[CycleUse] = []
 
     @property
     def state(self) -> LinterState:
-        """What later statements depend on."""
+        """State that later statements depend on."""
         return LinterState(self._state.copy(), dict(self._writers), dict(self._types))
 
     def resume(self, state: LinterState) -> None:
-        """Go on from a state."""
+        """Continue from a state."""
         self._state = state.certain.copy()
         self._writers = dict(state.writers)
         self._types = dict(state.types)
 
     @property
     def sees_next_block(self) -> bool:
-        """Whether a block of axis words alone may have a finding, or change what is certain.
+        """Whether a block of axis words alone may have a finding, or change the certain facts.
 
         Any other plain block has been judged by its shape.
         """
@@ -351,7 +351,7 @@ class Linter:
     # --- values ----------------------------------------------------------------------------------
 
     def _declarations(self, block: VariableDeclarations) -> None:
-        """Note the types of a program's own variables; check constants that they begin with."""
+        """Note the types of a program's variables; check their initial constants."""
         for declaration in block.declarations:
             type_ = declaration.type_name or "REAL64"
             is_text = isinstance(declaration.initial, StringLiteral)
@@ -437,13 +437,13 @@ class Linter:
         is_start: bool = False,
         is_deferred: bool = False,
     ) -> None:
-        """Note what is defined or started."""
+        """Note cycles defined or started."""
         line = self._source.line_of(span)
         use = CycleUse(identity, span, line, scope, is_definition, is_start, is_deferred)
         self.cycle_uses.append(use)
 
     def _lives(self, identity: int, cycle: RealtimeCycle) -> None:
-        """Note that a cycle lives; report the ID of one that certainly lives already."""
+        """Note that a cycle exists; report an ID that certainly exists already."""
         if identity in self._state.living:
             self._findings.report(CYCLE_ID_IN_USE, cycle.span, id=identity)
         self._state.living |= {identity}
@@ -517,8 +517,8 @@ class Linter:
     def _tool(self, word: Word, block: Block) -> None:
         """Check that D names a valid tool, or none (D0), and that T names a tool of the list.
 
-        T that selects offsets (P-CHAN-00014) is as D; beside a D it does not. An external tool
-        management (P-CHAN-00016) has tools of its own.
+        T that selects offsets (P-CHAN-00014) counts like D; together with a D it does not select
+        them. An external tool management (P-CHAN-00016) has its own tools.
         """
         if self._selection.is_external:
             return

@@ -18,7 +18,7 @@ from nctakt.nc.lint.constants import constant
 from nctakt.nc.meaning.path import OVERRIDE_FACTORS, OVERRIDE_MAX_PCT, OVERRIDE_MIN_PCT
 from nctakt.nc.tree import Keyword, Node
 
-#: Overrides up to this one are taken for shares: 1 for all, 0.5 for one half.
+#: Overrides up to this value are taken for shares: 1 for all, 0.5 for one half.
 _LARGEST_SHARE = 1.0
 
 

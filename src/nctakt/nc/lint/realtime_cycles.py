@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Findings about one realtime cycle that runs but probably does not do what was meant.
+"""Findings about one realtime cycle that runs but probably not as intended.
 
 In: a definition, and the known values of parameters before it. Out: warnings and notes, and the
 variables that the cycle writes. Frozen values (RC-302), frequencies and nesting (RC-203, RC-204),

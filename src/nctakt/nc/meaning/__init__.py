@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""From words and commands of the tree to what they say, for the checker and the decoder."""
+"""From words and commands of the tree to their meaning, for the checker and the decoder."""

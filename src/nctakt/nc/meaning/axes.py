@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What commands of axes and spindles say: exchange, C axis, couplings, targets.
+"""Meaning of the commands for axes and spindles: exchange, C axis, couplings, targets.
 
-In: ``#`` commands of the tree. Out: what is written in them as records, ``None`` where the form is
-another one. The checker reports what these leave open, the decoder acts on them.
+In: ``#`` commands of the tree. Out: their content as records, ``None`` for another form. The
+checker reports missing parts, the decoder acts on the records.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ MAX_GROUP = 99
 
 
 class CouplingAction(Enum):
-    """What a command does with its group."""
+    """Effects of a command on its group."""
 
     DEFINE = "#SET AX LINK"
     ENABLE = "#ENABLE AX LINK"
@@ -181,7 +181,7 @@ class WrittenPair:
     """A slave and its master: names, or with NBR the values of their logical numbers.
 
     ``factor``: numerator and denominator, empty for 1. ``is_gantry``: actual positions are
-    compared, up to the first one of ``limits``.
+    compared, up to the first of ``limits``.
     """
 
     span: Span
@@ -289,7 +289,7 @@ def main_spindle_command(command: HashCommand) -> MainSpindleCommand | None:
 def fixed_targets(bracket: BracketCommand) -> tuple[Expression, ...]:
     """Return the positions of the machine to which a single axis of a program goes.
 
-    None for relative motions, and for brackets that are no such motion or have mistakes.
+    None for relative motions, and for brackets that are not such a motion or have mistakes.
     """
     form = form_of(bracket)
     if form in (INDP_SYN, INDP_ASYN):

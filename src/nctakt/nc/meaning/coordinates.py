@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What commands of coordinates say: ``#CS``, ``#MCS``, ``#FACE``, ``#TRAFO`` and those beside them.
+"""Meaning of commands for coordinates: ``#CS``, ``#MCS``, ``#FACE``, ``#TRAFO`` and their kin.
 
-In: ``#`` commands of the tree. Out: what is written in them as records, ``None`` where the form is
-another one.
+In: ``#`` commands of the tree. Out: their content as records, ``None`` for another form.
 """
 
 from __future__ import annotations
@@ -16,7 +15,7 @@ from nctakt.nc.vocabulary.orientation import ANGLE, VECTOR
 #: Maximum number of components: a shift along three axes, three angles.
 MAX_COMPONENTS = 6
 
-#: What each kind of system has, and what only those of ``#CS`` have.
+#: Commands of each kind of system, and those of ``#CS`` only.
 COMMON_ACTIONS = ("DEF", "DEF ACT", "ON", "OFF", "OFF ALL")
 
 SYSTEM_ACTIONS = {
@@ -26,7 +25,7 @@ SYSTEM_ACTIONS = {
     "ECS": ("ON", "OFF"),
 }
 
-#: What ``#CS MODE`` switches (P-CHAN-00393, P-CHAN-00397).
+#: Switches of ``#CS MODE`` (P-CHAN-00393, P-CHAN-00397).
 FIXED_ROTATION, OWN_OFFSETS = "ROTATION_MODE_FIXED", "AXES_OFFSETS_LAYER_SPECIFIC"
 
 SYSTEM_MODES = (FIXED_ROTATION, OWN_OFFSETS)
@@ -156,7 +155,7 @@ class MachineCommand:
 
     @property
     def shown(self) -> str:
-        """The command as it is written."""
+        """The command as written."""
         return f"#{self.name}"
 
 
@@ -200,7 +199,7 @@ PLANE_COMMANDS = {"FACE": 2, "FACE OFF": 0, "CYL": 3, "CYL OFF": 0}
 
 @dataclass(frozen=True, slots=True)
 class PlaneCommand:
-    """One of these commands; ``axes``: names; ``radius``: what follows the third name of #CYL."""
+    """One of these commands; ``axes``: names; ``radius``: comes after the third name of #CYL."""
 
     name: str
     axes: tuple[str, ...] = ()

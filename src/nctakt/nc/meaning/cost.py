@@ -131,7 +131,7 @@ def expression_steps(expression: Expression, names: NameTable) -> int:
 
 
 def _cells(variable: Variable, names: NameTable) -> int:
-    """Return the number of cells of a string; 0 for what is none."""
+    """Return the number of cells of a string; 0 for anything else."""
     location = resolve(variable, names)
     return -(-location.size_bytes // CELL_BYTES) if isinstance(location, Location) else 0
 

@@ -39,7 +39,7 @@ def axis_and_factor(item: Keyword | Expression) -> tuple[str, Expression | None]
     return item.name, item.value if isinstance(item, Keyword) else None
 
 
-#: What G351 takes for an axis: mirrored, or not.
+#: Values of G351 for an axis: mirrored, or not.
 MIRROR_VALUES = (-1.0, 1.0)
 
 #: Bounds of programmed overrides, %, and their keywords: of feed blocks, of rapid ones.
@@ -152,7 +152,7 @@ def is_size(keyword: str, value: float, mode: str) -> bool:
     return value > 0.0 or (value == 0.0 and mode == "POS" and keyword in CONTOUR_MODES["POS"])
 
 
-#: Words that switch, as they are written, with what they mean.
+#: Words that switch, as written, with their meaning.
 SWITCHES = {
     "#SPLINE ON": True,
     "#SPLINE OFF": False,
@@ -211,5 +211,5 @@ def transitions(command: HashCommand) -> tuple[str | Expression | None, str | Ex
 
 
 def is_transition(number: float) -> bool:
-    """Return whether a number stands for one of ``TRANSITIONS``, counted from 1."""
+    """Return whether a number, counted from 1, names one of ``TRANSITIONS``."""
     return is_whole(number, 1, len(TRANSITIONS))

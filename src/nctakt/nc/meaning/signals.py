@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What ``#SIGNAL``, ``#WAIT`` and the commands beside them say.
+"""Meaning of ``#SIGNAL``, ``#WAIT`` and related commands.
 
-In: ``#`` commands of the tree. Out: ``SignalCommand``, ``None`` where the form is another one.
+In: ``#`` commands of the tree. Out: ``SignalCommand``, ``None`` for another form.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def signal_command(command: HashCommand) -> SignalCommand:
 
 
 def items_of(command: HashCommand) -> Iterator[Keyword | Expression]:
-    """Yield what is in the brackets of a command."""
+    """Yield the content of a command's brackets."""
     for argument in command.arguments:
         if isinstance(argument, Bracket):
             yield from argument.items

@@ -129,7 +129,7 @@ def parse_target(text: BlockText) -> Variable | Parameter | None:
 def expected(
     text: BlockText, message: Message = VALUE_EXPECTED, symbol: str | None = None
 ) -> BlockError:
-    """Return the error for something missing at the reading position; shows what was found."""
+    """Return the error for something missing at the reading position; shows the text there."""
     token = text.looking_at(_NEXT_TOKEN)
     word: str | Text = END_OF_BLOCK
     if token is None:
@@ -315,7 +315,7 @@ def _target(text: BlockText, depth: int) -> _SizedTarget | None:
 
 
 def _parameter_array(text: BlockText, match: re.Match[str], depth: int) -> _SizedTarget:
-    """Return the element of an array of P parameters whose indices follow, ``P10[1][2]``."""
+    """Return the element of an array of P parameters; its indices follow, ``P10[1][2]``."""
     if len(match[2]) > 1:
         raise BlockError(
             INDIRECT_PARAMETER_ARRAY, match.start(2), match.end(), word=match[0].strip()

@@ -2,8 +2,8 @@
 """``#`` commands -> statements, and the ``#`` lines that open or close a structure.
 
 In: a block's text at its ``#``. Every command is read as words and arguments; some known ones then
-get a node of their own if their form is right. All others become a ``HashCommand``, which the
-checker refuses or accepts by name.
+get their own node if their form is right. All others become a ``HashCommand``, which the checker
+refuses or accepts by name.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def parse_arguments(text: BlockText, name: tuple[str, ...]) -> tuple[Argument, .
 
 
 def _bracket(text: BlockText, item: Callable[[BlockText, int], Item]) -> Argument:
-    """Return a bracket whose items this function reads; another argument as ever."""
+    """Return a bracket whose items this function reads; another argument as usual."""
     if text.looking_at(OPENING) is None:
         return _argument(text)
     start = text.skip_blanks()
@@ -154,7 +154,7 @@ def _couplings(text: BlockText) -> Argument:
 def _coupling(text: BlockText, depth: int) -> Item:
     """Return a pair as a keyword: the slave is its name, or the first argument of a nameless one.
 
-    What follows a pair in brackets of its own are the arguments after that pair.
+    Separate brackets after a pair contain the arguments after that pair.
     """
     start, before = text.skip_blanks(), text.pos
     is_nested = text.match(OPENING) is not None
@@ -242,7 +242,7 @@ def _argument(text: BlockText) -> Argument:
     return parse_variable(text, whole_family=True) or parse_item(text)
 
 
-#: The readers of an argument of commands whose brackets have items of their own.
+#: The readers of an argument, for commands whose brackets have special items.
 _BRACKETS: dict[str, Callable[[BlockText], Argument]] = {
     "ACS": _components,
     "AX": _axes,

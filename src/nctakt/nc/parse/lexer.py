@@ -5,7 +5,7 @@ In: a ``Source``. Out: one ``BlockText`` per block, from which the parser takes 
 patterns. The lexer joins lines (``\`` at the end, comment lines between the parts), replaces
 comments by blanks of the same length to keep columns true, drops ``#COMMENT BEGIN … #COMMENT END``,
 and checks the length of a block. Tokens are found on demand, because the meaning of ``C:\a.nc``
-depends on what precedes it.
+depends on the text before it.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Misspelt words that open, divide or close a structure: reported, and taken for what was meant.
+"""Misspelt words that open, divide or close a structure: reported, and taken as intended.
 
 In: the word of a ``$`` line or ``#`` command that is unknown, the known ones. Out: the known one;
 without it each later line of the structure would be wrong as well.
@@ -20,7 +20,7 @@ from nctakt.nc.parse.lexer import BlockError, BlockText
 from nctakt.nc.parse.structure_stack import StructureStack
 from nctakt.nc.tree import Name
 
-#: A second word, as in ``$ELSE IF``; not that of a jump, which has its own ``$``.
+#: A second word, as in ``$ELSE IF``; not that of a jump, which has a ``$`` itself.
 _SECOND_PART = re.compile(r"\s+(IF|FOR|WHILE|DO|SWITCH)(?!\w)", re.IGNORECASE)
 _DIVIDED = ("$ELSE", "$END")
 #: Words of other languages.
@@ -71,7 +71,7 @@ def structure_command(
     known: Iterable[tuple[str, ...]],
     structures: StructureStack,
 ) -> tuple[Name, ...]:
-    """Return the words of a command, in place of misspelt ones those of a structure."""
+    """Return the words of a command, with misspelt words of a structure corrected."""
     end = _OTHER_ENDS.get("".join(word.name for word in words).replace("_", ""))
     if end is not None:
         return _meant(text, words, end, structures)

@@ -44,7 +44,7 @@ from nctakt.nc.tree import (
 )
 from nctakt.nc.vocabulary.functions import ENDS
 
-#: Words of blocks and commands that tell the program from the body of a realtime cycle.
+#: Words of blocks and commands that distinguish the program from the body of a realtime cycle.
 _PATH_WORDS = ("G", "F", "T", "D", "S")
 _CYCLE_COMMANDS = ("TIMER", "ERROR")
 
@@ -77,7 +77,7 @@ class Frame:
         return False
 
     def take_foreign(self) -> list[Statement]:
-        """Remove and return what follows a realtime cycle if its end was forgotten.
+        """Remove and return the statements after a realtime cycle whose end was forgotten.
 
         That begins with the first statement that no realtime cycle can have.
         """

@@ -91,11 +91,11 @@ class StatementReader:
 
     @property
     def state(self) -> ReaderState:
-        """What the reading of later statements depends on, while ``lines`` is there."""
+        """State that the reading of later statements depends on, while ``lines`` is there."""
         return self._is_empty, self._structures.state
 
     def resume(self, state: ReaderState) -> None:
-        """Go on from a state, before the first statement."""
+        """Continue from a state, before the first statement."""
         self._is_empty, structures = state
         self._structures.resume(structures)
 
@@ -230,9 +230,9 @@ class SectionCounter:
     """Numbers the sections of a text: 0 is the main program, 1 … its local subprograms.
 
     Section -1 never runs. A section begins with its ``%`` line: ``%L name`` a subprogram, the first
-    other one the main program unless that has begun without one. Inside the main program a further
-    ``%`` line is a comment; after a subprogram it begins a program that never runs, with a
-    warning.
+    other one the main program, unless that has begun without a ``%`` line. Inside the main program
+    a further ``%`` line is a comment; after a subprogram it begins a program that never runs, with
+    a warning.
     """
 
     def __init__(self, source: Source, collector: Collector) -> None:

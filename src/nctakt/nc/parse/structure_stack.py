@@ -53,12 +53,12 @@ class StructureStack:
 
     @property
     def state(self) -> StackState:
-        """What later statements depend on while no structure is open."""
+        """State that later statements depend on while no structure is open."""
         assert not self._stack
         return self._ended, self._warned_of_rest, self._forgiven_ends
 
     def resume(self, state: StackState) -> None:
-        """Go on from a state."""
+        """Continue from a state."""
         self._ended, self._warned_of_rest, self._forgiven_ends = state
 
     # --- statements ------------------------------------------------------------------------------
@@ -167,7 +167,7 @@ class StructureStack:
     def give_up(self) -> None:
         """Report that the innermost structure lacks its end, and close it.
 
-        What follows a realtime cycle whose end is missing, too, is no part of it.
+        Statements after a realtime cycle whose end is missing, too, are not part of it.
         """
         frame = self._stack[-1]
         opening = frame.opening
@@ -213,7 +213,7 @@ class StructureStack:
         self._forgiven_ends += 1
 
     def close_cycle_before(self, span: Span, line: str) -> None:
-        """Report an open cycle when a definition begins (22005): its own begin, if it ends there.
+        """Report an open cycle when a definition begins (22005): its own start, if it ends there.
 
         Inside an open ``$IF`` of the cycle it is the definition that is wrong.
         """

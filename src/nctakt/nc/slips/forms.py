@@ -112,7 +112,7 @@ def _row(
     return compiled, message, lambda match: match.expand(template)
 
 
-#: In the order in which they are tried; ``wrong`` is what is shown and replaced.
+#: In the order in which they are tried; ``wrong`` is the part shown and replaced.
 FORM_SLIPS: tuple[FormSlip, ...] = tuple(
     _row(pattern, message, replacement)
     for pattern, message, replacement in (

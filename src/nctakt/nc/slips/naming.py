@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""General findings of a program -> findings that say what was meant, each mistake once.
+"""General findings of a program -> findings that name the intended form, each mistake once.
 
 In: the diagnostics of parser and checker. Out: the same, where a general one ("not expected here")
 is in a line with a known slip: the slip with the number of the general one, without the general

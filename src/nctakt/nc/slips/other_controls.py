@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Words of other controls that newcomers bring along, and what this language has for them.
+"""Words of other controls that newcomers bring along, and their equivalents here.
 
 In: nothing. Out: ``OTHER_CONTROLS``. A row applies only to a line in which parser or checker have
 found a mistake: an M98 that the channel list defines is no slip.

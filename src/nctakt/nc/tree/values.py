@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Expressions, and what comes in brackets and after ``#``."""
+"""Expressions, and arguments in brackets and after ``#``."""
 
 from __future__ import annotations
 
@@ -127,7 +127,7 @@ class Keyword(Node):
     """``ID = 17``, ``FEED100``, ``ABORTING``: a word in upper case with or without a value.
 
     ``G90`` and ``M03`` in brackets are keywords ``G`` and ``M`` with the values 90 and 3. ``@P1 =``
-    of a call is the keyword ``@P1``. ``arguments`` is for keywords with brackets of their own.
+    of a call is the keyword ``@P1``. ``arguments`` is for keywords with their own brackets.
     """
 
     name: str

@@ -2,8 +2,8 @@
 """Known ``#`` commands, control words, variables and forms with their support.
 
 A ``#`` command is known by its first words; the longest row that fits counts. Its row is a line of
-``commands.tsv``: name, support, what a refused one would change (``Effect``), its forms, its
-meaning, and what to use instead.
+``commands.tsv``: name, support, effect if refused (``Effect``), forms, meaning, and what to use
+instead.
 """
 
 from __future__ import annotations
@@ -180,7 +180,7 @@ def _of_independent_axes(form: str) -> tuple[tuple[str, Support, str, str, Text]
     )
 
 
-#: Forms of the language without a name of their own, each by an example.
+#: Forms of the language without a name, each with an example.
 FORMS = table(
     Kind.FORM,
     ("X[INDP …]", SIMULATED, "motion of one axis, in cycles", "Bewegung einer Achse, in Zyklen"),

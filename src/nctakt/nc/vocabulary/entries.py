@@ -2,7 +2,7 @@
 """Rows of the tables of known names: meaning and level of support.
 
 Three levels of support: *simulated*; *accepted*, checked but without effect on positions;
-*refused*, an error by name, because it may change positions or timing in a way that is not
+*refused*, an error by name, because it may change positions or timing in ways that are not
 modelled.
 """
 
@@ -61,7 +61,7 @@ _NO_VALUE = Text(
 
 
 class Effect(enum.Enum):
-    """What a refused name would change on a machine."""
+    """Effect of a refused name on a machine."""
 
     MOTION = ""
     WITHOUT_MOTION = "without motion"
@@ -71,7 +71,7 @@ class Effect(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One row; ``instead``: what to use in place of a refused name, empty for nothing.
+    """One row; ``instead``: what to use in place of a refused name, empty if there is nothing.
 
     ``forms``: examples of how a ``#`` command is written, each a line that a program may have.
     """

@@ -17,10 +17,10 @@ from nctakt.nc.vocabulary.functions import TOOL_CHANGE
 MESSAGES = "MSG"
 #: The program of the tool change.
 CHANGE = f"M{TOOL_CHANGE}"
-#: What a message lists as possible.
+#: Names that a message lists as possible.
 NAMED_FILES = (MESSAGES, CHANGE, "G80 … G89", "G800 … G839")
 
-#: What is named, the file, and the node where it begins.
+#: The named program, the file, and the node where it begins.
 NamedFile = tuple[str, Expression | None, Keyword | Expression]
 
 
@@ -30,7 +30,7 @@ def is_file_name(words: Sequence[str]) -> bool:
 
 
 def program_key(letter: str, number: float) -> str:
-    """Return what ``#FILE NAME`` calls the program of a G or M function."""
+    """Return the name that ``#FILE NAME`` uses for the program of a G or M function."""
     return f"{letter}{number:g}"
 
 
@@ -43,7 +43,7 @@ def names_program(key: str) -> bool:
 
 
 def named_files(items: Sequence[Keyword | Expression]) -> Iterator[NamedFile]:
-    """Yield what is named with its file; without a file ``None``."""
+    """Yield each named program with its file; ``None`` without a file."""
     waiting: NamedFile | None = None
     for item in items:
         if waiting is not None:

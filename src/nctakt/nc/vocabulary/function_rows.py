@@ -51,7 +51,7 @@ class Group(enum.Enum):
 
 
 class Form(enum.Enum):
-    """The way a G function is written, by an example."""
+    """How a G function is written, by an example."""
 
     ALONE = "G90"
     TIME = "G04 X0.5"
@@ -136,7 +136,7 @@ def refused(number: int, en: str, de: str, instead: Text = NOTHING_INSTEAD) -> G
 
 
 def simplified(number: int, en: str, de: str, how: Text, *, plain: bool = True) -> GFunction:
-    """Return the row of a function that no source settles; ``how``: nctakt's way, reported once."""
+    """Return the row of a function without a source; ``how``: nctakt's way, reported once."""
     return replace(simulated(number, en, de, plain=plain), instead=how)
 
 
@@ -153,7 +153,7 @@ def axis_weights(number: int, en: str, de: str, *, accepted: bool = False) -> GF
 
 
 def axis_values(number: int, en: str, de: str) -> GFunction:
-    """Return the row of a function whose axis words are values of its own, no targets."""
+    """Return the row of a function whose axis words are values and not targets."""
     row = simulated(number, en, de, Form.AXIS_VALUES, plain=True)
     return replace(row, group=Group.AXIS_VALUES)
 

@@ -68,7 +68,7 @@ FEED_STEPS, FEED_RAMPS = (8, 9), (193, 293)
 CORNER_DECELERATION = 13
 INCH, MILLIMETRES = 70, 71
 ROTATION_ON, ROTATION_OFF = 68, 69
-#: What ends mirroring and rotation, and what takes axis words for them.
+#: Functions that end mirroring and rotation, and functions that take axis words for them.
 MAPS_OFF = (20, ROTATION_OFF)
 MAPS_BY_AXES = frozenset((MIRRORING_OF_AXES, ROTATION_ON))
 MAP_FUNCTIONS = MAPS_BY_AXES.union(MAPS_OFF, MIRRORED_BY_PLANE)
@@ -440,7 +440,7 @@ _M_ROWS = (
 M_FUNCTIONS: Mapping[int, MFunction] = MappingProxyType({row.number: row for row in _M_ROWS})
 
 
-# --- what follows from the table -----------------------------------------------------------------
+# --- derived from the table ----------------------------------------------------------------------
 
 
 def group_of(number: int) -> Group | None:
@@ -465,7 +465,7 @@ def _of_role(*roles: Role) -> tuple[int, ...]:
 AXIS_WEIGHTS = frozenset(
     row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_WEIGHTS
 )
-#: Other functions whose axis words are no targets.
+#: Other functions whose axis words are not targets.
 AXIS_VALUES = frozenset(row.number for row in G_FUNCTIONS.values() if row.form is Form.AXIS_VALUES)
 #: G functions whose value is a weight of all axes.
 WEIGHTS = frozenset(row.number for row in G_FUNCTIONS.values() if row.form is Form.WEIGHT)

@@ -28,7 +28,7 @@ class Conversion(NamedTuple):
 
 
 def conversions(text: str) -> Iterator[Conversion]:
-    """Yield the conversions of a text in their order; ``%%`` stands for the sign itself."""
+    """Yield the conversions of a text in their order; ``%%`` is the sign itself."""
     for match in _CONVERSION.finditer(text):
         if match["kind"] is not None:
             yield Conversion(match[0], True)

@@ -16,7 +16,7 @@ CONTOUR_MODES = {
     "POS": ("PRE_DIST", "POST_DIST"),
     "PTP": ("PATH_DEV", "PATH_DIST"),
 }
-#: Modes whose curve follows from speeds in a way that is not public.
+#: Modes whose curve depends on speeds by rules that are not public.
 REFUSED_MODES = ("AUTO_VEL",)
 #: When M and H functions of a rounded corner act.
 PRE_ACTION, INTER_ACTION, POST_ACTION = ACTIONS = (
@@ -47,7 +47,7 @@ CONTOUR_NUMBERS = (
 VECTOR_LIMITS = ("VEL", "ACC", "DEC", "JERK", "RADIAL_ACC", "RADIAL_JERK", "TRANS_ACC")
 VECTOR_BLOCKS = ("FEED", "RAPID")
 
-#: The curves of ``#HSC`` with a name, keywords of the one without (OPMODE), all with a number.
+#: The named curves of ``#HSC``, and the keywords of the unnamed one (OPMODE), all with a number.
 HSC_CURVES = ("BSPLINE", "SURFACE")
 HSC_MODES = ("OPMODE", "CONTERROR")
 HSC_NUMBERS = (

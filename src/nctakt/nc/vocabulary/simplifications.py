@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What nctakt does where no public source settles it; reported once per program."""
+"""Behaviour of nctakt where public sources are silent; reported once per program."""
 
 from __future__ import annotations
 

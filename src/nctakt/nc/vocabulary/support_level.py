@@ -82,7 +82,7 @@ def hash_command(words: Sequence[str]) -> Entry | None:
 
 
 def variable_family(family: str) -> Entry | None:
-    """Return the entry of a family of variables: ``E``, ``RTG``; ``P`` stands for V.P.NAME."""
+    """Return the entry of a family of variables: ``E``, ``RTG``; ``P`` means V.P.NAME."""
     return VARIABLES.get(f"V.{family}")
 
 
@@ -106,7 +106,7 @@ def call_parameter() -> Entry:
 
 
 def form(example: str) -> Entry:
-    """Return the entry of a form without a name of its own, by the example that stands for it."""
+    """Return the entry of an unnamed form by its example."""
     return FORMS[example]
 
 

@@ -167,7 +167,7 @@ class Oscillations:
         stroke: float,
         paused_s: float,
     ) -> float:
-        """Return the speed between the positions: for FREQ and TIME that with which two strokes of
+        """Return the speed between the positions: for FREQ and TIME such that two strokes of
         ``stroke``, ramps included, and both waits take one period.
         """
         if "FEED" in values:

@@ -33,7 +33,7 @@ def possible_variables(
     lists: Sequence[VariablesConfiguration],
     collector: Collector,
 ) -> tuple[VariablesConfiguration, ...]:
-    """Leave out what overlaps (P-EXTV-00011) and what is outside the memory (P-STUP-00037)."""
+    """Leave out variables that overlap (P-EXTV-00011) or are outside the memory (P-STUP-00037)."""
     pack = pack_of(startup.member_alignment)
     available = startup.external_variables_bytes
     return tuple(_possible(variables, pack, available, collector) for variables in lists)

@@ -160,7 +160,7 @@ class Variable:
 class IgnoredVariable:
     """A variable whose type or size is impossible.
 
-    ``declared``: where its name is. ``what`` and ``reason``: what is impossible, and where.
+    ``declared``: where its name is. ``what`` and ``reason``: the impossible property, and where.
     """
 
     space: VariableSpace
@@ -358,7 +358,7 @@ class _Builder:
     def _misfit(
         self, type_pattern: str, array_pattern: str, index: int
     ) -> tuple[Text, Span] | None:
-        """Return what is impossible of a variable, and where; ``None`` if nothing is.
+        """Return the impossible property of a variable, and where; ``None`` if there is none.
 
         Its type must exist and not be recursive, and it must not be too large.
         """

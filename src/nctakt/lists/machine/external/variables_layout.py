@@ -2,10 +2,10 @@
 """The layout of V.E variables in the packed memory that a PLC sees, in bytes.
 
 In: variables in the order of their list, the alignment of P-STUP-00145. Out: the offset of each
-number, string and array of them. The layout is that of a C structure under ``#pragma pack(n)``:
-the offset of a member is a multiple of its own size or of n, whichever is less, the size of a
-structure is a multiple of its strictest member. Variables follow one another in the same way,
-unless the list has an offset (P-EXTV-00002); the next one follows it. 0, automatic, is 8.
+number, string and array of them. The layout is that of a C structure under ``#pragma pack(n)``: the
+offset of a member is a multiple of its size or of n, whichever is less, the size of a structure is
+a multiple of its strictest member. Variables follow one another in the same way, unless the list
+has an offset (P-EXTV-00002); the next one follows it. 0, automatic, is 8.
 """
 
 from __future__ import annotations

@@ -19,7 +19,7 @@ class Profile:
     """An operating system: the range of its priorities and their direction.
 
     ``reserved``: priorities inside the range that the system itself uses. ``settable_slice``:
-    time_slice can be set. ``has_windows``: it runs beside Windows.
+    time_slice can be set. ``has_windows``: it shares the computer with Windows.
     """
 
     name: str
@@ -52,8 +52,8 @@ class RtconfOptions:
     """Choices beyond the list itself.
 
     ``convention``: the meaning of the numbers of interrupt_source (``auto``: by the line's
-    comment). ``functions``: names of functions beside the controller's. ``small_windows_is_off``: a
-    windows_time below time_slice is rounded down to 0, not up. ``ignore_windows``: no time is
+    comment). ``functions``: names of functions besides the controller's. ``small_windows_is_off``:
+    a windows_time below time_slice is rounded down to 0, not up. ``ignore_windows``: no time is
     guaranteed to Windows. ``hal_timer_us``: the timer period of RTX. ``lenient``: errors by choice
     are warnings.
     """

@@ -3,7 +3,7 @@
 
 In: the number, the comment of its line, the chosen convention. Out: the meaning and the reason. The
 manual contradicts itself: its table (3.1) has 1 hardware and 2 timer, the comments of its example
-lists have it the other way round. So a comment that explains the numbers decides, else the table.
+lists the other way round. So a comment that explains the numbers decides, otherwise the table does.
 """
 
 from __future__ import annotations

@@ -108,7 +108,7 @@ class _Element:
         self.id = values.integer(f"{prefix}.id", *indices)
 
     def kinematic(self) -> Kinematic | None:
-        """Return the kinematic; ``None``, reported: it is defective."""
+        """Return the kinematic; ``None`` with a report if it is defective."""
         type_ = self.values.integer(f"{self.prefix}.type", *self.indices) or self.id
         pattern = f"{self.prefix}.param[]"
         parameters = {

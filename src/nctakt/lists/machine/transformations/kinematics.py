@@ -17,7 +17,7 @@ UNIVERSAL = 91
 TRIPODS = (12, 19)
 #: Programming modes of the universal kinematic (P-CHAN-00288).
 POINT_VECTOR, DIRECT, CONFORMAL = 10, 12, 13
-#: The mode that hands the programmed angles on as they are (P-CHAN-00112); as DIRECT.
+#: The mode that passes the programmed angles on unchanged (P-CHAN-00112); as DIRECT.
 HANDED_ON = -1
 #: Modes with two angles of an ideal chain, in the order of their rotary axes.
 CLASSIC_MODES = {14: "AB", 15: "BA", 16: "AC", 17: "CA", 18: "BC", 19: "CB"}
@@ -66,9 +66,8 @@ class Kinematic:
     """A kinematic that programs select by its ID.
 
     ``parameters``: index of P-CHAN-00263 -> value in 0.1 µm or 1e-4°; missing ones are 0. ``base``:
-    the same of P-CHAN-00446. ``universal``: of type 91 only; ``entries``: the numbers that it is
-    made of, missing ones are 0. ``defect``: why a definition that a program has changed cannot be
-    used.
+    the same of P-CHAN-00446. ``universal``: of type 91 only; ``entries``: its numbers, missing ones
+    are 0. ``defect``: why a definition that a program has changed cannot be used.
     """
 
     id: int
@@ -87,7 +86,7 @@ class Transformations:
     ``default_ids``: those of both steps (P-CHAN-00032, P-CHAN-00264), 0 for none. ``steps``: the
     usable kinematics of each step by their ID. ``orientation_mode``: the name in P-CHAN-00177.
     ``tool_axis``, ``solution``: P-CHAN-00188 and P-CHAN-00189, of #TOOL ORI CS.
-    ``is_face_of_milling_machine``: #FACE leaves the tool beside the centre line (P-CHAN-00008).
+    ``is_face_of_milling_machine``: #FACE leaves the tool off the centre line (P-CHAN-00008).
     ``rotation_angle``: P-CHAN-00112. ``has_vector_in_system``: a vector along the tool is one of
     the active coordinate system (P-CHAN-00247). ``is_on_at_start``, ``is_off_at_end``: programs
     begin with the default kinematics active, end with none (P-CHAN-00151, P-CHAN-00152).

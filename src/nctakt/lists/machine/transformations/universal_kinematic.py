@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The numbers of a kinematic of type 91 -> its definition, or what prevents its use.
+"""The numbers of a kinematic of type 91 -> its definition, or the reason that prevents its use.
 
 Lists give these numbers by name, or by the index of ``param[]`` (P-CHAN-00263), which is the same
 memory; programs change them with V.G.KIN, tools add to them (P-TOOL-00009).
@@ -66,7 +66,7 @@ PARAMETERS: tuple[Entry, ...] = (
     ),
 )
 
-#: V.G.KIN beside these entries, and how many offsets of P-CHAN-00446 there are.
+#: V.G.KIN besides these entries, and how many offsets of P-CHAN-00446 there are.
 PARAMETER, BASE, MAX_BASE = "param[]", "base[]", 6
 
 _UNITS_PER_MM = 10_000
@@ -78,7 +78,7 @@ _DEPENDENT = 1e-6
 
 
 def entry_of(kinematic: Kinematic, name: str, indices: tuple[int, ...]) -> Entry | None:
-    """Return the entry that a name of V.G.KIN stands for; ``None``: it is none of type 91."""
+    """Return the entry named in V.G.KIN; ``None`` if type 91 has no such entry."""
     if name in ENTRIES:
         return name, indices
     is_known = kinematic.type == UNIVERSAL and name == PARAMETER and indices[0] < len(PARAMETERS)
@@ -86,7 +86,7 @@ def entry_of(kinematic: Kinematic, name: str, indices: tuple[int, ...]) -> Entry
 
 
 class UnusableKinematicError(Exception):
-    """What prevents the use of a definition: a message about an entry, and its values."""
+    """The reason that prevents the use of a definition: a message about an entry and its values."""
 
     def __init__(
         self, message: Message, name: str, indices: tuple[int, ...], **values: object
@@ -142,7 +142,7 @@ class DefinitionReader:
         return kinematic
 
     def _axis(self, index: int) -> KinematicAxis:
-        """Return an axis as it is defined."""
+        """Return an axis as defined."""
         is_rotary = self._value("axis[].type", index) == _ROTARY
         point = self._point("axis[].point[]", index)
         return KinematicAxis(is_rotary, self._vector("axis[].orientation[]", index), point)

@@ -40,7 +40,7 @@ _MEANING = Text(
 
 
 class ExchangeChecker:
-    """Checks the commands of one program; ``axes`` and ``names`` learn the axes that it fetches."""
+    """Checks the commands of one program; adds fetched axes to ``axes`` and ``names``."""
 
     def __init__(
         self,

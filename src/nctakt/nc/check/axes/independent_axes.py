@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Axes that programs move beside the path, checked before the run: INDP_SYN, INDP_ASYN, OSC."""
+"""Checks of axes that programs move independently of the path: INDP_SYN, INDP_ASYN, OSC."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def check_independent(
     values: ValueChecker,
     findings: Findings,
 ) -> bool:
-    """Check a command for an axis beside the path; return false for another command.
+    """Check a command for an independent axis; return false for any other command.
 
     ``path``: the words of the block's axes.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``#MAIN SPINDLE``: another spindle becomes the main one.
+"""``#MAIN SPINDLE``: another spindle becomes the main spindle.
 
 In: the tree of a command. Out: diagnostics for other forms and for spindles that the channel
 lacks.

@@ -78,7 +78,7 @@ class SpindleChecker:
         for form, word in refused:
             shown = form.replace("S", command.name or "S", 1)
             self._findings.report_support(support_level.form(form), word.span, shown)
-        # What else is in the brackets of a refused word belongs to it.
+        # The rest of the brackets of a refused word belongs to it.
         for word in () if refused else command.wrong:
             self._not_a_word(command, word)
         for doubled in command.doubled:
@@ -105,7 +105,7 @@ class SpindleChecker:
             )
 
     def _not_a_word(self, command: SpindleCommand, word: BlockWord | Keyword | Expression) -> None:
-        """Report what a spindle command cannot have, with what was meant."""
+        """Report an item that a spindle command cannot have, and suggest the intended one."""
         written = self._findings.written(word.span)
         if written in (CALLAX, PUTAX):
             suggestion = f"{command.name}[{written}]"
@@ -173,7 +173,7 @@ class SpindleChecker:
 
 
 def _refused_form(word: BlockWord | Keyword | Expression) -> str:
-    """Return the form that a known word of spindle commands stands for; empty for no such word."""
+    """Return the form of a known word of spindle commands; empty for any other word."""
     if not isinstance(word, Keyword):
         return ""
     if word.name == "FEED_LINK":

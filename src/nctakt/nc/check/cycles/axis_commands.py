@@ -2,8 +2,8 @@
 """Single-axis commands of realtime cycles, checked before the run.
 
 In: brackets with INDP in the body of a cycle. Out: diagnostics (RC-405 … RC-407): which axis may be
-moved independently, which keywords exclude or need each other. The tick checks what depends on
-values.
+moved independently, which keywords exclude or need each other. The tick checks everything that
+depends on values.
 """
 
 from __future__ import annotations

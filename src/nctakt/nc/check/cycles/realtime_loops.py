@@ -34,7 +34,7 @@ from nctakt.nc.vocabulary.functions import MOTIONS
 from nctakt.nc.vocabulary.variables.resolution import resolve, variables_in
 from nctakt.nc.vocabulary.variables.variable_table import Location, NameTable
 
-#: Words of a motion beside its axes: centre, radius, feed.
+#: Words of a motion besides its axes: centre, radius, feed.
 _VALUES = ("I", "J", "K", "R", "F")
 
 

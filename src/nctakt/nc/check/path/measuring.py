@@ -56,7 +56,7 @@ _FORM = Form(
     numbers=("TYPE", "ERR_NO_SIGNAL", "SIMU_OFFSET", "AXNR", "INPUT"),
     names={"SIGNAL": _SIGNALS, "EDGE": _EDGES},
 )
-#: Keywords that choose among probes, of which there is one.
+#: Keywords that choose among probes; there is only one.
 _CHOICES = ("AX", "AXNR", "INPUT", "SIGNAL")
 
 

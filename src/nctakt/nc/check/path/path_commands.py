@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Settings of the path: ``#CONTOUR MODE``, ``#SLOPE``, overrides (MO-2, MO-3, MO-5).
 
-Only simulated words and keywords are allowed; any other one is refused by name, because it would
-change positions or times.
+Only simulated words and keywords are allowed; any other is refused by name, because it would change
+positions or times.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ _AXIS_EXAMPLES = {"OVERRIDE": "FEED_FACT=50", "FIXED_STOP": "ON"}
 
 
 def _without_switch(name: str) -> str:
-    """Return a command's name without what switches it."""
+    """Return a command's name without the word that switches it."""
     words = name.split()
     while words[-1] in ("ON", "OFF", "ALL", "DEFAULT"):
         words.pop()

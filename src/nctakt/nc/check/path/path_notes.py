@@ -78,7 +78,7 @@ _VECTOR_NOTES = {
 
 
 def tell_curve(command: HashCommand, name: str, findings: Findings) -> None:
-    """Tell once which contour ``#HSC ON`` has."""
+    """Report once which contour ``#HSC ON`` has."""
     if name == "HSC ON":
         findings.report_simplified("#HSC", HSC_CONTOUR, command.span)
 
@@ -86,7 +86,7 @@ def tell_curve(command: HashCommand, name: str, findings: Findings) -> None:
 def tell_simplified(
     command: str, item: Keyword, items: Sequence[Keyword | Expression], findings: Findings
 ) -> None:
-    """Tell what a keyword of a checked command does where no source settles it."""
+    """Report what a keyword of a checked command does where the sources are silent."""
     meaning = None
     if command.startswith("#CONTOUR MODE"):
         meaning = _CONTOUR_NOTES.get(item.name)

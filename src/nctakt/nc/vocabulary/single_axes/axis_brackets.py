@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the brackets of single axes in programs have in common: a first keyword, then others.
+"""The common form of brackets for single axes in programs: a first keyword, then others.
 
 ``X[INDP_SYN …]``, ``X[INDP_ASYN …]``, ``X[OSC …]``: each keyword once, some with a value, before
 which the sign ``=`` is optional.
@@ -63,7 +63,7 @@ class BracketReader:
         self.find(self.syntax, span or self.bracket.span, reason=reason, **self.named)
 
     def read(self) -> bool:
-        """Note the keywords and what is wrong with each; return whether nothing is."""
+        """Note the keywords and the mistakes in each; return whether there is none."""
         first = self.bracket.items[0]
         if not isinstance(first, Keyword) or first.name != self.form or first.value is not None:
             self.find(AXIS_KEYWORD_NOT_FIRST, self.bracket.span, **self.named)

@@ -304,7 +304,7 @@ def _unknown_choice(value: Expression, word: str, names: tuple[str, ...]) -> Fin
 
 
 def whole_span(value: Expression) -> Span:
-    """Return the span of a value from its first operand to its last one."""
+    """Return the span of a value from its first operand to its last."""
     match value:
         case Binary():
             return replace(whole_span(value.left), end_column=whole_span(value.right).end_column)

@@ -109,7 +109,7 @@ class _Reader(BracketReader):
     refusals = REFUSED_KEYWORDS
 
     def read(self) -> bool:
-        """Note the keywords and what is wrong with them."""
+        """Note the keywords and their mistakes."""
         if not super().read():
             return False
         for reason in self._combination():

@@ -86,7 +86,7 @@ class _Reader(BracketReader):
     values = VALUES
 
     def read(self) -> bool:
-        """Note the keywords and what is wrong with them."""
+        """Note the keywords and their mistakes."""
         if not super().read():
             return False
         has = self.keywords.__contains__

@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Text
 
 
 class Access(enum.Flag):
-    """What a context may do with a variable."""
+    """Rights of a context to a variable."""
 
     NONE = 0
     READ = 1

@@ -33,7 +33,7 @@ def resolve(variable: Variable, names: NameTable) -> Location | NotFound:
 
 
 def resolve_aggregate(variable: Variable, names: NameTable) -> Aggregate | NotFound:
-    """Return the structure or whole array that a variable names, or why it names none."""
+    """Return the structure or whole array that a variable names, or why there is none."""
     parts = [(part.name, len(part.indices)) for part in variable.parts]
     return names.resolve_aggregate(variable.family, parts)
 
@@ -48,7 +48,7 @@ def name_of(family: str, path: str) -> str:
 
 
 def as_array(expression: Expression) -> Expression:
-    """Return the array that ``P10`` without an index may name; any other expression as it is."""
+    """Return the array that ``P10`` without an index may name; any other expression unchanged."""
     match expression:
         case Parameter(index=Number(value=number), call=False):
             part = Part(expression.span, f"{number:g}", ())
@@ -81,7 +81,7 @@ def may_be_text(expression: Expression) -> bool:
 
 
 def is_text(expression: Expression, names: NameTable) -> bool:
-    """Return whether the value of an expression is a text, or was meant to be one."""
+    """Return whether the value of an expression is a text, or was meant as one."""
     match expression:
         case StringLiteral():
             return True

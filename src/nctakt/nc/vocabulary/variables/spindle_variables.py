@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The data of spindles that programs may read: V.SPDL and V.SPDL_PROG.
 
-All are known when the block is decoded: those of the lists, and what the program has said last.
+All are known when the block is decoded: those of the lists, and the latest settings of the program.
 ``<S>`` is a spindle of the channel, or its index ``[0]``; some are of the main spindle only.
 """
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Character strings in memory: one byte per character, terminated by a zero byte.
 
-In: texts, or the bytes of a string variable. Out: the other form. The characters are those of
-Windows-1252, as in the lists (``base/text.py``). A variable holds one character less than its
-``size_bytes``; STRING without P-EXTV-00022 has 24 bytes and holds 20.
+Converts texts to the bytes of a string variable and back. The characters are those of Windows-1252,
+as in the lists (``base/text.py``). A variable holds one character less than its ``size_bytes``;
+STRING without P-EXTV-00022 has 24 bytes and holds 20.
 """
 
 from __future__ import annotations

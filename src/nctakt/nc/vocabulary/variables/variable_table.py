@@ -36,7 +36,7 @@ from nctakt.nc.vocabulary.variables.realtime_variables import (
     RealtimeVariable,
 )
 
-#: Families that the variables list declares, each variable with its own rights.
+#: Families declared by the variables list, with rights for each variable.
 DECLARED = ("E", "CH")
 
 #: Rights of programs and cycles to a V.E variable (RC-303).
@@ -228,7 +228,7 @@ class NameTable:
             self._variables["E"][variable.name] = (variable.node, cell)
         for variable in channel.channel:
             self._variables["CH"][variable.name] = (variable.node, layout.allocate(variable))
-        #: Variables that the list declares in vain, by what programs would call them.
+        #: Variables of the list that are ignored, by the names that programs would use.
         self.ignored = {f"{one.space.value}.{one.name}": one for one in channel.ignored}
         self._locations: dict[tuple[object, ...], Location | NotFound] = {}
         self._rtg = _offsets(CHANNEL_VARIABLES)
@@ -245,7 +245,7 @@ class NameTable:
         )
 
     def own_table(self) -> NameTable:
-        """Return a table that may learn names of axes: a copy of one that others use, too."""
+        """Return a table that may learn names of axes: a copy if others use it, too."""
         if not self._is_shared:
             return self
         table = copy.copy(self)
@@ -260,9 +260,9 @@ class NameTable:
         return table
 
     def learn_axis(self, name: str, number: int | None) -> None:
-        """Let a name stand for the axis with a logical number, ``None`` for one not known yet.
+        """Bind a name to the axis with a logical number, ``None`` for one not known yet.
 
-        Names that the table has stay what they are.
+        Names that the table already has are unchanged.
         """
         if name in self._axes or (name in self.fetched and number is None):
             return
@@ -275,7 +275,7 @@ class NameTable:
         return number in self._channel.logical
 
     def place_axis(self, name: str, number: int) -> None:
-        """Let a name stand for an axis of the machine from here on."""
+        """Bind a name to an axis of the machine from here on."""
         if self._axes.get(name) != number:
             self._axes = {**self._axes, name: number}
             self._axis_traits = {**self._axis_traits, name: self._traits(number)}

@@ -15,7 +15,6 @@ from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.live import track, view
 from nctakt.live.conditions import conditions_of
 from nctakt.live.document import Checker, Document
-from nctakt.live.event_words import event_words
 from nctakt.live.parts.keys import GROUPS, KEYS
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
@@ -26,6 +25,7 @@ from nctakt.messages.programs.decoder import NO_FEED_ACTIVE
 from nctakt.results.compared import Compared
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.listening import MAX_NOTICES
+from nctakt.trace.event_words import event_words
 from nctakt.trace.events import Event
 
 pytestmark = pytest.mark.slow

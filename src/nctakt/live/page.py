@@ -128,6 +128,7 @@ class Page:
 
         self._shared.watchers.add(watch)
         client.on_delete(lambda: self._shared.watchers.discard(watch))
+        client.on_delete(self._lists.search.close)
 
     # --- layout ---------------------------------------------------------------------------------
 
@@ -226,6 +227,7 @@ class Page:
         self._program.follow()
         self._show_pen()
         self._show_bar(snapshot)
+        self._lists.show_matches(self._program)
         if snapshot.number == self._shown:
             return
         self._shown = snapshot.number
@@ -387,6 +389,9 @@ class Page:
             "condition": self._begin_condition,
             "plc_edit": self._program.plc.toggle_edit,
             "plc_next_file": self._program.show_next_file,
+            "search_events": self._lists.search_events,
+            "previous_match": lambda: self._lists.hop(is_back=True),
+            "next_match": lambda: self._lists.hop(is_back=False),
             "search_variable": self._variables.focus_search,
             "scope_left": lambda: drawings.pan(-0.2),
             "scope_right": lambda: drawings.pan(0.2),

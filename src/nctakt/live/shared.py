@@ -26,6 +26,7 @@ from nctakt.live.parts.explaining import Explainer, Moment, why_plc_text, why_te
 from nctakt.live.plc_files import PlcFiles
 from nctakt.live.plc_words import PlcWords
 from nctakt.live.run_log import RunLog
+from nctakt.live.searching import Searches
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot, VariableRow
 from nctakt.session.listening import Frame, Listener
@@ -115,6 +116,7 @@ class SharedSession:
         self.track = Track()
         self.explainer = Explainer(self._look_now)
         self.ahead = Ahead()
+        self.searches = Searches()
         self._start(self._opened())
         self._thread = threading.Thread(target=self._watch, name="nctakt live", daemon=True)
         self._thread.start()
@@ -313,6 +315,7 @@ class SharedSession:
         self._thread.join()
         self.explainer.close()
         self.ahead.close()
+        self.searches.close()
 
     # --- the thread -----------------------------------------------------------------------------
 

@@ -16,13 +16,13 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.live.conditions import is_condition
-from nctakt.live.event_words import event_words
 from nctakt.live.syntax import units
 from nctakt.live.texts import Texts
 from nctakt.results.compared import Compared
 from nctakt.results.run import ProgramMessage, RunState
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.statements import PlcPlace, names_file
+from nctakt.trace.event_words import event_text
 from nctakt.trace.events import Event
 
 _AXIS = re.compile(r"((?:CH\d+\.)?)(\w+)\.ACS\.ACT_POS")
@@ -98,7 +98,8 @@ class LogRow:
     """A row of the lists of findings, messages and events; ``line`` 0: none that can be shown.
 
     ``file``: the one of the PLC that has the line, empty: the program that is shown. ``outside``:
-    file and line of what is not in this program, empty: ``line`` says it.
+    file and line of what is not in this program, empty: ``line`` says it. ``signal``: the one that
+    it offers.
     """
 
     kind: str
@@ -107,6 +108,7 @@ class LogRow:
     remedy: str = ""
     file: str = ""
     outside: str = ""
+    signal: str = ""
 
 
 # --- signals ------------------------------------------------------------------------------------
@@ -383,8 +385,7 @@ def event_row(
 ) -> LogRow:
     """Return an event as a row, with its line, and its file where that is another one."""
     line, of_plc, outside = _location(event.span, file, plc)
-    text = f"{event.tick}  {event_words(event, language)}"
-    return LogRow(event.kind, line, text, file=of_plc, outside=outside)
+    return LogRow(event.kind, line, event_text(event, language), file=of_plc, outside=outside)
 
 
 def function_text(entry: Entry) -> str:

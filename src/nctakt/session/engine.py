@@ -57,6 +57,7 @@ from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
 from nctakt.session.tick_log import MAX_EVENTS, SignalRows, TickLog
+from nctakt.trace.event_words import EventMatcher, SoughtEvents
 from nctakt.trace.events import Event
 
 #: Ticks whose rows are held at once where only some of them are kept.
@@ -64,6 +65,21 @@ OUTLINED_AT = 20_000
 
 #: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.
 Found = tuple[int, int, tuple[Mark, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class FoundEvents:
+    """The events that were sought in the ticks from ``first`` up to, but without, ``end``.
+
+    ``left_out``: how many others there were; ``marks``: those of a run of these ticks.
+    """
+
+    first: int
+    end: int
+    events: tuple[Event, ...]
+    left_out: int
+    marks: tuple[Mark, ...] = ()
+
 
 #: The events at which a stop holds, ``None`` where others tell; what must be so where it holds.
 Evidence = tuple[tuple[EventFilter, ...] | None, Necessary | None]
@@ -208,6 +224,7 @@ class Engine:
         self._expected: deque[Input] = deque()
         self._differs: int | None = None
         self._stop_builder = StopBuilder(machine)
+        self._matcher: EventMatcher | None = None
         self._cycles: dict[int, tuple[str, CycleDefinition]] = {}
         self._newest: dict[Span, int] = {}
         self._stops: Sequence[StopAt] = ()
@@ -452,6 +469,27 @@ class Engine:
         found: list[Mark] = []
         self._repeat(end, marks, found)
         return self._stop_builder.last_hit() + 1, self.tick, tuple(found)
+
+    def find_events(
+        self, end: int, sought: SoughtEvents, marks: Sequence[int], since: int
+    ) -> FoundEvents:
+        """Run up to tick ``end`` past all stops; return the events that are sought.
+
+        ``since``: from which tick on they are. Those of the calls before are forgotten.
+        """
+        if self._matcher is None or self._matcher.sought != sought:
+            self._watch(())
+            self._stop_builder.watch_pauses(None)
+            self._select(())
+            self._matcher = EventMatcher(sought)
+            self._loop.recording.reduce_to(self._trail)
+            self._loop.recording.add(self._matcher)
+        self._trail.keeps = False
+        self._matcher.begin(since)
+        first, found = self.tick, list[Mark]()
+        self._repeat(end, marks, found)
+        events, left_out = self._matcher.take()
+        return FoundEvents(max(first, since), self.tick, events, left_out, tuple(found))
 
     # --- within a tick --------------------------------------------------------------------------
 

@@ -35,6 +35,7 @@ from nctakt.session.cursor import FAULT, Step
 from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.comparing import BranchDifference
+from nctakt.session.history.event_search import EventSearch
 from nctakt.session.history.past_runs import PastRuns
 from nctakt.session.listening import Listener
 from nctakt.session.process.thread import SessionThread
@@ -551,6 +552,14 @@ class Session:
         """
         done = self.happened(first, end)
         return list(done.events), done.left_out
+
+    def event_search(self, branch: int | None = None) -> EventSearch:
+        """Return a search over all events of a branch, by default this one, beside the session.
+
+        Raises ``Failure`` (901157) for a branch that there is not.
+        """
+        timeline = self._core.timeline
+        return EventSearch(self._ask, timeline, timeline.reached(0, branch))
 
     def happened(self, first: int, end: int) -> StepResult:
         """Return what the ticks from ``first`` up to, but without, ``end`` have done.

@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import PurePath
 from typing import Any
 
@@ -19,12 +20,14 @@ from nctakt.base.failure import Failure, error_text
 from nctakt.live import view
 from nctakt.live.parts.branch_list import BranchList
 from nctakt.live.parts.commander import Commander, Newest
+from nctakt.live.parts.event_search import SearchBar
 from nctakt.live.parts.explaining import Moment
 from nctakt.live.parts.naming import card, explained, named
 from nctakt.live.parts.program_card import ProgramCard
 from nctakt.live.plc_view import places_in
 from nctakt.live.run_log import MAX_LOG
 from nctakt.live.view import LogRow
+from nctakt.trace.events import Event
 
 NAMES = ("findings", "messages", "events", "why", "stops", "branches")
 
@@ -51,6 +54,7 @@ class Lists:
         self._texts = commander.texts
         self._reveal = reveal
         self._shown: dict[str, object] = {}
+        self._matches_shown: object = None
         self._asked = Newest(self._answer)
         self._due_s = 0.0
         self._program: ProgramCard | None = None
@@ -78,9 +82,7 @@ class Lists:
                     "dense flat no-caps size=sm data-testid=add-stop"
                 )
         if name == "events":
-            self._search = ui.input(placeholder=self._texts["search"], on_change=self._turn)
-            self._search.props("dense outlined clearable data-testid=search-events")
-            named(self._search, self._texts["search_events"])
+            self.search = SearchBar(self._commander, _MAX_SHOWN, self._turn)
         if name in _ROWS:
             view_of_rows = RowsView()
             view_of_rows.props["rows"] = []
@@ -88,6 +90,7 @@ class Lists:
             view_of_rows.props["empty"] = self._texts[f"no_{name}"]
             view_of_rows.props["live"] = "off" if name == "events" else "polite"
             view_of_rows.on("line", self._clicked)
+            view_of_rows.on("signal", self._chosen)
             self._list_of[name] = view_of_rows.props(f"data-testid={name}")
             return
         self._list_of[name] = ui.element("div").props(f"data-testid={name}")
@@ -102,9 +105,9 @@ class Lists:
                 self._why = ui.label(self._texts["ask_why"]).classes("nc-why nc-soft")
                 self._why.props("role=status")
 
-    def _turn(self, _: Any) -> None:
+    def _turn(self, _: Any = None) -> None:
         """Show another list as it is now."""
-        self._due_s = 0.0
+        self._due_s, self._matches_shown = 0.0, None
         if self._program is not None:
             self.show(self._program)
 
@@ -117,28 +120,43 @@ class Lists:
     def show(self, program: ProgramCard) -> None:
         """Show what is new in the list that is open."""
         self._program = program
-        shared, log, language = self._shared, self._shared.log, self._texts.language
+        shared, log = self._shared, self._shared.log
         if shared.snapshot.is_playing and time.monotonic() < self._due_s:
             return
         self._due_s = time.monotonic() + _DISTANCE_S
         if self._tabs.value == "messages":
             messages = [view.message_row(one) for one in log.messages]
             self._show_rows("messages", self._newest(messages, len(messages) == MAX_LOG))
-        elif self._tabs.value == "events":
-            searched = (self._search.value or "").casefold()
-            file, plc = program.document.file, shared.session.description.plc_texts
-            rows = [view.event_row(one, language, file, plc) for one in log.events]
-            found = [row for row in rows if searched in row.text.casefold()]
+        elif self._tabs.value == "events" and not self.search.text:
+            rows = self._event_rows(program, log.events)
             note = self._texts["begins"].format(tick=log.begin) if log.begin else ""
-            if searched and log.left_out:
-                note = self._texts["not_searched"].format(count=log.left_out)
             is_partial = log.lacks_some or log.begin > 0
-            self._show_rows("events", self._newest(found, is_partial, log.left_out, note))
+            self._show_rows("events", self._newest(rows, is_partial, log.left_out, note))
         self.show_findings(program)
         self._show_stops()
         self._renew_why()
         if self._tabs.value == "branches":
             self._branches.show()
+
+    def _event_rows(self, program: ProgramCard, events: Sequence[Event]) -> list[LogRow]:
+        file, plc = program.document.file, self._shared.session.description.plc_texts
+        return [view.event_row(one, self._texts.language, file, plc) for one in events]
+
+    def show_matches(self, program: ProgramCard) -> None:
+        """Show what the search has found by now, if it is open."""
+        if self._tabs.value != "events" or not self.search.text:
+            return
+        tick = self._shared.snapshot.shown_tick
+        events, is_done = self.search.shown()
+        key = ([id(one) for one in events], is_done, tick, self._shared.scope)
+        if key == self._matches_shown:
+            return
+        self._matches_shown = key
+        rows = [
+            replace(row, kind=f"{row.kind} current") if event.tick == tick else row
+            for row, event in zip(self._event_rows(program, events), events, strict=True)
+        ]
+        self._show_rows("events", [*self.search.signal_rows(), *rows[::-1]])
 
     def _newest(
         self, rows: Sequence[LogRow], is_partial: bool, left_out: int = 0, note: str = ""
@@ -175,7 +193,10 @@ class Lists:
         if self._shown.get(name) == shown or self._tabs.value != name:
             return
         self._shown[name] = shown
-        cells = [[row.kind, row.line, row.text, row.remedy, row.file, row.outside] for row in shown]
+        cells = [
+            [row.kind, row.line, row.text, row.remedy, row.file, row.outside, row.signal]
+            for row in shown
+        ]
         self._list_of[name].props["rows"] = cells
         self._list_of[name].update()
 
@@ -183,6 +204,20 @@ class Lists:
         match event.args:
             case [int(line), str(file)] if line:
                 self._reveal(line, file)
+
+    async def _chosen(self, event: Any) -> None:
+        if isinstance(event.args, str):
+            await self.search.add_signal(event.args)
+
+    async def hop(self, *, is_back: bool) -> None:
+        """Go to the previous or the next match of the search in the events."""
+        self.choose("events")
+        await self.search.hop(is_back=is_back)
+
+    def search_events(self) -> None:
+        """Let a person type what to look for in the events."""
+        self.choose("events")
+        self.search.focus()
 
     # --- why ------------------------------------------------------------------------------------
 

@@ -252,7 +252,7 @@ class Timeline:
         while done is None or (engine.tick < end and done.run_state is None):
             if engine.tick < end:
                 self._report(engine.tick - begin, end - begin)
-            part, marks = _next_part(branch, engine.tick, end)
+            part, marks = next_part(branch, engine.tick, end)
             asked = _asked(marks, [one for one in near if engine.tick < one <= part])
             again = engine.run(part, events=part == end, marks=asked, since=forgotten)
             again = self._compared(branch, again, marks, asked)
@@ -633,9 +633,7 @@ class Timeline:
         try:
             while end > found:
                 before_us = SEARCHED_GROWTH * stretch_us
-                parked = self._parked.before_by(self.branch, end - 1, before_us)
-                stretch_us = self.branch.work_at(end) - (parked.work_us if parked else 0.0)
-                engine = self._woken(self.branch, parked)
+                engine, stretch_us = self.before(self.branch, end, before_us)
                 try:
                     begin = engine.tick
                     hit = self._last_hit(engine, end, stops, whole - end + found, whole)
@@ -648,6 +646,21 @@ class Timeline:
             self.progress = None
         return found
 
+    def before(self, branch: Branch, end: int, work_us: float) -> tuple[RemoteEngine, float]:
+        """Return a controller before the ticks up to ``end`` that took some work, and their work.
+
+        It is at a tick before ``end``, as near to it as there is one, and never joins the session.
+        """
+        self._refuse_without_past()
+        parked = self._parked.before_by(branch, end - 1, work_us)
+        stretch_us = branch.work_at(end) - (parked.work_us if parked else 0.0)
+        return self._woken(branch, parked), stretch_us
+
+    def plan_on(self, engine: RemoteEngine, branch: Branch) -> int:
+        """Let a controller have the inputs of a branch as they are now; return up to where."""
+        engine.plan(self._planned(branch, engine.tick))
+        return branch.latest
+
     def _last_hit(
         self, engine: RemoteEngine, end: int, stops: Sequence[StopAt], before: int, whole: int
     ) -> int:
@@ -656,7 +669,7 @@ class Timeline:
         marks: Sequence[PastMark] = ()
         while engine.tick < end:
             self._report(before + engine.tick - first, whole)
-            part, marks = _next_part(self.branch, engine.tick, end)
+            part, marks = next_part(self.branch, engine.tick, end)
             tick = engine.tick
             hit, _, found = engine.last_hit(part, stops, ticks_of(marks))
             differs = first_difference(found, marks)
@@ -725,7 +738,7 @@ def _near_ahead(branch: Branch, tick: int, end: int) -> list[int]:
     return [*(one + 1 for one in blocks), *range(tick + 1, min(tick + 1 + NEAR_TICKS, end))]
 
 
-def _next_part(branch: Branch, tick: int, end: int) -> tuple[int, list[PastMark]]:
+def next_part(branch: Branch, tick: int, end: int) -> tuple[int, list[PastMark]]:
     """Return up to where a controller runs again in one go, and the marks on the way."""
     marks = branch.marks_between(tick, end)[:PART_MARKS]
     part = min(end, tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :]))

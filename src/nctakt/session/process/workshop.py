@@ -27,10 +27,11 @@ from nctakt.base.python_process import at_start, python_command, python_environm
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
 from nctakt.run.access.inputs import Input
-from nctakt.session.engine import CycleState, Found, StepResult
+from nctakt.session.engine import CycleState, Found, FoundEvents, StepResult
 from nctakt.session.process.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
+from nctakt.trace.event_words import SoughtEvents
 
 #: How long a new process may take to report, in seconds.
 START_S = 60.0
@@ -167,6 +168,14 @@ class RemoteEngine:
         """Search as ``Engine.last_hit``."""
         found = cast("Found", self.ask("last_hit", end, stops, marks))
         self.tick = found[1]
+        return found
+
+    def find_events(
+        self, end: int, sought: SoughtEvents, marks: Sequence[int], since: int
+    ) -> FoundEvents:
+        """Search as ``Engine.find_events``."""
+        found = cast("FoundEvents", self.ask("find_events", end, sought, marks, since))
+        self.tick = found.end
         return found
 
     def plan(self, inputs: Sequence[Input]) -> None:

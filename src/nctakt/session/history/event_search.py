@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Searches all events of a branch for a text: its ticks are run again, beside the session.
+
+In: a text, a tick from which on the search goes back or forward. Out: what is found, stretch by
+stretch. The session is asked only for controllers, which takes milliseconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from nctakt.session.engine import FoundEvents
+from nctakt.session.history.branch import Branch
+from nctakt.session.history.record import first_difference, past_differs, ticks_of
+from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US, Timeline, next_part
+from nctakt.session.process.workshop import RemoteEngine
+from nctakt.trace.event_words import SoughtEvents
+from nctakt.trace.events import Event
+
+#: What a search gives between two stretches: it goes on.
+Step = FoundEvents | None
+
+
+class EventSearch:
+    """Events of a branch that are sought; one thread asks it, any one.
+
+    ``ask`` calls a method in the thread of the session; raises ``Failure`` once that is closed.
+    """
+
+    def __init__(self, ask: Callable[..., Any], timeline: Timeline, branch: Branch) -> None:
+        self._ask = ask
+        self._timeline = timeline
+        self._branch = branch
+
+    @property
+    def branch(self) -> int:
+        """The number of the branch."""
+        return self._branch.number
+
+    @property
+    def latest(self) -> int:
+        """The tick that the branch has reached."""
+        return self._branch.latest
+
+    def before(self, end: int, sought: SoughtEvents) -> Iterator[Step]:
+        """Search the ticks before ``end``, from the latest stretch to the earliest.
+
+        ``None``: it goes on. Raises ``Failure`` where the past cannot be run again (901901).
+        """
+        stretch_us = SEARCHED_US / SEARCHED_GROWTH
+        while end > 0:
+            work_us = SEARCHED_GROWTH * stretch_us
+            engine, stretch_us = self._ask(self._controller, end, work_us)
+            first, count = engine.tick, 0
+            events: tuple[Event, ...] = ()
+            try:
+                while engine.tick < end:
+                    yield None
+                    tick = engine.tick
+                    found = self._part(engine, end, sought, first)
+                    events = (*events, *found.events)[-sought.count :]
+                    count += len(found.events) + found.left_out
+                    if engine.tick == tick:
+                        break  # the run is over
+            finally:
+                engine.close()
+            yield FoundEvents(first, end, events, count - len(events))
+            end = first
+
+    def since(self, first: int, sought: SoughtEvents) -> Iterator[Step]:
+        """Search the ticks from ``first`` on, up to the latest of the branch and on with it.
+
+        What has no ticks is found where there is nothing new. Otherwise as ``before``.
+        """
+        engine: RemoteEngine | None = None
+        end = 0  # its inputs are those of the ticks before
+        try:
+            while True:
+                if self.latest <= first:
+                    yield FoundEvents(first, first, (), 0)
+                    continue
+                if engine is None:
+                    engine = self._ask(self._controller, first + 1, 0.0)[0]
+                if engine.tick >= end:
+                    end = self._ask(self._timeline.plan_on, engine, self._branch)
+                tick = engine.tick
+                found = self._part(engine, end, sought, first)
+                first = max(first, engine.tick)
+                yield None if engine.tick < first and engine.tick > tick else found
+        finally:
+            if engine is not None:
+                engine.close()
+
+    def _controller(self, end: int, work_us: float) -> tuple[RemoteEngine, float]:
+        """Return a controller before a stretch, which this search alone asks."""
+        engine, stretch_us = self._timeline.before(self._branch, end, work_us)
+        engine.is_apart = True
+        return engine, stretch_us
+
+    def _part(
+        self, engine: RemoteEngine, end: int, sought: SoughtEvents, since: int
+    ) -> FoundEvents:
+        """Search some ticks more; raises ``Failure`` (901901) where they are not as they were."""
+        part, marks = self._ask(next_part, self._branch, engine.tick, end)
+        found = engine.find_events(part, sought, ticks_of(marks), since)
+        differs = first_difference(found.marks, marks)
+        if differs is not None and not self._timeline.setup.plcs:
+            raise past_differs(differs)
+        return found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What rtconf.lis means beyond its list: the schedule simulated, analysed and drawn.
+"""Consequences of rtconf.lis: the schedule simulated, analysed and drawn.
 
 In: the effective configuration (``lists.declared.rtconf``) and a load, the threads' execution
 times. Out: response times, overflows, suspensions, Windows' share; pictures and traces. All times

@@ -41,7 +41,7 @@ from nctakt.schedule.model import (
     Train,
 )
 
-#: More calls in one activation than this are not simulated.
+#: No more calls than this in one activation are simulated.
 MAX_CALLS = 10_000
 
 _OFFLINE = Text("it is offline or not available", "sie ist abgeschaltet oder nicht verfügbar")
@@ -289,7 +289,7 @@ class _Assembly:
         return tasks
 
     def _check_load(self) -> None:
-        """Report what the load names and the list does not."""
+        """Report names of the load that the list does not have."""
         if self._load.is_assumed:
             return
         threads = self._configuration.threads

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""rtconf.lis as it stands and as it counts: raw value, effective value, reason.
+"""rtconf.lis as written and as effective: raw value, effective value, reason.
 
 In: the list's bytes, its configuration, its diagnostics. Out: one row per parameter that the list
 names or that counts without it, in the order of the manual.
@@ -75,7 +75,7 @@ def effective_entries(file: str, data: bytes) -> dict[Key, Entry]:
 
 
 def effective_values(configuration: RtconfConfiguration) -> dict[Key, Value]:
-    """Return what counts, by parameter; not the number of interrupt_source, only its meaning."""
+    """Return effective values by parameter; of interrupt_source only the meaning."""
     values: dict[Key, Value] = {
         ("interrupt_source", ()): configuration.interrupt_source.value,
         ("cycle_time", ()): configuration.cycle_time_us,

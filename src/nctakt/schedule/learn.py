@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Execution times learnt from a recording of trace bits.
 
-In: the model of the list as it was during the recording, a ``Recording``. Out: ``LearntTimes``.
-A bit is high from the begin of a call to its end, through all interruptions (manual 4.5.3). Where
-the recording shows when threads have a processor, the time of a call is what lies in between;
-otherwise what interrupts it is taken off: more urgent threads of the same processor whose bits are
-high, and the suspension as the list has it. Calls that the recording cuts are left out. Times are
-in ns.
+In: the model of the list used for the recording, a ``Recording``. Out: ``LearntTimes``. A bit is
+high from the start of a call to its end, through all interruptions (manual 4.5.3). Where the
+recording shows when threads have a processor, the time of a call is that in between; otherwise
+interruptions are subtracted: more urgent threads of the same processor whose bits are high, and the
+suspension according to the list. Calls cut off by the recording are left out. Times are in ns.
 """
 
 from __future__ import annotations
@@ -78,7 +77,7 @@ class _Learning:
         self._callers = self._callers_of_bits()
 
     def _callers_of_bits(self) -> dict[int, Caller]:
-        """Return the function of each bit that only one has."""
+        """Return the function of each bit that only one function has."""
         callers: dict[int, dict[Caller, None]] = {}
         for i, task in enumerate(self._model.tasks):
             for call in task.calls:
@@ -120,7 +119,7 @@ class _Learning:
     def _calls(self, bit: int) -> Times:
         """Return begin and end of the calls that the recording does not cut.
 
-        A gap no longer than the one that is drawn between two calls belongs to the second one.
+        A gap no longer than that drawn between two calls belongs to the second call.
         """
         calls: Times = []
         before: int | None = None
@@ -185,7 +184,7 @@ def _share_cpu(model: Model, task: int, other: int) -> bool:
 
 
 def _union(times: Times) -> Times:
-    """Return times that overlap as one, in their order."""
+    """Return the times in order, with overlapping ones merged."""
     merged: Times = []
     for begin, end in sorted(times):
         if merged and begin <= merged[-1][1]:
@@ -209,7 +208,7 @@ def _overlap(times: Sequence[tuple[int, int]], begin: int, end: int) -> int:
 def _unlearnt(
     model: Model, calls: dict[Caller, tuple[int, ...]], external: dict[str, tuple[int, ...]]
 ) -> list[Diagnostic]:
-    """Return the note about what is not there."""
+    """Return the note about missing functions."""
     names: dict[str, None] = {}
     for i, task in enumerate(model.tasks):
         if task.kind is TaskClass.EXTERNAL:

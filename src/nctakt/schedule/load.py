@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The load: what rtconf.lis does not say and a simulation must know.
+"""The load: values that a simulation needs and rtconf.lis does not have.
 
-In: the text of a load file (TOML). Out: ``Load``; what is wrong with it goes to the collector.
+In: the text of a load file (TOML). Out: ``Load``; its mistakes go to the collector.
 Times in the file are numbers of microseconds, as in rtconf.lis, with or without decimals, or texts
 with a unit (``"1.5 ms"``, ``"1 h"``)::
 
@@ -87,13 +87,13 @@ _ENTRIES: dict[str, tuple[str, ...]] = {
 }
 
 
-#: Decode time of a block unless the load names one, in µs: a value for trying.
+#: Decode time of a block unless the load names one, in µs: a value for first trials.
 ASSUMED_BLOCK = 100 * NS_PER_US
 
 
 @dataclass(frozen=True, slots=True)
 class ExternalLoad:
-    """An external thread; ``execution`` ``None``: not given. ``priority`` as the list has it."""
+    """An external thread; ``execution`` ``None``: not given. ``priority`` as in the list."""
 
     execution: Execution | None = None
     priority: int | None = None
@@ -106,8 +106,8 @@ class Load:
 
     ``functions``: by name of function, or by its place in the list. ``interrupt``: period, phase,
     drift and jitter as far as they are given. ``block``: the decoder's time for one block of a
-    program. ``plc``: the external thread that is the PLC of a controller. ``is_assumed``: no one
-    gave it.
+    program. ``plc``: the external thread that is the PLC of a controller. ``is_assumed``: it was
+    not given.
     """
 
     functions: Mapping[str, Execution] = field(default_factory=dict)
@@ -142,7 +142,7 @@ ASSUMED_FUNCTION = _us(100)
 
 
 def read_load(file: str, text: str, collector: Collector) -> Load:
-    """Read a load file; with errors in the collector what is read is not complete."""
+    """Read a load file; with errors in the collector the result is incomplete."""
     import tomllib  # noqa: PLC0415 - only where a load is given
 
     try:
@@ -159,7 +159,7 @@ def load_of_tables(tables: dict[str, Any], collector: Collector) -> Load:
 
 
 class _Reader:
-    """Reads entry for entry and reports what is wrong."""
+    """Reads entry for entry and reports mistakes."""
 
     def __init__(self, collector: Collector) -> None:
         self._collector = collector

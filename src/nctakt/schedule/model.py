@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What is scheduled: tasks, interrupts, processors and the rules that were chosen.
+"""The model of a schedule: tasks, interrupts, processors and the chosen rules.
 
 A ``Model`` is a configuration together with a load, all names resolved and all times in integer
-nanoseconds. It is what simulation, analysis and pictures read.
+nanoseconds. Simulation, analysis and pictures work on it.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from nctakt.lists.declared.rtconf import InterruptSource
 
 NS_PER_US = 1000
 
-#: What one call of the interpolation consists of, in the order of ``Execution.parts``.
+#: Parts of one call of the interpolation, in the order of ``Execution.parts``.
 PARTS = ("input", "interpolation", "output")
 
 #: ``cpu`` of a task that the operating system places (after 1000180).
@@ -27,7 +27,7 @@ Suspension = Literal["ticks", "elapsed"]
 
 
 class TaskClass(enum.Enum):
-    """Kinds of task by what the scheduler may do with them."""
+    """Kinds of tasks, for the scheduler."""
 
     #: Holds the interpolation; never suspended.
     REALTIME = "realtime"
@@ -41,7 +41,7 @@ class TaskClass(enum.Enum):
 class Execution:
     """Execution times of one call in ns.
 
-    ``values``: one after another, from the first again; one value is a constant. ``spread``: the
+    ``values``: used in turn, then from the first again; one value is a constant. ``spread``: the
     two values are the bounds of a uniform distribution. ``parts``: input, interpolation and output
     of which a constant time consists.
     """
@@ -133,9 +133,9 @@ class Overheads:
 class Rules:
     """The choices where the manual is silent; every report prints them.
 
-    ``overflow``: what becomes of an activation that finds its thread busy (lost; one remembered;
-    all remembered). ``calls``: the functions of a thread one after another, or in turn.
-    ``suspension``: by counted timer interrupts, or by the time since the NC interrupt.
+    ``overflow``: treatment of an activation that finds its thread busy (lost; one remembered; all
+    remembered). ``calls``: the functions of a thread one after another, or in turn. ``suspension``:
+    by counted timer interrupts, or by the time since the NC interrupt.
     """
 
     overflow: OverflowPolicy = "skip"
@@ -151,9 +151,9 @@ NO_OVERHEADS = Overheads()
 class Model:
     """A configuration and its load, ready to be simulated or analysed; times in ns.
 
-    ``tasks``: internal ones first, each group in the order of its indices. ``cpus``: the
-    processors that can be used. ``windows_cpus`` run Windows when no task wants them.
-    ``schedule``: the order of the parts of the interpolation (P-RTCF-00018).
+    ``tasks``: internal ones first, each group in the order of its indices. ``cpus``: the processors
+    that can be used. ``windows_cpus`` run Windows when no task needs them. ``schedule``: the order
+    of the parts of the interpolation (P-RTCF-00018).
     """
 
     source: InterruptSource

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A scheduling list and its load as files -> what gives a controller its time.
+"""A scheduling list and its load as files -> the schedule of a controller.
 
-In: paths. Out: ``RunSchedule``, or a ``Failure`` with all that is wrong. What a list that can be
-used only with a replacement means stays with whoever looks at the list: a controller needs one
-without errors.
+In: paths. Out: ``RunSchedule``, or a ``Failure`` with all mistakes. A list usable only with
+replacements is good enough for inspection; a controller needs one without errors.
 """
 
 from __future__ import annotations
@@ -34,8 +33,7 @@ PLACED = (CPU_MISSING, CPU_NOT_ASSIGNABLE)
 
 @dataclass(frozen=True, slots=True, repr=False)
 class RunSchedule:
-    """A schedule that a controller can run by; ``diagnostics``: what was found in list and
-    load."""
+    """A schedule for a controller; ``diagnostics``: the findings in list and load."""
 
     file: str
     configuration: RtconfConfiguration

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """rtconf.lis written anew: the values that count, with everything else that is in it.
 
-In: the bytes of a list, the configuration that is to count. Out: the bytes of a list that says so.
-Comments, order, blanks, line ends and encoding stay. What does not count (unknown entries, earlier
-ones for the same parameter, what belongs to nothing) becomes a comment; what is missing comes
-after the other entries of its thread.
+In: the bytes of a list, the configuration wanted. Out: the bytes of a list with that configuration.
+Comments, order, blanks, line ends and encoding stay. Entries without effect (unknown ones, earlier
+ones for the same parameter, those that belong to nothing) become comments; missing entries come
+after the others of their thread.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nctakt.schedule.effective_table import effective_entries, effective_values
 _LINE_END = re.compile(r"\r\n|\n|\r")
 _END_OF_FILE = "\x1a"
 _SOURCE: Key = ("interrupt_source", ())
-#: What is written where nothing says what starts the NC cycles; the comment makes it certain.
+#: Entry written if nothing says what starts the NC cycles; the comment makes it unambiguous.
 _TIMER_ENTRY = "interrupt_source 2 # 1: hardware interrupt, 2: timer, 3: semaphore"
 _FIELD_TIMER_ENTRY = "interrupt_source 1 # 1: timer, 2: hardware interrupt, 3: semaphore"
 _PLAIN_STRING = re.compile(r"[^\s#(\"/]+")
@@ -58,10 +58,10 @@ def rewrite(
     required: Collection[str],
     convention: Convention = "auto",
 ) -> RewrittenList:
-    """Return the list that says what ``configuration`` has.
+    """Return the list rewritten for ``configuration``.
 
-    ``values``: those of the list as it stands. ``required``: the names of entries that are added
-    where they are missing. ``convention``: what the numbers of interrupt_source mean.
+    ``values``: those of the present list. ``required``: the names of entries that are added where
+    they are missing. ``convention``: the meaning of the numbers of interrupt_source.
     """
     timer = _FIELD_TIMER_ENTRY if convention == "field" else _TIMER_ENTRY
     return _Rewriting(file, data, values, configuration, required, timer).result()
@@ -107,7 +107,7 @@ class _Rewriting:
             corrected += line not in (None, entry.line)
             lines[entry.key_span.line - 1] = f"# {entry.line.strip()}" if line is None else line
         added = sorted(self._additions(len(lines)), key=lambda addition: addition[0], reverse=True)
-        # From the last one on, so that the places of the others stay.
+        # From the last to the first, so that the places of the others stay valid.
         for index, line in added:
             lines.insert(index, line)
             ends.insert(index, usual)
@@ -118,7 +118,7 @@ class _Rewriting:
         return RewrittenList(encode_text(body + mark + tail, self._data), *counts)
 
     def _line_of(self, entry: Entry) -> str | None:
-        """Return the line that an entry becomes; ``None``: it does not count."""
+        """Return the new line of an entry; ``None`` if it has no effect."""
         key = self._keys.get(entry.key_span.line)
         if key is None or key not in self._effective:
             return None

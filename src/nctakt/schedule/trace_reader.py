@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Recordings of an oscilloscope, or of nctakt, as the times in which signals are high.
 
-In: the text of a VCD file, or of a CSV file. Out: ``Recording``; raises ``Failure`` (900641) for
-what cannot be read. Times in ns. A CSV file has in its first column the time (``time_us``; also
-``_s``, ``_ms``, ``_ns``) and in the others the levels of ``bit1`` to ``bit7``, of which 0.5 and
-more is high; or it is the table of events that ``--csv`` writes.
+In: the text of a VCD file, or of a CSV file. Out: ``Recording``; raises ``Failure`` (900641) if it
+cannot be read. Times in ns. A CSV file has in its first column the time (``time_us``; also ``_s``,
+``_ms``, ``_ns``) and in the others the levels of ``bit1`` to ``bit7``, of which 0.5 and more is
+high; or it is the table of events that ``--csv`` writes.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class _Vcd:
         self._times: list[int] = []
 
     def recording(self) -> Recording:
-        """Read the whole file; raises ``Failure`` for what is no recording."""
+        """Read the whole file; raises ``Failure`` if it is not a recording."""
         now = 0
         for word in self._words:
             if word.startswith("#"):
@@ -216,7 +216,7 @@ def _samples(file: str, rows: list[list[str]], unit: Decimal, columns: dict[int,
 
 
 def _events(file: str, rows: list[list[str]]) -> Recording:
-    """Return the jobs of a table of events: those with an end, whose begin was recorded too."""
+    """Return the jobs of a table of events: those with an end whose start was recorded, too."""
     whole = [row for row in rows if len(row) == len(_EVENT_COLUMNS)]
     times = [int(time) for time in _numbers(file, whole, 0, _UNITS["us"])]
     lengths: dict[tuple[str, str], Decimal] = {}
@@ -231,7 +231,7 @@ def _events(file: str, rows: list[list[str]]) -> Recording:
     jobs: list[RecordedJob] = []
     counts: dict[str, int] = {}
     for (thread, _), length in lengths.items():
-        # Jobs of a thread end in their order, so the last ones may be unfinished.
+        # Jobs of a thread end in order, so the last ones may be unfinished.
         counts[thread] = counts.get(thread, 0) + 1
         if counts[thread] <= ended.get(thread, 0):
             jobs.append(RecordedJob(thread, int(length)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run that one lives through: on any clock, with stops, forward and back."""
+"""An interactive run: on any clock, with stops, forward and back."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a session will do without further inputs: a copy of its controller runs ahead.
+"""The future of a session without further inputs: a copy of its controller runs ahead.
 
-In: a copy that is where its branch ends. Out: sampled signals and events of the ticks to come.
-The copy is thrown away; what it does reaches no one else.
+In: a copy at the end of its branch. Out: sampled signals and events of the ticks to come. The copy
+is discarded; its actions reach no one else.
 """
 
 from __future__ import annotations
@@ -35,9 +35,9 @@ _BLOCK = StopAt("block")
 class Future:
     """The signals after some ticks to come, column by column, and the events of all of them.
 
-    ``reason``: why it ends where it does: the run is ``over``, all programs ``wait`` for somebody
-    outside, or it goes on ``later``; ``unknown``: there is none to show, since it depends on
-    somebody outside. ``causes``: what the programs wait for, or the errors of the run.
+    ``reason``: why it ends there: the run is ``over``, all programs ``wait`` for somebody outside,
+    or it continues ``later``; ``unknown``: there is no future to show, since it depends on somebody
+    outside. ``causes``: the reasons for which the programs wait, or the errors of the run.
     """
 
     ticks: tuple[int, ...]
@@ -51,7 +51,7 @@ UNKNOWN = Future((), (), (), "unknown")
 
 
 def run_ahead(engine: RemoteEngine, signals: Sequence[str]) -> Iterator[Future]:
-    """Run a copy ahead; what is known of the future grows with each item. Closes the copy."""
+    """Run a copy ahead; the known future grows with each item. Closes the copy."""
     width = len(signals)
     rows = np.empty((0, width + 1))  # the tick, and the signals after it
     events: list[Event] = []

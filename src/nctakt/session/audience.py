@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Those who listen to a session: each gets frames at its own rate, and all notices.
 
-In: what the slices of a session have done. Out: frames and notices to the listeners.
+In: the results of a session's slices. Out: frames and notices to the listeners.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from nctakt.session.core import SessionCore
 from nctakt.session.engine import StepResult
 from nctakt.session.listening import MAX_FRAME_EVENTS, Frame, Listener, Notice, NoticeKind
 
-#: Slices whose events wait for a listener's next frame at most.
+#: Maximum number of slices whose events wait for a listener's next frame.
 MAX_PENDING = 64
 
 
@@ -30,7 +30,7 @@ class Subscribers:
         self._travels = 0
 
     def add(self, listener: Listener, speed: float | None, signals: Sequence[str]) -> None:
-        """Let somebody listen to these signals; raises ``Failure`` for an unknown one."""
+        """Add a listener to these signals; raises ``Failure`` for an unknown signal."""
         self._core.read(signals)
         listener.signals = tuple(signals)
         if listener not in self._listeners:
@@ -44,15 +44,15 @@ class Subscribers:
         return any(one.wants_events for one in self._listeners)
 
     def remove(self, listener: Listener) -> None:
-        """Take a listener away; nothing happens to one that is gone already."""
+        """Remove a listener; nothing happens if it is already gone."""
         if listener in self._listeners:
             self._listeners.remove(listener)
             del self._pending[id(listener)]
 
     def travel(self, done: StepResult) -> None:
-        """Tell that the session has gone elsewhere; ``done``: what the ticks before have done.
+        """Report that the session has moved; ``done``: the results of the ticks before.
 
-        They were reported when first run, and what waits to be reported may not be of this past.
+        They were reported when first run, and waiting reports may not belong to this past.
         """
         self._travels += 1
         for pending in self._pending.values():
@@ -64,7 +64,7 @@ class Subscribers:
         self.publish(arrived, None, at_once=True)
 
     def publish(self, done: StepResult, speed: float | None, *, at_once: bool) -> None:
-        """Hand out what a slice has done: to all at once, or to those whose time has come."""
+        """Distribute the results of a slice: to all at once, or to those whose time has come."""
         if done.differs is not None and not self._has_differed:
             self._has_differed = True
             found = diagnostic(PLC_DIFFERS, tick=done.differs)
@@ -84,7 +84,7 @@ class Subscribers:
             self.tell("ended", done.run_state)
 
     def give_rest(self) -> None:
-        """Hand out what waits for the next frames of listeners: the session stands now."""
+        """Hand out everything waiting for the listeners' next frames: the session has stopped."""
         self._give([one for one in self._listeners if self._pending[id(one)]], None)
 
     def _give(self, listeners: Sequence[Listener], speed: float | None) -> None:

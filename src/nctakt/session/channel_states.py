@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What channels and their spindles have been commanded, beside the values that have a name."""
+"""Commanded state of channels and their spindles, apart from values that have a name."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ class SpindleState:
 class ChannelState:
     """A channel: the programmed speed of its current segment in mm/s (0: none), its spindles.
 
-    ``awaited``: what its program waits for, ``None`` while it is at work.
-    ``in_force``: the functions and the tool of its current block, ``None`` before the first one.
+    ``awaited``: the reason for which its program waits, ``None`` while it is working. ``in_force``:
+    the functions and the tool of its current block, ``None`` before the first one.
     ``zero_offsets``: of each axis in mm or degrees, G54 … and G92 together.
     """
 

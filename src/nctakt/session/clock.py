@@ -56,7 +56,7 @@ class WallClock:
         return self._first_tick + int(passed_us / self._cycle_time_us + 1e-6)
 
     def note(self, ticks: int, took_s: float) -> None:
-        """Take what the slice has cost: nothing follows from it."""
+        """Receive the cost of the slice: it has no consequence."""
 
 
 class ScheduleClock:
@@ -106,7 +106,7 @@ class FastClock:
         return self._tick + self._ticks
 
     def note(self, ticks: int, took_s: float) -> None:
-        """Make the next slice longer or shorter by what this one has cost."""
+        """Make the next slice longer or shorter, depending on the cost of this one."""
         self._tick += ticks
         shortest, longest = FAST_SLICE_S
         if took_s < shortest:
@@ -115,7 +115,7 @@ class FastClock:
             self._ticks = max(self._ticks // 2, 1)
 
 
-#: What paces a session.
+#: The clock that paces a session.
 AnyClock = WallClock | ScheduleClock | FastClock
 
 

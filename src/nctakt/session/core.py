@@ -2,7 +2,7 @@
 """The commands of a session -> their effects, without a thread, a socket or a clock.
 
 In: commands such as step, run, back, post. Out: slices, values. A session is between two ticks:
-``tick`` is the one that comes next, and what a command returns is what the ticks before it did.
+``tick`` is the next one, and a command returns the results of the ticks before it.
 """
 
 from __future__ import annotations
@@ -52,8 +52,8 @@ class SessionCore:
     """One session's commands; raises ``Failure`` with the mistakes of the setup.
 
     ``stops``: those at which it stops, in the order in which they were added. ``delay``: ticks
-    after which functions and jobs of spindles are acknowledged as by a person; ``None``: not.
-    ``poll`` is called while the past is run again, and may end that by an exception.
+    after which functions and jobs of spindles are acknowledged as by a person; ``None``: never.
+    ``poll`` is called while the past is rerun, and may end that by an exception.
     """
 
     def __init__(self, setup: Setup, poll: Poll = lambda: None) -> None:
@@ -98,7 +98,7 @@ class SessionCore:
 
     @property
     def latest(self) -> StepResult:
-        """What the last command that ran ticks has done."""
+        """The result of the last command that ran ticks."""
         return self._latest
 
     def ticks_of(self, time: TimeLike) -> int:
@@ -118,8 +118,8 @@ class SessionCore:
         """Run up to tick ``end``, to a stop, or to the end of the run.
 
         ``stops`` are watched instead of those of the session. Without ``events`` those of the slice
-        come with the next one that ends at a stop or has any. ``rests``: also to where nothing can
-        happen any more by itself.
+        come with the next slice that ends at a stop or has any. ``rests``: also stop where nothing
+        can happen any more without input.
         """
         watched = self.stops if stops is None else tuple(stops)
         last = _NEVER if end is None else end
@@ -153,7 +153,7 @@ class SessionCore:
                 return whole
 
     def _plan_acknowledgements(self, delay: int) -> None:
-        """Let what waits be acknowledged by its time, unless the tape does that already."""
+        """Have waiting functions acknowledged after their time, unless the tape does that."""
         branch = self.timeline.branch
         if self.tick < branch.latest:
             return
@@ -166,9 +166,9 @@ class SessionCore:
                 self.timeline.post([answer])
 
     def moved_within(self, stops: Sequence[StopAt], *, is_back: bool = False) -> StepResult | None:
-        """Go to the next statement of this cycle of the PLC at which a stop holds, or back to one.
+        """Go to the next statement of this PLC cycle at which a stop holds, or back to one.
 
-        Returns the latest slice with these stops as its hits; ``None`` where there is none.
+        Returns the latest slice with these stops as its hits; ``None`` if there is none.
         """
         own = [index for index, stop in enumerate(stops) if stop.kind == "statement"]
         chosen = [stops[index] for index in own]
@@ -180,7 +180,7 @@ class SessionCore:
         halted = cursor.statement
         if is_back or not faults or halted is None or halted.fault is not None:
             return None
-        # The PLC has passed this statement, so that a fault is one of the same tick.
+        # The PLC has passed this statement, so a fault belongs to the same tick.
         if not cursor.enter_fault() or cursor.statement is None or cursor.statement.fault is None:
             return None
         texts = ("", str(cursor.statement.fault.id))
@@ -226,7 +226,7 @@ class SessionCore:
     ) -> StepResult | None:
         """Go back to the last time that one of these stops held; ``None``, and stay, if never.
 
-        ``evidence``: what ``sought`` has returned for them.
+        ``evidence``: the result of ``sought`` for them.
         """
         tick = self.timeline.previous(stops, evidence)
         return None if tick is None else self.go_to(tick)
@@ -247,9 +247,10 @@ class SessionCore:
     def sought(
         self, stops: Sequence[StopAt | str]
     ) -> tuple[tuple[StopAt, ...], Sequence[Evidence]]:
-        """Return stops as ``read_stops``, and what the record says about each of them.
+        """Return stops as ``read_stops``, and the record's evidence about each of them.
 
-        It is one question to the controller, since two take longer than the record of a short run.
+        It is a single request to the controller, since two take longer than the record of a short
+        run.
         """
         found = self.timeline.live.ask("sought", tuple(stops))
         return cast("tuple[tuple[StopAt, ...], Sequence[Evidence]]", found)
@@ -271,7 +272,7 @@ class SessionCore:
         requests: Sequence[tuple[Mapping[str, float | bool | str], str]],
         answers: list[Failure | int],
     ) -> bool:
-        """Write for several clients; ``answers``: why one is refused, or its tick."""
+        """Write for several clients; ``answers``: the reason for a refusal, or the tick."""
         groups = [
             [Input(self.tick, source, WRITE, pair) for pair in values.items()]
             for values, source in requests
@@ -300,7 +301,7 @@ class SessionCore:
         return cast("float", self.timeline.live.ask("evaluate", text, channel))
 
     def undefined(self, text: str, channel: int) -> Text | None:
-        """Return why an expression is not defined at this tick, ``None`` where it is."""
+        """Return why an expression is not defined at this tick, ``None`` if it is."""
         return cast("Text | None", self.timeline.live.ask("undefined", text, channel))
 
     def cycles(self) -> list[CycleState]:
@@ -308,7 +309,7 @@ class SessionCore:
         return self.timeline.live.cycles()
 
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
-        """Return what waits for its acknowledgement, each with its channel."""
+        """Return functions and jobs that wait for acknowledgement, each with its channel."""
         waiting = self.timeline.live.ask("waiting")
         return cast("list[tuple[int, TechnologyEntry | SpindleEntry]]", waiting)
 
@@ -365,7 +366,7 @@ class SessionCore:
         return self.timeline.compare(one, other, tuple(dict.fromkeys(shorter)), poll)
 
     def happened(self, first: int, end: int) -> StepResult:
-        """Return what the ticks from ``first`` up to ``end`` have done.
+        """Return the results of the ticks from ``first`` up to ``end``.
 
         The session stays where it is.
         """
@@ -373,11 +374,11 @@ class SessionCore:
         return self.timeline.happened(min(max(0, first), end), end)
 
     def state_view(self, names: Sequence[str]) -> StateView:
-        """Return values, cycles and what waits, all of this tick."""
+        """Return values, cycles and waiting functions, all of this tick."""
         return cast("StateView", self.timeline.live.ask("state_view", list(names)))
 
     def past(self, tick: int | None = None, branch: int | None = None) -> Past:
-        """Return what it takes to run a branch up to a tick again, by default up to here."""
+        """Return everything needed to rerun a branch up to a tick, by default up to here."""
         timeline = self.timeline
         end = self.tick if tick is None else tick
         target = timeline.reached(end, branch)
@@ -399,7 +400,7 @@ class SessionCore:
         return cast("list[DecoderState]", self.timeline.live.ask("decoders"))
 
     def result(self) -> Run:
-        """Return the result of the run so far; the session stays where it is."""
+        """Return the result of the run so far; the session does not move."""
         engine = self.timeline.trial(self.tick)
         try:
             return cast("Run", engine.ask("result"))
@@ -407,7 +408,7 @@ class SessionCore:
             engine.close()
 
     def retained(self) -> str:
-        """Return the text of what the PLC keeps at this tick."""
+        """Return the text of the PLC's retained values at this tick."""
         return cast("str", self.timeline.live.ask("retained"))
 
     def restart_schedule(self) -> None:

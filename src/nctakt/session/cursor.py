@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The place of a session within the last tick that it has run: before a statement of its PLC.
 
-A tick is never cut: the session is after it. A copy of its controller before that tick runs it
-again up to the statement, is looked at, and is thrown away; so going back is no other than going
-on. In: what is looked for. Out: the place, its calls and its variables.
+A tick is never split: the session is after it. A copy of its controller from before that tick
+reruns it up to the statement, is inspected, and is discarded; so going back is the same as going
+on. In: the stops looked for. Out: the place, its calls and its variables.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Passed:
 class Cursor:
     """The place within the last tick; ``statement`` is ``None`` after it.
 
-    It goes with the session: whoever lets that go on or back calls ``leave`` first.
+    It moves with the session: callers that move the session call ``leave`` first.
     """
 
     def __init__(self, timeline: Timeline) -> None:
@@ -83,7 +83,7 @@ class Cursor:
     def next_in_tick(self, stops: Sequence[StopAt]) -> list[int]:
         """Go to the next statement of this tick at which one of some stops holds.
 
-        Returns which of them do there; none where none does, and it stays where it is.
+        Returns which of them do there; if none does, it does not move.
         """
         return self._move(stops, is_back=False)
 
@@ -139,7 +139,7 @@ class Cursor:
         return self._base
 
     def _all_passed(self, base: RemoteEngine) -> Passed | None:
-        """Return the statements of the tick; ``None`` where it has too many to be kept."""
+        """Return the statements of the tick; ``None`` if it has too many to be kept."""
         engine = base.copy()
         try:
             passed: tuple[list[int], list[int]] | None = engine.ask("statements_passed")
@@ -158,7 +158,7 @@ class Cursor:
         self._halted, self.statement = engine, halted
 
     def enter_fault(self) -> bool:
-        """Be where a fault has stopped the PLC; return whether one has."""
+        """Go to where a fault has stopped the PLC; return whether one has."""
         failed = cast("PlcPlace | None", self._timeline.live.ask("plc_fault"))
         if failed is not None:
             self._let_go()
@@ -184,7 +184,7 @@ class Cursor:
     # --- looking
 
     def look(self, request: str, *words: Any) -> Any:
-        """Return what the controller at this place answers; after a tick that of the session."""
+        """Return the answer of the controller at this place; after a tick the session's."""
         engine = self._timeline.live if self._halted is None else self._halted
         return engine.ask("look_inside", request, *words)
 

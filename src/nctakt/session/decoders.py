@@ -2,7 +2,7 @@
 """The decoder of a channel at a tick: its open programs, their variables, the parameters.
 
 In: the decoder's modal state. Out: a ``DecoderState`` that can travel between processes. The
-decoder works ahead of the path: what it shows is later in the program than the current block.
+decoder works ahead of the path: its state is later in the program than the current block.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ MAX_ELEMENTS = 1000
 
 @dataclass(frozen=True, slots=True)
 class DecoderVariable:
-    """A variable of a program: the first of its ``count`` elements, one without dimensions."""
+    """A variable of a program: the first of its ``count`` elements, 1 without dimensions."""
 
     name: str
     type: str
@@ -63,7 +63,7 @@ class DecoderState:
 
 
 def decoder_state(channel: int, state: ModalState, environment: DecoderEnvironment) -> DecoderState:
-    """Return what there is to see of a decoder."""
+    """Return the visible state of a decoder."""
     stack = state.call_stack
     scopes = stack.scopes
     local = scopes.scopes_of("L")[::-1]
@@ -95,7 +95,7 @@ def _fail(message: Message, span: Span | None, **values: object) -> NoReturn:
 
 
 def _no_index(index: Expression) -> float:
-    """Raise: what is only looked at has no index."""
+    """Raise: a variable that is only inspected has no index."""
     raise AssertionError(index)
 
 

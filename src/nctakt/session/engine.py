@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One controller at one tick, with the requests that a session makes of it.
+"""One controller at one tick, with the requests that a session makes to it.
 
 In: a ``Setup``, then requests: run up to a tick, plan inputs, read, evaluate. Out: slices and
 values. It knows no process, no thread and no clock: the same requests give the same answers
@@ -60,10 +60,10 @@ from nctakt.session.tick_log import MAX_EVENTS, SignalRows, TickLog
 from nctakt.trace.event_words import EventMatcher, SoughtEvents
 from nctakt.trace.events import Event
 
-#: Ticks whose rows are held at once where only some of them are kept.
+#: Ticks whose rows are held at once if only some of them are kept.
 OUTLINED_AT = 20_000
 
-#: What ``Engine.last_hit`` has found: a tick or 0, where it has come to, its marks.
+#: Result of ``Engine.last_hit``: a tick or 0, the tick reached, its marks.
 Found = tuple[int, int, tuple[Mark, ...]]
 
 
@@ -93,16 +93,16 @@ MAX_LOOKED_AT = 1_000_000
 
 @dataclass(frozen=True, slots=True)
 class StepResult:
-    """What the ticks from ``first_tick`` up to, but without, ``tick`` have done.
+    """The results of the ticks from ``first_tick`` up to, but without, ``tick``.
 
     ``run_state`` has a value once the run is over. ``hits``: the stops that held in the last tick,
     by their index; they have ended the slice. ``blocks``: number of the channel -> place of its
     current block, ``calls``: the programs that are open there, the main program first;
-    ``decoding``: place of what its decoder has given last. ``inputs``: all that came from outside,
-    in its order. ``decoded``: blocks that have been passed so far. ``differs``: the first tick in
-    which the PLC did otherwise than the tape says. ``marks``, ``rows``, ``columns``: what the ticks
-    have left behind (``trail.py``), for the past of the session. ``is_resting``: it has ended
-    because no block comes by itself; ``diagnostics`` says what the programs wait for.
+    ``decoding``: place of the latest command of its decoder. ``inputs``: all inputs from outside,
+    in order. ``decoded``: blocks passed so far. ``differs``: the first tick in which the PLC
+    differed from the tape. ``marks``, ``rows``, ``columns``: the trail of the ticks (``trail.py``),
+    for the past of the session. ``is_resting``: it has ended because no block comes without input;
+    ``diagnostics`` says why the programs wait.
     """
 
     first_tick: int
@@ -127,7 +127,7 @@ class StepResult:
 
 
 def joined(first: StepResult, second: StepResult) -> StepResult:
-    """Return two slices, one after the other, as one."""
+    """Return two consecutive slices as one."""
     events = [*first.events, *second.events]
     surplus = max(0, len(events) - MAX_EVENTS)
     return replace(
@@ -142,7 +142,7 @@ def joined(first: StepResult, second: StepResult) -> StepResult:
 
 
 def since_tick(done: StepResult, tick: int, cycle_us: int) -> StepResult:
-    """Return a slice, whose events begin at a tick, with nothing of the ticks before it."""
+    """Return a slice without its events before a tick."""
     return replace(
         done,
         first_tick=max(tick, done.first_tick),
@@ -155,11 +155,10 @@ def since_tick(done: StepResult, tick: int, cycle_us: int) -> StepResult:
 class BranchState:
     """A branch of a realtime cycle at this tick.
 
-    ``truth``: of its condition at its last evaluation, ``None`` before the first, and after
-    one that a fault has broken off. ``is_evaluated``
-    and ``has_run``: in the last tick. ``count``: how often its body ran. ``evaluated_at``: the tick
-    of the last evaluation, ``seen``: what it compared, ``now``: what it would compare at this tick,
-    ``None`` where that is not defined.
+    ``truth``: of its condition at its last evaluation, ``None`` before the first, and after one
+    aborted by a fault. ``is_evaluated`` and ``has_run``: in the last tick. ``count``: how often its
+    body ran. ``evaluated_at``: the tick of the last evaluation, ``seen``: the values it compared,
+    ``now``: the values it would compare at this tick, ``None`` if that is not defined.
     """
 
     span: Span
@@ -187,10 +186,10 @@ class CycleState:
 
 @dataclass(frozen=True, slots=True)
 class StateView:
-    """Values of signals, living cycles, what waits for the PLC, and channels, before one tick.
+    """Values of signals, living cycles, waiting functions, and channels, before one tick.
 
-    ``ended``: the cycles that have ended and were defined at a place where none lives now, the
-    newest of each place, at most 100.
+    ``ended``: ended cycles that were defined at a place where none lives now, the newest of each
+    place, at most 100.
     """
 
     tick: int
@@ -287,7 +286,7 @@ class Engine:
         return planned
 
     def _attach_image(self) -> None:
-        """Let there be an image for what a PLC in another process has written."""
+        """Create an image for the values of a PLC in another process."""
         machine = self._machine
         self._image = SharedImage(
             machine.configuration, machine.kernel, machine.channels, machine.layout
@@ -310,7 +309,7 @@ class Engine:
                 self._differs = arrived.tick
 
     def warm_up(self) -> None:
-        """Do now what each copy of this would otherwise do in its first ticks."""
+        """Do in advance what each copy of this would otherwise do in its first ticks."""
         write_initialisers()
 
     # --- going on -------------------------------------------------------------------------------
@@ -328,7 +327,7 @@ class Engine:
     def plan(self, inputs: Sequence[Input]) -> None:
         """Replace the inputs that are to come, from this tick on.
 
-        Those of a PLC in Python are only compared with what it does where it runs again, too.
+        Those of a PLC in Python are only compared with its actions if it is rerun, too.
         """
         runs_again = parts_of(self._loop.plc)[1] is not None
         own = [planned for planned in inputs if planned.source != PLC or not runs_again]
@@ -370,11 +369,10 @@ class Engine:
         """Run up to tick ``end``, to the first tick in which a stop holds, or to the run's end.
 
         Without ``events`` the slice has none; the next one that has any brings them along.
-        ``since``, not before the next tick: where the slice begins; what has happened before is
-        forgotten, but for diagnostics.
-        ``marks``: where the slice has marks; ``None``: the ticks run for the first time, there are
-        as many as it takes, and the rows of events. ``rests``: also to where no stop can hold any
-        more by itself.
+        ``since``, not before the next tick: where the slice begins; everything earlier is
+        forgotten, except diagnostics. ``marks``: where the slice has marks; ``None``: the ticks run
+        for the first time, with as many marks as necessary, and the rows of events. ``rests``: also
+        end where no stop can hold any more without input.
         """
         if stops != self._stops:
             self._watch(stops)
@@ -409,7 +407,7 @@ class Engine:
         return done if since is None else since_tick(done, since, self._cycle_us)
 
     def _select(self, cells: Sequence[int], *, reduced: bool = False) -> None:
-        """Record these cells in each tick from now on: what no one keeps takes only time.
+        """Record only these cells in each tick from now on: others would only cost time.
 
         ``reduced``: only their lowest and highest values.
         """
@@ -427,7 +425,7 @@ class Engine:
     def _explore(self, end: int, found: list[Mark], resting: Sequence[StopAt] | None) -> bool:
         """Run ticks for the first time, with marks where they are due; return as ``advance``.
 
-        ``resting``: end as well where none of these stops can hold any more by itself.
+        ``resting``: also end where none of these stops can hold any more without input.
         """
         while True:
             before, begin_us = self.tick, now_us()
@@ -444,7 +442,7 @@ class Engine:
                 return is_stopped
 
     def _repeat(self, end: int, marks: Sequence[int], found: list[Mark]) -> bool:
-        """Run ticks again, with these marks on the way; return as ``advance``."""
+        """Rerun ticks, with these marks on the way; return as ``advance``."""
         for tick in marks:
             is_stopped = self._run.state is None and self._run.advance(tick)
             if not is_stopped or self.tick == tick:
@@ -533,7 +531,7 @@ class Engine:
         return self.statements.stopped_at(tick, number)
 
     def plc_fault(self) -> PlcPlace | None:
-        """Return where a fault has stopped the PLC, ``None`` while it goes on."""
+        """Return where a fault has stopped the PLC, ``None`` while it runs."""
         return self.statements.stopped_at(self.tick - 1, 0)
 
     def look_inside(self, request: str, *words: Any) -> Any:
@@ -550,19 +548,19 @@ class Engine:
         return questions[request](*words)
 
     def evidence(self, stops: Sequence[StopAt]) -> list[Evidence]:
-        """Return for each stop what the record of a session says about it."""
+        """Return for each stop the evidence in the record of a session."""
         return [
             (self._stop_builder.filters(stop), necessary(stop, self._machine, self._columns))
             for stop in stops
         ]
 
     def sought(self, stops: Sequence[StopAt | str]) -> tuple[tuple[StopAt, ...], list[Evidence]]:
-        """Return stops as ``read_stops``, with what the record of a session says about each."""
+        """Return stops as ``read_stops``, each with the evidence in the record of a session."""
         read = self.read_stops(stops)
         return read, self.evidence(read)
 
     def _watch(self, stops: Sequence[StopAt]) -> None:
-        """Watch these stops and no other ones from now on."""
+        """Watch only these stops from now on."""
         self._stop_builder.watch(stops)
         self._stops = stops
 
@@ -656,7 +654,7 @@ class Engine:
         return math.nan if context.fault else value
 
     def undefined(self, text: str, channel: int = 1) -> Text | None:
-        """Return why an expression is not defined at the moment, ``None`` where it is."""
+        """Return why an expression is not defined at present, ``None`` if it is."""
         context = context_of(self._machine.memory)
         self._stop_builder.read(text, channel).measure(context)
         if not context.fault:
@@ -704,7 +702,7 @@ class Engine:
         )
 
     def state_view(self, names: Sequence[str]) -> StateView:
-        """Return values, cycles and what waits, all of this tick; raises as ``read``."""
+        """Return values, cycles and waiting functions, all of this tick; raises as ``read``."""
         values = tuple(self.read(names))
         channels = channel_states(self._machine, self._loop.channels)
         cycles, ended = tuple(self.cycles()), tuple(self._ended_cycles())
@@ -741,7 +739,7 @@ class Engine:
         ]
 
     def waiting(self) -> list[tuple[int, TechnologyEntry | SpindleEntry]]:
-        """Return what waits for its acknowledgement, each with its channel.
+        """Return functions and jobs that wait for acknowledgement, each with its channel.
 
         The functions of a channel come first, then the jobs of spindles that the PLC turns.
         """
@@ -808,7 +806,7 @@ class Engine:
         return self._run.result()
 
     def retained(self) -> str:
-        """Return what the PLC keeps, as the text of a file."""
+        """Return the PLC's retained values, as the text of a file."""
         return retained_text(structured_plcs(self._loop.plc))
 
 

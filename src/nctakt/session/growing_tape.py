@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A tape that grows with its session: it survives the end of the process, whatever ends it.
+"""A tape that grows with its session: it survives the end of the process, however that ends.
 
-In: a session, how it was started. Out: ``run.growing.tape`` beside ``run.access.tape``. Whenever it
-is looked at, the inputs since the last look and a new last line take the place of the old last
-line: so the file is a whole tape at any time, but one without checksums of its events. A file that
-is there already, as an earlier process leaves it, stays: then it is ``run.growing-2.tape`` ….
+In: a session, how it was started. Out: ``run.growing.tape`` next to ``run.access.tape``. On every
+update the inputs since the last one and a new last line replace the old last line: so the file is a
+complete tape at any time, only without checksums of its events. An existing file, left by an
+earlier process, is kept: then it is ``run.growing-2.tape`` …
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _STATE = "interrupted"
 
 
 class GrowingTape:
-    """The growing tape of a session, ``path`` beside that of the whole one.
+    """The growing tape of a session, ``path`` next to that of the complete one.
 
     ``files``: programs and lists by their names on a tape. Raises ``OSError``.
     """
@@ -52,7 +52,7 @@ class GrowingTape:
             raise
 
     def look(self) -> None:
-        """Append what has come since the last look.
+        """Append the inputs since the last update.
 
         Raises ``OSError``, then the next look begins the file anew, and ``Failure`` once the
         session is closed.
@@ -105,7 +105,7 @@ class GrowingTape:
         self._file = file
 
     def _write(self, file: IO[bytes], lines: Sequence[str]) -> None:
-        """Write lines with one call where the system takes them whole; the last one is the end."""
+        """Write lines, with one call if the system takes them whole; the last one is the end."""
         rest = memoryview("".join(lines).encode("utf-8", errors="backslashreplace"))
         while rest:
             rest = rest[file.write(rest) :]
@@ -118,13 +118,13 @@ class GrowingTape:
             self._file = None
 
     def close(self) -> None:
-        """Remove it: there is the whole tape now."""
+        """Remove it: there is a complete tape now."""
         self._give_up()
         self.path.unlink(missing_ok=True)
 
 
 def _new_file(path: Path, word: str) -> Path:
-    """Return a new file beside another one, with a name that none had; raises ``OSError``."""
+    """Return a new file next to another, with an unused name; raises ``OSError``."""
     for mark in (word, *(f"{word}-{number}" for number in range(2, _MAX_LEFT))):
         found = path.with_name(f"{path.stem}.{mark}{path.suffix}")
         with contextlib.suppress(FileExistsError):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a session reports: frames, which may be skipped, and notices, which may not.
+"""Reports of a session: frames, which may be skipped, and notices, which may not.
 
-In: the moments of a session. Out: for each listener the latest frame, at a rate of its own, and all
-notices in their order. No listener can hold the session up.
+In: the moments of a session. Out: for each listener the latest frame, at its own rate, and all
+notices in order. No listener can hold the session up.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.results.run import ProgramMessage, RunState
 from nctakt.trace.events import Event
 
-#: Notices that wait for a listener at most; one that leaves more unread is dropped.
+#: Maximum number of notices waiting for a listener; a listener that leaves more unread is dropped.
 MAX_NOTICES = 1000
 
 #: Events that wait in a listener's frame at most; how many were left out is reported.
@@ -57,7 +57,7 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Notice:
-    """What a listener must know: at which tick, and what; ``text`` gives particulars.
+    """A message that a listener must get: at which tick, and what; ``text`` has the details.
 
     ``text_de``: the same in German, where that differs.
     """
@@ -69,7 +69,7 @@ class Notice:
 
 
 class Listener:
-    """One who listens: to some signals, at most ``rate_hz`` times a second.
+    """A listener to some signals, at most ``rate_hz`` times a second.
 
     ``is_dropped``: it has left too many notices unread, and gets no more.
     """
@@ -93,7 +93,7 @@ class Listener:
         return time.monotonic() >= self._due
 
     def give(self, frame: Frame) -> None:
-        """Give it a frame; one that it has not taken is folded into it."""
+        """Give it a frame; a frame that it has not taken is merged into it."""
         now_s = time.monotonic()
         # absolute times, so that slices of 10 ms do not make 20 frames a second 17
         self._due = max(self._due, now_s - self._distance_s) + self._distance_s
@@ -114,7 +114,7 @@ class Listener:
             self._changed.notify_all()
 
     def wake(self) -> None:
-        """Let whoever waits for a frame, or does so next, wait no longer."""
+        """Wake the thread that waits for a frame, or does so next."""
         with self._changed:
             self._is_woken = True
             self._changed.notify_all()
@@ -142,9 +142,9 @@ class Listener:
 
 
 def _folded(older: Frame, newer: Frame) -> Frame:
-    """Return the newer frame with the events of both, as far as there is room for them.
+    """Return the newer frame with the events of both, as far as there is room.
 
-    What came before a travel is not the past of where the session has gone.
+    Events before a jump are not the past of the place the session has gone to.
     """
     if newer.travels != older.travels:
         return newer

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Which of many rows show where something goes: some at even distances, others where it bends.
 
-In: rows, a column for each thing that is followed. Out: the places of those that are kept. Between
-two of them it goes in a straight line and at one speed, nearly.
+In: rows, with a column for each followed value. Out: the indices of the rows kept. Between two of
+them the values change in a nearly straight line, at nearly constant speed.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-#: How far from a straight line a row may be left out, as a share of all the way.
+#: How far from a straight line a dropped row may be, as a share of the whole range.
 TOLERANCE = 1e-5
 
-#: What is between two kept rows: how far the farthest row is away (negative), its place, the ends.
+#: A span between two kept rows: distance of the farthest row (negative), its index, the ends.
 _Gap = tuple[float, int, int, int]
 
 

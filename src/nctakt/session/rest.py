@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Where nothing can happen any more in a session unless somebody outside does something.
 
-In: a machine between two ticks, the stops that are watched. Out: what each program waits for, as
-notes; none while anything can still happen by itself.
+In: a machine between two ticks, the watched stops. Out: notes on the reasons for which the programs
+wait; none while anything can still happen without input.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
 from nctakt.session.stops import Kind, StopAt
 
-#: Ticks between two looks, beside those at which a program has stopped: multiples of it, so that it
-#: is the same tick wherever a run is cut.
+#: Ticks between two checks, apart from those at which a program has stopped: multiples of it, so
+#: that it is the same tick wherever a run is divided.
 LOOK_TICKS = 1000
 
 #: At single block and M00.
 PAUSED = StopAt("paused")
 
-#: What the operator alone can end, and what other programs can, which wait as well.
+#: Waits that only the operator can end, and waits that other programs, also waiting, can.
 _WAITING = (
     "program start", "programmed stop", "single block", "reset", "feed hold", "override",
     "release",
     "signal", "exchange",
 )  # fmt: skip
 
-#: What the PLC ends.
+#: Waits that the PLC ends.
 _OF_PLC = ("acknowledgement", "free place", "spindle acknowledged")
 
 #: Kinds of stops that hold by the time alone.
 _OF_VALUES: tuple[Kind, ...] = ("condition", "changes", "statement")
 
-#: Blocks, and what is watched beside them.
+#: Blocks, and stops watched along with them.
 _OF_PROGRAMS: tuple[Kind, ...] = ("block", "error", "notice", "message", "fault")
 
 _PROGRAM = Text("a program to be selected", "die Anwahl eines Programms")
@@ -49,10 +49,10 @@ _PROGRAM = Text("a program to be selected", "die Anwahl eines Programms")
 def rest(
     machine: AssembledMachine, loop: TickLoop, stops: Sequence[StopAt]
 ) -> tuple[Diagnostic, ...]:
-    """Return what all programs wait for if none of the stops can hold by itself; else nothing.
+    """Return the waits of all programs if none of the stops can hold without input; else nothing.
 
-    Where blocks are waited for, and beside them what may always come up, realtime cycles and axes
-    may go on: they make no block current.
+    If the stops are blocks, and others that may always occur, realtime cycles and axes may keep
+    going: they make no block current.
     """
     if loop.plc is not None or machine.inputs.next_tick < NEVER:
         return ()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The real schedule of a session's controller, if its setup names a scheduling list.
 
-In: a setup. Out: a machine whose ticks follow the list, and the threads that run by it.
+In: a setup. Out: a machine whose ticks follow the list, and the threads scheduled by it.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ class EngineSchedule:
         self._real: RealSchedule | None = None
 
     def scheduled(self, machine: Machine, diagnostics: list[Diagnostic]) -> Machine:
-        """Return the machine with the ticks of the list; ``diagnostics`` become its own."""
+        """Return the machine with the ticks of the list; ``diagnostics`` are added to its own."""
         if self._schedule is None:
             return machine
         from nctakt.run.scheduled.scheduled_run import scheduled  # noqa: PLC0415 - rare

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A session: one thread owns the core of a controller; everybody else asks it.
+"""A session: one thread owns the core of a controller; all others send it requests.
 
 In: commands from any thread, a clock. Out: slices and values as answers, frames and notices.
 """
@@ -47,19 +47,19 @@ from nctakt.trace.events import Event
 
 
 class Session:
-    """A run that one lives through: on any clock, with stops, forward and back.
+    """An interactive run: on any clock, with stops, forward and back.
 
-    Any thread may command; a command returns when it has been done. ``programs``, ``channels``
-    and ``options`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` files of PLCs.
+    Any thread may command; a command returns when it has been done. ``programs``, ``channels`` and
+    ``options`` are those of ``Controller.run``; ``machine`` is a folder, ``plc`` files of PLCs.
     Without a PLC, functions acknowledge themselves unless ``acknowledges`` is false. ``folders``:
     the only ones whose files may be read. ``pace``: on the wall clock ``slice`` runs the ticks of
-    10 ms together, ``tick`` each at its own time. ``stays``: it goes on after its programs.
+    10 ms together, ``tick`` each at its own time. ``stays``: it continues after its programs.
     ``signals``: those that are recorded for searches backward, by default those of a run and the
     single variables of the machine.
 
-    Raises ``Failure`` for what cannot be read, and for wrong names and values; programs with errors
-    are a session that is over. ``on_travel`` is called from its thread while it goes back, with how
-    many of how many ticks have been run again.
+    Raises ``Failure`` for files that cannot be read, and for wrong names and values; with errors in
+    the programs, the session is over at once. ``on_travel`` is called from its thread while it goes
+    back, with how many of how many ticks have been rerun.
 
     >>> with Session(NcText("move.nc", "G01 X100 F6000 M30")) as session:
     ...     session.run(until="V.RTA.ACS.ACT_POS.X >= 50").tick
@@ -107,10 +107,10 @@ class Session:
     ) -> Self:
         """Return a session of the run on a tape, which needs no PLC.
 
-        Its inputs come when they came; what is written after the start begins a branch. It
+        Its inputs come at the same times; anything written after the start begins a branch. It
         reaches the files in ``folders``, by default those of the folder of the tape. Raises
         ``Failure`` for a tape that cannot be read, that names other files, or whose programs and
-        lists have changed, unless it shall run ``anyway``.
+        lists have changed, unless it is to run ``anyway``.
         """
         return cls.of_setup(read_setup(tape, folders, anyway=anyway), pace)
 
@@ -134,7 +134,7 @@ class Session:
         self._ask, self.together = self._thread.ask, self._thread.together
 
     def _poll(self) -> None:
-        """Let travel end where it is interrupted; tell how far it has come."""
+        """End travel if it is interrupted; report its progress."""
         self._thread.poll()
         progress = self._core.progress
         if self.on_travel is not None and progress is not None:
@@ -168,7 +168,7 @@ class Session:
 
     @property
     def latest(self) -> StepResult:
-        """What the latest ticks have done."""
+        """The results of the latest ticks."""
         return self._core.latest
 
     @property
@@ -188,7 +188,7 @@ class Session:
 
     @property
     def origins(self) -> dict[int, tuple[int, int]]:
-        """The branches of the tape, each with the branch that it left and its own first tick.
+        """The branches of the tape, each with the branch that it left and its first tick.
 
         The first one has left none: 0.
         """
@@ -199,12 +199,12 @@ class Session:
 
     @property
     def folders(self) -> tuple[str | Path, ...]:
-        """The only folders whose files may be read, where there are any."""
+        """The only folders whose files may be read, if any are given."""
         return tuple(self._setup.folders)
 
     @property
     def input_count(self) -> int:
-        """The number of inputs that the branch has of its own."""
+        """The number of inputs of the branch itself."""
         return len(self._core.branch.inputs)
 
     @property
@@ -270,14 +270,14 @@ class Session:
         return self._ask(lambda: self._run_to(self._core.tick + ticks, []))
 
     def next_block(self) -> StepResult:
-        """Run until a block becomes current, or none can any more by itself, as ``run`` says."""
+        """Run until a block becomes current, or none can without input, as for ``run``."""
         return self._ask(lambda: self._run_to(None, [NEXT_BLOCK], rests=True))
 
     def step_statement(self, step: Step = "into") -> PlcPlace | None:
         """Go to the next statement of a PLC in Structured Text; return where it is then.
 
-        ``step``: ``into`` calls, ``over`` them, or ``out`` of this one. ``None``: the run is over
-        before. Raises ``Failure`` without such a PLC (902810), and where it has stopped (902818).
+        ``step``: ``into`` calls, ``over`` them, or ``out`` of this one. ``None``: the run ended
+        first. Raises ``Failure`` without such a PLC (902810), and if it has stopped (902818).
         """
         return self._ask(self._step_statement, step)
 
@@ -293,7 +293,7 @@ class Session:
     def step_statement_back(self, step: Step = "into") -> PlcPlace | None:
         """Go back to the last statement before this one; otherwise as ``step_statement``.
 
-        ``None``, and stay, where there is none.
+        ``None`` if there is none; then it does not move.
         """
         return self._ask(self._step_statement_back, step)
 
@@ -319,19 +319,20 @@ class Session:
     def below(
         self, path: str, level: int | None = 0, first: int = 0, count: int = 0
     ) -> list[PlcValue]:
-        """Return members, elements, or what is pointed to, of a variable of the PLC.
+        """Return members, elements, or the target, of a variable of the PLC.
 
-        Raises ``Failure`` for what it does not know, and for what refers to nothing.
+        Raises ``Failure`` for an unknown variable, and for one that refers to nothing.
         """
         return self._ask(self._core.cursor.look, "below", level, path, first, count)
 
     def texts_beside(
         self, file: str, lines: Sequence[Line], level: int | None = 0, instance: str = ""
     ) -> list[list[str]]:
-        """Return the values of what lines of a PLC's file name, such as ``[(12, ["n", "a.b"])]``.
+        """Return the values of names in lines of a PLC's file, such as ``[(12, ["n", "a.b"])]``.
 
-        Names mean what they mean in their line: in a call, counted from the innermost, if that line
-        is of it, else in an ``instance`` of the block. "" for what has parts, or no value there.
+        Names have the meaning of their line: in a call, counted from the innermost, if the line
+        belongs to it, else in an ``instance`` of the block. "" for a variable that has parts, or no
+        value there.
         """
         return self._ask(self._core.cursor.look, "texts_beside", level, instance, file, lines)
 
@@ -343,9 +344,9 @@ class Session:
         level: int | None = 0,
         instance: str = "",
     ) -> list[Branch]:
-        """Return what a line of a PLC's file names as a tree: how deep each value is, and it.
+        """Return the variables named in a line of a PLC's file as a tree: depth and value of each.
 
-        What has one of the paths ``opened`` is unfolded. What has no value there is left out.
+        Variables with one of the paths ``opened`` are expanded. Those without a value are left out.
         """
         words = (level, instance, file, line, tuple(opened))
         return self._ask(self._core.cursor.look, "tree_beside", *words)
@@ -368,7 +369,7 @@ class Session:
     # --- back -----------------------------------------------------------------------------------
 
     def go_to(self, tick: int, branch: int | None = None) -> StepResult:
-        """Go to just before a tick a branch has reached, by default this one (901154, 901157)."""
+        """Go to just before a tick of a branch, by default this one (901154, 901157)."""
         return self._ask(self._travel, self._core.go_to, tick, branch)
 
     def back(self, ticks: int = 1) -> StepResult:
@@ -378,7 +379,7 @@ class Session:
     def back_to(self, *stops: str | StopAt) -> StepResult | None:
         """Go back to the last time that one of these stops held, by default the session's.
 
-        ``None``, and stay, if that was never.
+        ``None`` if that never happened; then it does not move.
         """
         return self._ask(self._back_to, stops)
 
@@ -413,7 +414,7 @@ class Session:
     # --- the clock ------------------------------------------------------------------------------
 
     def play(self, speed: float | None = None, *, rests: bool = False) -> None:
-        """Go on by itself: at ``speed`` times the wall clock, 0.01 … 1000, else at full speed.
+        """Run continuously: at ``speed`` times the wall clock, 0.01 … 1000, else at full speed.
 
         Within a cycle of the PLC, a later statement of that at which a stop holds comes first.
         ``rests``: at full speed, stop where nothing can happen any more by itself. Raises
@@ -451,13 +452,13 @@ class Session:
 
     @property
     def speed(self) -> float | None:
-        """The factor to the wall clock; ``None`` as fast as possible, and while it pauses."""
+        """The factor to the wall clock; ``None`` at full speed, and while it pauses."""
         clock = self._thread.clock
         return None if clock is None else clock.speed
 
     @property
     def is_playing(self) -> bool:
-        """Whether it goes on by itself."""
+        """Whether it runs continuously."""
         return self._thread.clock is not None
 
     @property
@@ -498,14 +499,14 @@ class Session:
         """Select a program file for a channel: from the next tick on, as an input on the tape.
 
         It begins at once, with ``wait_for_start`` by START; a channel whose program runs, or that
-        has an error, keeps what it has (901148). Raises ``Failure`` for a file with mistakes.
+        has an error, keeps its program (901148). Raises ``Failure`` for a file with mistakes.
         """
         self._ask(self._input, self._core.select, str(program), channel, source)
 
     def acknowledge_after(self, ticks: int | None) -> None:
         """Acknowledge functions and spindle jobs this number of ticks after they came up.
 
-        The answers are inputs on the tape. ``None``: not any more. Raises ``ValueError`` below 1.
+        The answers are inputs on the tape. ``None``: no longer. Raises ``ValueError`` below 1.
         """
         if ticks is not None and ticks < 1:
             raise ValueError(ticks)
@@ -529,7 +530,7 @@ class Session:
         return self._ask(self._core.evaluate, expression, channel)
 
     def undefined(self, expression: str, channel: int = 1) -> Text | None:
-        """Return why an expression is not defined at this tick, ``None`` where it is."""
+        """Return why an expression is not defined at this tick, ``None`` if it is."""
         return self._ask(self._core.undefined, expression, channel)
 
     def cycles(self) -> list[CycleState]:
@@ -541,7 +542,7 @@ class Session:
         return self._ask(self._core.waiting)
 
     def state_view(self, *names: str) -> StateView:
-        """Return values, living cycles and what waits for the PLC, all of the same tick."""
+        """Return values, living cycles and functions waiting for the PLC, all of the same tick."""
         return self._ask(self._core.state_view, names)
 
     def events(self, first: int, end: int) -> tuple[list[Event], int]:
@@ -562,7 +563,7 @@ class Session:
         return EventSearch(self._ask, timeline, timeline.reached(0, branch))
 
     def happened(self, first: int, end: int) -> StepResult:
-        """Return what the ticks from ``first`` up to, but without, ``end`` have done.
+        """Return the results of the ticks from ``first`` up to, but without, ``end``.
 
         Of the events there are at most the latest 1,000. The session stays where it is.
         """
@@ -571,7 +572,7 @@ class Session:
     def future(self, *signals: str) -> Iterator[Future]:
         """Run a copy ahead from where the branch ends; each item knows more of the future.
 
-        The session goes on meanwhile. What it shows is what happens unless somebody writes.
+        The session continues meanwhile. The result is what will happen unless somebody writes.
         """
         engine = self._ask(self._core.ahead)
         return iter((UNKNOWN,)) if engine is None else run_ahead(engine, signals)
@@ -593,9 +594,9 @@ class Session:
     ) -> WhyReport:
         """Return why reactions have fired up to a tick, by default up to here, or have not.
 
-        The past is run again for it; the session goes on meanwhile. ``meanwhile`` is called now
-        and then, and may end it by an exception. Raises ``Failure`` where there are no ticks yet,
-        or a branch has not reached the tick (901154, 901157).
+        The past is rerun for it; the session continues meanwhile. ``meanwhile`` is called now and
+        then, and may end it by an exception. Raises ``Failure`` if there are no ticks yet, or a
+        branch has not reached the tick (901154, 901157).
         """
         is_interrupted = self._thread.poller()
 
@@ -640,11 +641,11 @@ class Session:
         return self._ask(self._core.decoders)
 
     def result(self) -> Run:
-        """Return the result of the run up to here; the session goes on."""
+        """Return the result of the run up to here; the session continues."""
         return self._ask(self._core.result)
 
     def retained(self) -> str:
-        """Return what the PLC keeps from this tick for the next run: a file's text (ST-406)."""
+        """Return the PLC's retained values of this tick, as the text of a file (ST-406)."""
         return self._ask(self._core.retained)
 
     def tape(self) -> list[Input]:
@@ -658,7 +659,7 @@ class Session:
     def save(self, path: str | Path) -> None:
         """Write this branch up to its latest tick as a tape for ``nctakt replay``.
 
-        Its run is repeated for that; the session goes on meanwhile. Raises ``Failure`` for a file
+        Its run is repeated for that; the session continues meanwhile. Raises ``Failure`` for a file
         that cannot be written.
         """
         inputs, ticks = self._ask(lambda: (self._core.tape(), self._core.branch.latest))

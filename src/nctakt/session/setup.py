@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a session is opened with, and what it knows of its machine before the first tick."""
+"""The setup of a session, and facts about its machine known before the first tick."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ class Setup:
 
     ``programs``: number of the channel, from 1 -> its programs. ``machine``: a folder, ``None`` for
     the demo machine. ``plc``: files of PLCs. ``acknowledges``: technology functions acknowledge
-    themselves where no PLC is present; else whoever watches the session, or a tape, does it.
-    ``folders``: the only ones whose files may be read, where there are any. ``inputs``: those of a
-    tape. ``rtconf``: a scheduling list by which the controller's threads run on a real clock, with
-    its ``load`` and the name of its operating system. ``options``: those of ``Controller.run``, of
+    themselves if no PLC is present; else a user of the session, or a tape, does it. ``folders``:
+    the only ones whose files may be read, if any are given. ``inputs``: those of a tape.
+    ``rtconf``: a scheduling list by which the controller's threads run on a real clock, with its
+    ``load`` and the name of its operating system. ``options``: those of ``Controller.run``, of
     which ``signals`` are by default those of a run and the variables of the machine.
     """
 
@@ -48,7 +48,7 @@ class Setup:
 
 @dataclass(frozen=True, slots=True)
 class Inventory:
-    """What programs of a machine can name, and the realtime cycles in their texts.
+    """Names available to programs of a machine, and the realtime cycles in their texts.
 
     ``variables``: number of the channel -> V.E, V.CH, V.RTA and V.RTG by name with their types;
     those of V.RTA and V.RTG have none.
@@ -60,7 +60,7 @@ class Inventory:
 
 @dataclass(frozen=True, slots=True)
 class Description:
-    """What a machine with its checked programs is before the first tick.
+    """A machine with its checked programs before the first tick.
 
     ``signals``: name -> unit; ``booleans``: those that are true or false. ``texts``: file -> its
     lines. ``inputs``: those that the setup has planned. ``is_over``: the programs have errors.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The statements of a session's PLC in one controller: stops at them, and a look into a tick.
+"""The statements of a session's PLC in one controller: stops at them, inspection of a tick.
 
 In: stops, numbers of statements within a tick, paths of variables. Out: the kernel's stops; where
 in a tick something has held; calls and values where the PLC has halted or failed.
@@ -62,9 +62,9 @@ class Wanted(Protocol):
 class PlcPlace:
     """Where a session is in the cycle of a PLC.
 
-    ``tick`` is the one that it is in, ``number`` that of the statement that comes next among those
-    of the tick, from 1 on; ``frames``: the calls that are open, the innermost first. ``fault``: why
-    the PLC has stopped there for good, ``None`` where it goes on.
+    ``tick`` is the current one, ``number`` that of the next statement among those of the tick, from
+    1 on; ``frames``: the open calls, the innermost first. ``fault``: why the PLC has stopped there
+    for good, ``None`` if it keeps running.
     """
 
     tick: int
@@ -74,7 +74,7 @@ class PlcPlace:
 
 
 class Statements:
-    """What a controller knows of the statements of its PLC; at first it has none."""
+    """A controller's knowledge of the statements of its PLC; at first there is no PLC."""
 
     def __init__(self) -> None:
         self._plc: StDebugging | None = None
@@ -95,7 +95,7 @@ class Statements:
 
     @property
     def plc(self) -> StDebugging:
-        """The PLC; raises ``Failure`` (902810) where there is none."""
+        """The PLC; raises ``Failure`` (902810) if there is none."""
         if self._plc is None:
             raise Failure(diagnostic(NO_STRUCTURED_TEXT, what="statement"))
         return self._plc
@@ -136,7 +136,7 @@ class Statements:
         return [PassesStatement(one, guard, stop.count) for one in found]
 
     def _sources(self, stop: Wanted) -> list[int]:
-        """Return the statements of a line; none for any statement."""
+        """Return the statements of a line; none means any statement."""
         lines = self.plc.lines
         if not stop.line:
             return []
@@ -152,7 +152,7 @@ class Statements:
     # --- within a tick
 
     def within(self, after: int, before: int) -> None:
-        """Note from now on what holds first after a statement, and last before another one."""
+        """Note from now on the first hit after a statement, and the last before another."""
         self.plc.install().begin(0)
         for found in self._sought.values():
             for one in found:
@@ -185,7 +185,7 @@ class Statements:
         self.plc.install().begin(number)
 
     def stopped_at(self, tick: int, number: int) -> PlcPlace | None:
-        """Return where the PLC has halted or failed; ``None`` where it goes on."""
+        """Return where the PLC has halted or failed; ``None`` if it keeps running."""
         if self._plc is None or not self._plc.has_stopped:
             return None
         frames = tuple(self._plc.frames())
@@ -200,19 +200,19 @@ class Statements:
         return self.plc.of_scope(level, scope, first, count)
 
     def below(self, level: int | None, path: str, first: int, count: int) -> list[PlcValue]:
-        """Return what is below a variable."""
+        """Return the children of a variable."""
         return self.plc.below(level, path, first, count)
 
     def texts_beside(
         self, level: int | None, instance: str, file: str, lines: Sequence[Line]
     ) -> list[list[str]]:
-        """Return the values of what lines of a file name."""
+        """Return the values of names in lines of a file."""
         return self.plc.texts_beside(level, instance, file, lines)
 
     def tree_beside(
         self, level: int | None, instance: str, file: str, line: Line, opened: Sequence[str]
     ) -> list[Branch]:
-        """Return what a line of a file names as a tree."""
+        """Return the variables named in a line of a file as a tree."""
         return self.plc.tree_beside(level, instance, file, line, opened)
 
     def instances(self, file: str) -> list[str]:

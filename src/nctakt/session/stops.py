@@ -79,7 +79,7 @@ _ALONE: dict[str, Kind] = {
 #: A serial number that no cycle reaches.
 _ANY_SERIAL = 1 << 53
 
-#: How many kinds of parts a written text has: the only one, the first, the last, one between.
+#: Number of kinds of parts of a written text: the only one, first, last, in between.
 _TEXT_PARTS = 4
 
 _FUNCTION = re.compile(r"(?P<letter>[MHT])(?P<number>\d{1,9})", re.IGNORECASE)
@@ -213,7 +213,7 @@ class _Bounds:
         self._highest[column] = high
 
     def filter(self, kinds: int) -> EventFilter:
-        """Return what takes events of these kinds within the bounds of now."""
+        """Return a filter for events of these kinds within the present bounds."""
         return EventFilter(kinds, tuple(self._lowest), tuple(self._highest))
 
 
@@ -294,7 +294,7 @@ class StopBuilder:
         return tuple(one.stop(guard, stop.count) for one in self._filters(stop))
 
     def filters(self, stop: StopAt) -> tuple[EventFilter, ...] | None:
-        """Return the events at which a stop holds; ``None`` where a record does not tell."""
+        """Return the events at which a stop holds; ``None`` if the record does not show them."""
         is_recorded = stop.kind in _EVENTS and not stop.only_if
         return tuple(self._filters(stop)) if is_recorded else None
 
@@ -322,7 +322,7 @@ class StopBuilder:
             yield bounds.filter(kinds)
 
     def _writes(self, stop: StopAt, bounds: _Bounds) -> Iterable[EventFilter]:
-        """Yield the filters for what cycles write into a variable, of a text for each part."""
+        """Yield the filters for writes of cycles into a variable, for a text one per part."""
         prefix = f"CH{stop.channel}." if stop.channel > 1 else ""
         cell, is_text = self._machine.access.cell_of(f"{prefix}{stop.text}")
         kind = rows.EVENT_WRITTEN_TEXT if is_text else rows.EVENT_WRITTEN

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A session <-> a tape: what was lived through can be replayed, and a recorded run lived through.
+"""A session <-> a tape: a session can be replayed, and a recorded run opened as a session.
 
 In: the setup and the inputs of a branch, a path; or a tape. Out: the file that ``nctakt replay``
 takes; or the setup of a session that has the tape's inputs and needs no PLC.
@@ -75,7 +75,7 @@ def programs_of(setup: Setup) -> list[str | Path | NcText]:
 
 
 def words_of_setup(setup: Setup) -> dict[str, Any]:
-    """Return the words of the command that runs what the setup does."""
+    """Return the words of the command that runs the same as the setup."""
     words = words_of_run(
         {**setup.options, "ticks": None, "blocks": True},
         programs=[name_of(program) for program in setup.programs.get(1, ())],
@@ -95,7 +95,7 @@ def words_of_setup(setup: Setup) -> dict[str, Any]:
 
 
 def has_called_plc(setup: Setup) -> bool:
-    """Return whether a PLC outside of the tick acknowledges: a tape has what it does."""
+    """Return whether a PLC outside the tick acknowledges: a tape has its actions."""
     return not (setup.acknowledges and all(map(is_structured, setup.plcs)))
 
 
@@ -104,7 +104,7 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
 
     It reaches the files in ``folders``, by default those of the folder of the tape. Raises
     ``Failure`` for a tape that cannot be read (901070 …), that names others (902024), that needs a
-    schedule (901149), or whose programs or lists have changed (901073), unless it shall run
+    schedule (901149), or whose programs or lists have changed (901073), unless it is to run
     ``anyway``.
     """
     folders = [Path(folder) for folder in folders]

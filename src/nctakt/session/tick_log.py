@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a controller has done since it was asked last, as a sink of its run.
+"""The log of a controller since the last request, as a sink of its run.
 
 In: the events of a run. Out: the latest of them, within a bound, and the current blocks.
 """
@@ -16,10 +16,10 @@ from nctakt.trace.events import Event
 from nctakt.trace.recorded import EventList
 from nctakt.trace.sinks import TraceHeader
 
-#: Events of one slice that are handed out: the latest; how many others there were is reported.
+#: Maximum number of events handed out per slice: the latest; the number of others is reported.
 MAX_EVENTS = 1000
 
-#: Rows of events that wait to be looked at, at most, beside the latest ones.
+#: Maximum number of unread rows of events, besides the latest ones.
 MAX_UNREAD = 4 * MAX_EVENTS
 
 _BLOCKS = frozenset((rows.EVENT_BLOCK,))
@@ -57,7 +57,7 @@ class TickLog:
             self._read()
 
     def _read(self) -> None:
-        """Look at the events that nobody has looked at."""
+        """Process the events that have not been processed yet."""
         unread, self._unread, self._unread_count = self._unread, [], 0
         if not unread:
             return
@@ -97,7 +97,7 @@ class TickLog:
 
     @property
     def calls(self) -> Mapping[int, int]:
-        """Number of the channel -> the number of what is open there."""
+        """Number of the channel -> the number of open programs there."""
         self._read()
         return self._calls
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Many runs of one program: what is varied, what is measured, what is expected."""
+"""Many runs of one program: variations, measures, expectations."""

@@ -21,7 +21,7 @@ HELD_COLOUR, BROKEN_COLOUR = "#2f6f9f", "#c0392b"
 #: Bars of a histogram, cells of a heat map along each side.
 BARS, CELLS = 24, 24
 
-#: Points that a scatter shows; of more, evenly spread ones.
+#: Maximum number of points in a scatter; if there are more, an even selection.
 MAX_POINTS = 3000
 
 
@@ -57,7 +57,7 @@ def axis_of(values: Sequence[float], name: str) -> Axis:
 
 
 def histogram(values: Sequence[float], name: str, unit: str, limits: Sequence[float] = ()) -> str:
-    """Return how often a measure has which value; ``unit``: the name of what is counted.
+    """Return how often a measure has which value; ``unit``: the name of the counted items.
 
     ``limits``: values of expectations, as lines; the axis reaches to them.
     """
@@ -89,7 +89,7 @@ def histogram(values: Sequence[float], name: str, unit: str, limits: Sequence[fl
 def verdict_map(
     x: Sequence[float], y: Sequence[float], held: Sequence[bool], names: tuple[str, str]
 ) -> str:
-    """Return where over two inputs runs passed and failed, from one colour to the other."""
+    """Return a map of passed and failed runs over two inputs, from one colour to the other."""
     across, up = axis_of(x, names[0]), axis_of(y, names[1])
     columns, rows = (min(CELLS, len(dict.fromkeys(own))) for own in (x, y))
     counts: dict[tuple[int, int], list[int]] = {}

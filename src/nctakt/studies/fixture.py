@@ -28,12 +28,12 @@ class RunStudy(Protocol):
     def __call__(
         self, file: str | Path | None = None, *, processes: int = 1, **entries: Any
     ) -> StudyResult:
-        """Make the runs of a plan: a file beside the test, or its entries."""
+        """Make the runs of a plan: a file next to the test, or its entries."""
 
 
 @pytest.fixture
 def study(request: pytest.FixtureRequest) -> RunStudy:
-    """A function that makes the runs of a plan: a file beside the test, or its entries."""
+    """A function that makes the runs of a plan: a file next to the test, or its entries."""
     from nctakt.project.run_settings import DEFAULT_PLC  # noqa: PLC0415 - see above
     from nctakt.studies.study import Study  # noqa: PLC0415
     from nctakt.testing.settings_under_test import machine_of_configuration  # noqa: PLC0415

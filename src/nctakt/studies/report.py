@@ -50,7 +50,7 @@ table { border-collapse: collapse; font-size: 13px } td, th { padding: 3px 10px;
 """
 
 
-#: Runs from which pictures are made; of more, evenly spread ones.
+#: Maximum number of runs used for pictures; if there are more, an even selection.
 MAX_RUNS = 100_000
 
 _TEXTS = {
@@ -109,7 +109,7 @@ def report(
 def shown_result(
     plan: Plan, rows: Sequence[Row], units: Mapping[str, str], nominal: Nominal | None = None
 ) -> str:
-    """Return the report in short, as a part of a page: what a notebook shows of a result."""
+    """Return a short report as part of a page: a notebook shows it for a result."""
     return _Report(plan, rows, units, "en", nominal).part()
 
 

@@ -165,7 +165,7 @@ class StudyResult:
     def save(self, path: str | Path, *, is_part: bool = False) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``.
 
-        ``is_part``: beside files of other rows, with the same types whatever the values are.
+        ``is_part``: one of several files of rows, with the same types for any values.
         """
         texts = None
         if is_part:
@@ -179,8 +179,8 @@ class Study:
     ``program`` is a file or an ``NcText``. With a plan's file, ``method``, ``count`` and ``seed``
     replace those of the file.
 
-    ``functions``: further measures as Python functions, which get the queries of a run as a test
-    does (``run.m_function(100).at``). ``default_machine``: that of a plan that names none, before
+    ``functions``: further measures as Python functions, which get the same queries of a run as a
+    test (``run.m_function(100).at``). ``default_machine``: that of a plan that names none, before
     the project's. ``nominal``: the unchanged run of an each-tick study. Raises ``Failure`` with all
     mistakes of the plan.
 
@@ -246,7 +246,7 @@ class Study:
         """Make the runs, by default all, and return their rows in order.
 
         ``processes``: how many make them; with ``functions`` it is this one. ``executor`` makes
-        them elsewhere. ``store`` keeps each row as it comes and knows those of earlier times;
+        them elsewhere. ``store`` keeps each row as it comes and knows those of earlier calls;
         ``on_rows`` is called with new ones. Raises ``Failure`` for unknown names, before any run.
         """
         self.runner  # noqa: B018 - checks the names
@@ -286,7 +286,7 @@ class Study:
         return StudyResult(self.plan, rows, self.nominal, self.runner.units)
 
     def without_shown_effect(self, result: StudyResult) -> list[tuple[str, int]]:
-        """Make some runs again with another value of one dimension alone, for points by chance.
+        """Repeat some runs with another value of one dimension alone, for random points.
 
         Returns the dimensions, beyond those of ``result.without_effect``, for which that changed
         nothing, each with the number of these runs. Raises ``Failure`` as ``run``.
@@ -307,7 +307,7 @@ class Study:
         corpus: str | Path | None = None,
         searched: SearchRuns | None = None,
     ) -> Reached:
-        """Look for runs that reach every branch of the realtime cycles; return what they reached.
+        """Look for runs that reach every branch of the realtime cycles; return their result.
 
         ``budget``: how many runs it may take, by default as many as the plan has. ``corpus``: a
         file with points to begin with, to which those that were good are added. ``searched``: makes
@@ -349,7 +349,7 @@ class Study:
     def command(self, run: int | Sequence[Value]) -> str | None:
         """Return the command that makes a run alone, by its number or its values.
 
-        ``None`` if no option says its inputs, or only a very long command would.
+        ``None`` if there is no option for its inputs, or the command would be very long.
         """
         inputs = inputs_of(self.plan, self._point(run), self.runner.cycle_time_us)
         return command_of(self.plan, inputs)

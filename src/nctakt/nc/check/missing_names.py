@@ -88,9 +88,7 @@ class MissingNames:
                 report(STRUCTURE_USED_AS_VALUE, span, name=missing.name, member=missing.nearest)
 
     def report_axis(self, variable: Variable) -> bool:
-        """Report V.A or V.G without an axis, or with an axis that the channel does not have; return
-        whether it is such a variable.
-        """
+        """Report V.A or V.G without a channel axis; return whether it is such a variable."""
         if not variable.parts:
             return False
         if system_variable(variable, (variable.parts[-1].name,)) is not None:

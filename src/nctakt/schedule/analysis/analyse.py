@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Response times in closed form, without simulation.
 
-In: ``Model``. Out: ``Analysis``. A response is never below what any simulation of the model shows,
-whatever of its phase, jitter and times of execution is open; where it is exact it says so. How they
-are found is in ``response``. Tasks of equal urgency count as more urgent.
+In: ``Model``. Out: ``Analysis``. A response is never below that of any simulation of the model, for
+any unspecified phase, jitter and execution times; it is marked if it is exact. ``response``
+explains how they are found. Tasks of equal urgency count as more urgent.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.schedule.analysis.response import Response, ResponseSearch
 from nctakt.schedule.model import ANY_CPU, Model, TaskClass
 
-#: When responses that depend on each other still grow after as many rounds, there is no bound.
+#: If responses that depend on each other still grow after this many rounds, there is no bound.
 _MAX_ROUNDS = 100
 
 
@@ -20,7 +20,7 @@ _MAX_ROUNDS = 100
 class TaskAnalysis:
     """One task; times in ns. ``response`` ``None``: no bound.
 
-    ``period``: the shortest time between two activations. ``slack``: what is left of it.
+    ``period``: the shortest time between two activations. ``slack``: the rest of it.
     ``can_overflow``: the task may still be busy when it is due again. ``is_exact``: the response is
     that of a simulation, not only a bound.
     """
@@ -41,7 +41,7 @@ class TaskAnalysis:
 class CpuAnalysis:
     """One processor; shares of its time as numbers from 0 on.
 
-    ``demand``: of all tasks. ``suspendable_supply``: what is not guaranteed to Windows.
+    ``demand``: of all tasks. ``suspendable_supply``: the time not guaranteed to Windows.
     ``intruders``: tasks that can run in Windows' time. ``is_late``: suspension itself can come too
     late for Windows' time.
     """
@@ -103,8 +103,9 @@ def analyse(model: Model) -> Analysis:
 def _responses(search: ResponseSearch) -> list[Response]:
     """Return the responses of all tasks.
 
-    Where work that is left from before counts, a response depends on others, and equally urgent
-    tasks on each other: all grow from 0 on until none changes. One that does not stop has no bound.
+    Where work left from before counts, a response depends on others, and equally urgent tasks on
+    each other: all grow from 0 until none changes. A response that does not stop growing has no
+    bound.
     """
     tasks = search.model.tasks
     order = sorted(range(len(tasks)), key=lambda i: -tasks[i].urgency)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Two lists beside each other: what became better, what worse, per thread and of Windows.
+"""Two lists compared: what became better or worse, per thread and for Windows.
 
 In: for each list its configuration, its analysis and a simulation. Out: ``Comparison``. Threads
-belong together by name. What counts is, in this order: how large a part of the activations
-overflows, the longest simulated response, the bound. Times in ns.
+belong together by name. The criteria, in this order: the share of activations that overflow, the
+longest simulated response, the bound. Times in ns.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True, slots=True)
 class Side:
-    """One list: its name, what it says, what was found out about it."""
+    """One list: its name, its content, the findings about it."""
 
     name: str
     configuration: RtconfConfiguration
@@ -59,7 +59,7 @@ class ThreadComparison:
 
 @dataclass(frozen=True, slots=True)
 class WindowsComparison:
-    """Windows on one processor (0: the sum) as shares and least times; ``None``: not there."""
+    """Windows on one processor (0: the sum) as shares and least times; ``None`` if absent."""
 
     cpu: int
     shares: tuple[float | None, float | None]
@@ -118,7 +118,7 @@ def _by_name(side: Side) -> dict[str, ThreadSide]:
 
 
 def _rank(thread: ThreadSide) -> tuple[float, float, float]:
-    """Return what is the better, the smaller it is."""
+    """Return a key that is smaller for the better."""
     numbers, bound = thread.numbers, thread.bound.response
     longest = numbers.response_max
     return (
@@ -153,7 +153,7 @@ def _windows(first: Simulation, second: Simulation) -> Iterator[WindowsCompariso
 
 
 def _lack(run: Simulation, windows: WindowsNumbers) -> tuple[float, float, float]:
-    """Return what is the better for Windows, the smaller it is."""
+    """Return a key that is smaller for the better for Windows."""
     share = windows.total / run.duration
     return windows.violated / run.cycles, -windows.minimum / run.model.cycle, -share
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a simulation or an analysis shows that somebody should know.
+"""Findings of a simulation or an analysis.
 
 In: ``Simulation`` or ``Analysis``. Out: diagnostics, in the order of the tasks and processors.
 """
@@ -27,7 +27,7 @@ from nctakt.schedule.simulation.results import Simulation, WindowsNumbers
 
 #: A thread that finishes less often than once in this many activations hardly ever finishes.
 _RARE = 10
-#: This many activations one after another that wait at the end are more than a passing delay.
+#: This many consecutive activations waiting at the end are more than a passing delay.
 _BACKLOG = 3
 _LATE = "late suspension"
 
@@ -38,7 +38,7 @@ def us(time: int) -> str:
 
 
 def simulation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterator[Diagnostic]:
-    """Yield what went wrong in a schedule.
+    """Yield the findings of a schedule.
 
     ``foreign``: tasks in processes of other programs, of which only wake-ups are known.
     """
@@ -66,7 +66,7 @@ def simulation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterat
 
 
 def starvation_findings(run: Simulation, foreign: Container[int] = ()) -> Iterator[Diagnostic]:
-    """Yield threads that hardly ever finish or fall behind, whatever error_on_overflow says."""
+    """Yield threads that hardly ever finish or fall behind, regardless of error_on_overflow."""
     for i, (task, numbers) in enumerate(zip(run.model.tasks, run.tasks, strict=True)):
         if i in foreign or not numbers.overflows:
             continue
@@ -121,7 +121,7 @@ def _without_windows_time(model: Model, responses: list[int], minimum: int) -> I
 
 
 def analysis_findings(analysis: Analysis) -> Iterator[Diagnostic]:
-    """Yield diagnostics of what can go wrong when all run as long as they can."""
+    """Yield diagnostics of possible problems when all tasks run as long as they can."""
     model = analysis.model
     for cpu in analysis.cpus:
         if cpu.demand > cpu.suspendable_supply:

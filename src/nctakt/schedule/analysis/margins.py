@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """How far a schedule is from overflowing, or how much less would do, by search on the analysis.
 
-In: ``Model``. Out: ``Margins``. A function's limit is that of its own processors: what overflows on
-another one does not count. Where the analysis is a bound, so are the margins, on the safe side.
-Times in ns.
+In: ``Model``. Out: ``Margins``. A function's limit is that of its own processors: overflows on
+another one do not count. Where the analysis is a bound, so are the margins, on the safe side. Times
+in ns.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class CpuFactor:
 
 @dataclass(frozen=True, slots=True)
 class Margins:
-    """``None``: whatever it is, something overflows."""
+    """``None``: something overflows at any value."""
 
     functions: tuple[FunctionLimit, ...]
     factors: tuple[CpuFactor, ...]
@@ -119,7 +119,7 @@ def longest_time(model: Model, function: str) -> int:
 def with_time(model: Model, function: str, time: int) -> Model:
     """Return the model in which the longest execution time of a function is ``time``.
 
-    Of several times all become as much longer or shorter, none below 0.
+    Several times all become longer or shorter by the same amount, none below 0.
     """
     change = time - longest_time(model, function)
 
@@ -180,8 +180,9 @@ def with_windows(model: Model, windows: int) -> Model:
 def _windows_time(model: Model) -> int | None:
     """Return the largest windows_time.
 
-    More of it leaves suspendable threads less, and less urgent external ones more: so it is tried
-    from above, in steps of several slices where there are many, and halved only within a step.
+    More of it leaves suspendable threads less, and less urgent external ones more: so the search
+    goes down from above, in steps of several slices if there are many, and bisects only within a
+    step.
     """
     slices = model.cycle // model.slice
     step = -(-slices // _MAX_TRIALS)

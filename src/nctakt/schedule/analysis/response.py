@@ -2,21 +2,23 @@
 """The longest response of one task, searched as a fixed point.
 
 In: ``Model``, the responses of more urgent tasks as far as they are known. Out: a bound for all
-jobs of the task, in ns, and whether a simulation shows exactly this one.
+jobs of the task, in ns, and whether a simulation shows exactly this bound.
 
 A busy time is looked at from an NC interrupt on. Three cases differ:
 
 * Without suspension it begins when no more urgent work is left. The job ends when its own work and
   that of all more urgent activations since then is done.
-* A task that can be suspended: the same, counted in the time that suspendable tasks have. What
-  cannot be suspended runs in Windows' time, too; that it all runs before is on the safe side.
-* A task that cannot be suspended, below some that can: it runs while they are suspended, so their
-  work can be left from before. The busy time begins with its own activation; of the others counts
-  what can be pending then, and suspendable ones never get more than their time in each cycle.
+* A task that can be suspended: the same, counted in the time that suspendable tasks have. Tasks
+  that cannot be suspended run in Windows' time, too; assuming that they all run before is on the
+  safe side.
+* A task that cannot be suspended, below some that can: it runs while they are suspended, so work
+  of theirs can be left from before. The busy time begins with its own activation; of the others,
+  work that can be pending then counts, and suspendable ones never get more than their time in each
+  cycle.
 
-A task that the operating system places is looked at as bound to each of its processors in turn: it
-waits only while all of them are taken. As a more urgent one it can come from another processor with
-work that is left, so that what can be pending counts.
+A task placed by the operating system is analysed as bound to each of its processors in turn: it
+waits only while all of them are busy. As a more urgent task it can come from another processor with
+work left, so its possibly pending work counts.
 """
 
 from __future__ import annotations
@@ -44,8 +46,8 @@ class Response:
 
     ``can_overflow``: the task can be busy when it is due again. ``is_exact``: the first jobs of a
     simulation show this response. Exact needs a timer, constant times, different urgencies, no
-    switching costs, no overflow, a processor of its own, and that nothing that cannot be suspended
-    reaches into Windows' time.
+    switching costs, no overflow, a processor of its own, and no task that cannot be suspended
+    reaching into Windows' time.
     """
 
     time: int | None
@@ -124,7 +126,7 @@ class ResponseSearch:
             return False
         if not self.is_guarded(cpu):
             return True
-        # What cannot be suspended must be over when the others are.
+        # Tasks that cannot be suspended must be finished when the others are.
         in_time = {
             k: (response or 0) <= self.supply.min_per_cycle for k, response in responses.items()
         }
@@ -194,7 +196,7 @@ class _BusyTime:
         return None
 
     def _end(self, own: int, jobs: int, start: int, limit: int | None) -> int | None:
-        """Return when ``own`` work is done, from the begin of the busy time on."""
+        """Return when ``own`` work is done, from the start of the busy time."""
         time = max(start, self._min_end(own))
         while self._steps < MAX_STEPS:
             self._steps += 1
@@ -207,7 +209,7 @@ class _BusyTime:
         return None
 
     def _needed(self, own: int, jobs: int, time: int) -> int:
-        """Return when all is done that is there up to ``time``."""
+        """Return when all work that arrives up to ``time`` is done."""
         supply = self._search.supply
         fixed = self._work_of(self._fixed, time) + self._switching(jobs, time)
         if self._is_behind:
@@ -245,7 +247,7 @@ class _BusyTime:
         return (1 + self._is_guarded) * cpus
 
     def _rates(self) -> tuple[float, float]:
-        """Return the share of the time that more urgent tasks need, and that there is for all."""
+        """Return the share of time needed by more urgent tasks, and the share available to all."""
         model = self._search.model
         distance = model.train.distance
         supply = self._search.supply.min_per_cycle / distance

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Values of a list with which each thread has the slack that is asked for.
 
-In: the configuration, a function that makes its model, the slacks, what may be varied. Out:
-``Suggestions``: lists with the fewest changes first, those that guarantee Windows nothing last. The
-search goes from the list as it stands, one change after another, on with the most promising lists;
-what it finds holds by the analysis, what it does not find may exist. Times in ns where nothing else
-is said.
+In: the configuration, a function that makes its model, the slacks, the parameters that may vary.
+Out: ``Suggestions``: lists with the fewest changes first, those that guarantee Windows nothing
+last. The search starts from the present list, makes one change after another, and continues with
+the most promising lists; its results hold by the analysis, others may exist. Times in ns unless
+stated otherwise.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Slacks:
 
 @dataclass(frozen=True, slots=True)
 class Suggestion:
-    """A list, its analysis; ``changes``: how many parameters differ from the list as it stands."""
+    """A list, its analysis; ``changes``: how many parameters differ from the present list."""
 
     configuration: RtconfConfiguration
     analysis: Analysis
@@ -63,7 +63,7 @@ class Suggestion:
 
 @dataclass(frozen=True, slots=True)
 class Suggestions:
-    """``present``: the list as it stands; ``is_met``: it has the slacks already.
+    """``present``: the present list; ``is_met``: it has the slacks already.
 
     ``max_calls``: for a list that has them, how many calls of task_rnd each thread could have.
     """
@@ -91,7 +91,7 @@ def suggest(
 
 @dataclass(frozen=True, slots=True)
 class _Judged:
-    """A list with what it lacks: 0, all slacks are there."""
+    """A list with its shortfall: 0 if all slacks are met."""
 
     suggestion: Suggestion
     shortfall: float
@@ -116,14 +116,14 @@ class _Search:
         self._had_windows = self._windows_kept(analyse(model_of(present)))
 
     def judge(self, configuration: RtconfConfiguration) -> _Judged:
-        """Analyse a list and say what it lacks."""
+        """Analyse a list and compute its shortfall."""
         analysis = analyse(self._model_of(configuration))
         shortfall = sum(
             self._shortfall(task.name, bound)
             for task, bound in zip(analysis.model.tasks, analysis.tasks, strict=True)
             if task.calls
         )
-        # What Windows was sure to get it shall be sure to get.
+        # Windows shall keep the time guaranteed to it before.
         if self._had_windows and not self._windows_kept(analysis):
             shortfall += 1
         values = effective_values(configuration)
@@ -161,7 +161,7 @@ class _Search:
     def _different(self, solutions: list[_Judged]) -> list[Suggestion]:
         """Return the best solution for each choice of parameters.
 
-        One that changes more than a better one does, and that one's parameters too, is no choice.
+        A list is dropped if it changes more than a better one, including that one's parameters.
         """
         best: dict[frozenset[Key], Suggestion] = {}
         for judged in sorted(solutions, key=self._rank):
@@ -172,7 +172,7 @@ class _Search:
         return list(best.values())
 
     def _rank(self, judged: _Judged) -> tuple[float, ...]:
-        """Return what makes a list the better, the smaller it is."""
+        """Return a key that is smaller for a better list."""
         suggestion = judged.suggestion
         configuration = suggestion.configuration
         calls = sum(
@@ -220,7 +220,7 @@ class _Search:
                 yield replace(configuration, windows_time_us=slices * slice_)
 
     def _priorities(self, configuration: RtconfConfiguration) -> Iterator[RtconfConfiguration]:
-        """Yield lists in which two threads have changed their priorities, the realtime one not."""
+        """Yield lists in which two threads, not the realtime one, have exchanged priorities."""
         threads = configuration.threads
         free = [i for i, thread in enumerate(threads) if not is_realtime(thread)]
         for index, i in enumerate(free):

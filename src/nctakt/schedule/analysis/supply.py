@@ -19,8 +19,8 @@ from nctakt.schedule.model import Model
 class Offsets:
     """The distance from the NC interrupt to the suspension: least and greatest, in ns.
 
-    ``earliest_phase`` and ``latest_phase`` are the phases that have them, in ns; ``None`` where the
-    phase is known or any has them.
+    ``earliest_phase`` and ``latest_phase`` are the phases that have them, in ns; ``None`` if the
+    phase is known or any phase has them.
     """
 
     earliest: int
@@ -88,7 +88,7 @@ class Supply:
     def _lengths(self, cycles: int) -> tuple[int, int, int]:
         """Return the numbers of long, short and usual cycles among ``cycles`` that alternate.
 
-        Two long ones never follow each other without a short one between them, nor two short ones
+        Two long cycles never follow each other without a short one between them, nor two short ones
         without a long one. The loss of a cycle is convex in its length, so nothing loses more.
         """
         maximum = (cycles + 1) // 2

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""A simulation beside those with the worst phases of an NC interrupt of unknown phase.
+"""Further simulations with the worst phases of an NC interrupt of unknown phase.
 
-In: ``Simulation``. Out: one simulation for each phase that the analysis calls the worst one of a
+In: ``Simulation``. Out: one simulation for each phase that the analysis calls the worst for a
 thread; none where the phase is known, or makes no difference.
 """
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Which NC cycles pictures and traces show where no one has chosen.
+"""The NC cycles that pictures and traces show by default.
 
 In: ``Model`` and the number of NC cycles. Out: ``Simulation`` with a record of the cycles up to the
-end of the first repetition, of one repetition where that is too much, or of those around the first
+end of the first repetition, of one repetition if that is too much, or of those around the first
 overflow. An overflow that occurs is always among them.
 """
 
@@ -15,7 +15,7 @@ from nctakt.schedule.model import Model
 from nctakt.schedule.simulation.results import Simulation
 from nctakt.schedule.simulation.simulate import hyperperiod, simulate
 
-#: Maximum number of NC cycles in a picture unless another one is chosen.
+#: Default maximum number of NC cycles in a picture.
 MAX_DRAWN = 60
 #: NC cycles before the first overflow, and as many from it on, where the others are too many.
 AROUND_OVERFLOW = 8
@@ -49,7 +49,7 @@ def record_again(run: Simulation, shown: range) -> Simulation:
 
 
 def recorded_cycles(run: Simulation) -> int:
-    """Return how many of the first NC cycles are recorded where no one has chosen."""
+    """Return how many of the first NC cycles are recorded by default."""
     return min(hyperperiod(run.model), MAX_DRAWN, run.cycles)
 
 

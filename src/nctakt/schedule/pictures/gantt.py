@@ -103,7 +103,7 @@ def gantt(run: Simulation, title: PictureTitle, language: Language) -> Figure:
 
 
 def below_each_other(figures: Sequence[Figure]) -> Figure:
-    """Return pictures as one, each below the one before."""
+    """Return pictures combined into one, below each other."""
     shapes: list[Shape] = []
     height = 0
     for figure in figures:
@@ -191,7 +191,7 @@ class _StripDrawing:
         self.bottom = self._floor + 34
 
     def shapes(self) -> Iterator[Shape]:
-        """Yield all of it; what comes later lies above."""
+        """Yield all shapes; later ones lie above."""
         yield from self._interrupts()
         if self._has_dimensions:
             yield from self._dimensions()
@@ -230,7 +230,7 @@ class _StripDrawing:
         x = self._x(span[0])
         return Box(x, y, max(0.5, self._x(span[1]) - x), height, colour, tip=tip)
 
-    # --- what is drawn ----------------------------------------------------------------------------
+    # --- shapes -----------------------------------------------------------------------------------
 
     def _edges(self) -> list[tuple[int, int]]:
         """Return number and time of the NC interrupts, the end of the strip with them."""
@@ -302,7 +302,7 @@ class _StripDrawing:
                 yield self._box(span, self._task_y(segment.task), _BAR, colour, tip)
 
     def _parts(self) -> Iterator[Shape]:
-        """Yield what the interpolation consists of, in the lower half of its bars."""
+        """Yield the parts of the interpolation, in the lower half of its bars."""
         for part in self._contents.parts:
             if span := self._clip(part.begin, part.end):
                 name = PART_NAMES[part.part].get(self._language)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a picture of a schedule shows, and where: rows, strips, names.
+"""Layout of a picture of a schedule: rows, strips, names.
 
 In: ``Simulation`` with a record. Out: rows from top to bottom, by processor, then by urgency; the
 strips of NC cycles below each other that make the picture no wider than a page. Where there are
@@ -46,7 +46,7 @@ class Row:
 
 @dataclass(frozen=True, slots=True)
 class Strip:
-    """NC cycles beside each other: the first one, how many, from when to when in ns."""
+    """NC cycles side by side: the first one, how many, from when to when in ns."""
 
     first: int
     count: int

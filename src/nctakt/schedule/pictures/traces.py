@@ -83,7 +83,7 @@ def _variables(run: Simulation) -> Iterator[VcdVariable]:
 
 
 def _ticks(run: Simulation) -> range:
-    """The timer interrupts of the record; none where they are too many."""
+    """The timer interrupts of the record; none if there are too many."""
     ticks = tick_times(run.model, run.record.begin, run.record.end)
     return ticks if len(ticks) <= MAX_TICKS else range(0)
 

@@ -23,7 +23,7 @@ _VERDICTS = {
 
 
 def comparison_report(comparison: Comparison, first: Side, second: Side, language: Language) -> str:
-    """Return what differs, then threads and Windows in both lists."""
+    """Return the differences, then threads and Windows in both lists."""
     lines: list[str] = []
     for letter, side in (("A", first), ("B", second)):
         lines += [f"{letter}: {side.name}"]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Simulation and analysis for other programs, as JSON has them.
 
-In: what ``report`` shows as tables. Out: dictionaries of plain values; times in µs, ``None`` where
-there is none. Keys are the same in every language.
+In: the data that ``report`` shows as tables. Out: dictionaries of plain values; times in µs,
+``None`` where there is none. Keys are the same in every language.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ Document = dict[str, object]
 
 
 def effective_document(rows: Sequence[EffectiveRow]) -> Document:
-    """Return the list as it stands and as it counts."""
+    """Return the list as written and as effective."""
     return {
         "parameters": [
             {
@@ -52,7 +52,7 @@ def simulation_document(run: Simulation, worst_phases: Mapping[int, Simulation])
 
 
 def analysis_document(analysis: Analysis, margins: Margins, run: Simulation) -> Document:
-    """Return the bounds, beside the responses of a simulation, and the margins."""
+    """Return the bounds, next to the responses of a simulation, and the margins."""
     tasks = zip(analysis.model.tasks, analysis.tasks, run.tasks, strict=True)
     return {
         "schedule": schedule_document(analysis.model),

@@ -18,7 +18,7 @@ from nctakt.schedule.reports.report import rounded_mean
 
 #: The range of the times, all of them in turn, or the longest one.
 TimesForm = Literal["uniform", "list", "longest"]
-#: More times than this are not written one after another, the first ones are.
+#: If there are more times than this, only the first are written.
 MAX_LISTED = 1000
 
 

@@ -186,7 +186,7 @@ def response_report(run: Simulation, language: Language) -> list[str]:
     for task, numbers in tasks:
         longest = numbers.response_max
         shares = [numbers.responses.percentile(share) for share in PERCENTILES_PER_MILLE]
-        # A share that stands for several responses may end after the longest of them.
+        # A share that covers several responses may end after the longest of them.
         times = [
             share if share is None or longest is None else min(share, longest) for share in shares
         ]
@@ -284,7 +284,7 @@ def _windows_table(run: Simulation, language: Language) -> list[str]:
 def analysis_report(
     analysis: Analysis, margins: Margins, run: Simulation, language: Language
 ) -> str:
-    """Return response times beside those of a simulation, demand and supply, and the findings."""
+    """Return response times next to those of a simulation, demand and supply, and the findings."""
     lines = chosen_report(analysis.model, language)
     heads = Text(
         "Thread|C|T|C/T %|R analysed|R simulated|Slack|Overflow",
@@ -332,7 +332,7 @@ def _meaning_of_bounds(analysis: Analysis) -> Text:
 
 
 def _phases(analysis: Analysis, language: Language) -> list[str]:
-    """For which phase of the NC interrupt the bounds hold, where the load names none."""
+    """The phase of the NC interrupt for which the bounds hold, if the load names none."""
     if analysis.model.train.is_phase_known:
         return []
     if not analysis.phases:

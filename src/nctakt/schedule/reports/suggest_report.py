@@ -28,7 +28,7 @@ def changed_entries(present: Suggestion, suggestion: Suggestion) -> list[tuple[s
 
 
 def suggestion_report(suggestions: Suggestions, slacks: Slacks, language: Language) -> str:
-    """Return what the list has, and what could be changed."""
+    """Return the present values of the list, and possible changes."""
     present = suggestions.present
     lines = chosen_report(present.analysis.model, language)
     lines += ["", *_threads(present, slacks, language)]

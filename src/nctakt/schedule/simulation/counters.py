@@ -2,8 +2,8 @@
 # cython: boundscheck=True, cdivision=False, initializedcheck=True, wraparound=True
 """Counts the results of a simulation while it runs.
 
-In: what happens to tasks and in cycles. Out: ``TaskNumbers`` and ``WindowsNumbers``. What only
-adds up can be multiplied when the schedule repeats; a repetition brings no new least or greatest.
+In: events of tasks and cycles. Out: ``TaskNumbers`` and ``WindowsNumbers``. Sums can be multiplied
+when the schedule repeats; a repetition brings no new least or greatest.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class Counters:
         count = len(model.tasks)
         self._guarantee = model.windows
         self._cpus = model.windows_cpus
-        #: Of the places of Windows the last one is the sum of the others.
+        #: The last place of Windows is the sum of the others.
         self._sum = len(self._cpus)
         places = self._sum + 1
         self.due = _numbers(count)
@@ -79,7 +79,7 @@ class Counters:
         )
 
     def repeat(self, before: Snapshot, times: int) -> None:
-        """Add what has come since ``before`` another ``times`` times."""
+        """Add the counts since ``before`` another ``times`` times."""
         for numbers, old in zip(self._additive(), before.numbers, strict=True):
             for i, value in enumerate(old):
                 numbers[i] += (numbers[i] - value) * times

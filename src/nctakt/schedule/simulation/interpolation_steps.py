@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What one call of the interpolation consists of, in the order that ``schedule`` gives it.
+"""The parts of one call of the interpolation, in the order given by ``schedule``.
 
 In: a model whose load names the parts of ``task_int``, a record. Out: the parts with their begins
-and ends; the dead time (P-RTCF-00018). STANDARD puts out what the cycle before has computed, then
-reads, then interpolates; COMPLETE and SWITCHED put out at the end what was read at the begin.
+and ends; the dead time (P-RTCF-00018). STANDARD puts out the results of the previous cycle, then
+reads, then interpolates; COMPLETE and SWITCHED put out at the end what was read at the start.
 """
 
 from __future__ import annotations

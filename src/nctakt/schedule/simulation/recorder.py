@@ -33,7 +33,7 @@ class Recorder:
         self._numbers = dict(enumerate(jobs))
 
     def carry(self, task: int, due: int, times: tuple[int, ...], done: int) -> None:
-        """Record a job of ``task`` that goes on in the record; ``done``: its work before, in ns."""
+        """Record a job of ``task`` begun before the record; ``done``: its work before, in ns."""
         self._jobs.append(Job(task, self._take_number(task), due, times, done))
 
     def interrupt(self, now: int, cycle: int) -> None:

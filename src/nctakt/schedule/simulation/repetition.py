@@ -41,7 +41,7 @@ class Repetition:
     """Looks for a state of the schedule that has occurred before."""
 
     def __init__(self) -> None:
-        #: After how many cycles the schedule repeats, and from which one on, once that is known.
+        #: After how many cycles the schedule repeats, and from which cycle on, once that is known.
         self.period: int | None = None
         self.begin: int | None = None
         self._first: tuple[object, ...] | None = None

@@ -16,8 +16,8 @@ PERCENTILES_PER_MILLE = (500, 900, 990, 999)
 class ResponseCounts:
     """Responses from the least on, each with the number of jobs.
 
-    ``resolution``: a response stands for all from it on up to the next multiple of this; 1 where
-    each is kept apart.
+    ``resolution``: a response represents all from it up to the next multiple of this; 1 if each is
+    kept separately.
     """
 
     resolution: int = 1
@@ -41,7 +41,7 @@ class ResponseCounts:
     def bars(self, maximum: int) -> list[tuple[int, int, int]]:
         """Return at most this many bars of equal width: from, below, how many jobs.
 
-        Widths are 1, 2 or 5 times a power of ten; bars without jobs between others are there.
+        Widths are 1, 2 or 5 times a power of ten; empty bars between others are included.
         """
         if not self.counts:
             return []

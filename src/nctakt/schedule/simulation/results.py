@@ -17,10 +17,10 @@ from nctakt.schedule.simulation.responses import ResponseCounts
 class TaskNumbers:
     """One task over a simulation; responses count from the moment when the job was due.
 
-    ``due``: activations. ``completed``: jobs that ended. ``lost``: activations that never became
-    a job. ``suspensions``: cycles in which it was stopped for Windows with work left.
-    ``response_*`` are ``None`` without a completed job; ``unfinished_since``: when the job that
-    is still busy at the end was due. ``responses``: how many jobs had which response.
+    ``due``: activations. ``completed``: jobs that ended. ``lost``: activations that never became a
+    job. ``suspensions``: cycles in which it was stopped for Windows with work left. ``response_*``
+    are ``None`` without a completed job; ``unfinished_since``: when the job that is still busy at
+    the end was due. ``responses``: number of jobs by response.
     """
 
     due: int

@@ -5,7 +5,7 @@
 In: ``Model``, the number of NC cycles. Out: ``Simulation``. Everything is released at NC
 interrupts, so within one cycle nothing is preempted: each processor works off its tasks in the
 order of their urgency, suspendable ones up to the point of suspension, the others up to the next
-interrupt, and what is left of the cycle is Windows'. At equal instants the order is: a job ends,
+interrupt, and the rest of the cycle belongs to Windows. At equal instants the order is: a job ends,
 a timer interrupt suspends, the NC interrupt releases, processors are given.
 
 When nothing is random, the state at the start of a cycle decides all that follows; once it comes
@@ -74,7 +74,7 @@ def simulate(
 
 
 class SchedulerState:
-    """The state that a cycle passes on to the next one."""
+    """The state that a cycle passes on to the next."""
 
     def __init__(self, model: Model, recorder: Recorder) -> None:
         tasks = model.tasks
@@ -96,7 +96,7 @@ class SchedulerState:
         self._chance = Chance(model.seed)
         extra = model.overheads.activation
         self._work = [Work(task, extra, self._chance) for task in tasks]
-        #: What each processor (from 1) ran last.
+        #: The task that each processor (from 1) ran last.
         self._last = array("q", [IDLE] * (max(model.cpus) + 1))
         self._idle = array("q", [0] * len(self._last))
         self._switch = model.overheads.switch

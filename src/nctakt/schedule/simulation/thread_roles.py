@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Which threads of a list work for a controller.
 
-In: the list, its model, the contexts of the channels. Out: ``ThreadRoles``; what leaves a
-controller without decoder, interpolation or a common tick goes to the collector. A channel's
-threads are those with its contexts (P-RTCF-00017 with P-CHAN-00410 and 00411), else all with the
-function.
+In: the list, its model, the contexts of the channels. Out: ``ThreadRoles``; mistakes that leave a
+controller without decoder, interpolation or a common tick go to the collector. A channel's threads
+are those with its contexts (P-RTCF-00017 with P-CHAN-00410 and 00411), else all with the function.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The schedule beside the ticks of a controller: the time of each thread between two of them.
+"""The schedule and the ticks of a controller: the time of each thread between two ticks.
 
 In: a model, the threads that work for the controller. Out: for each tick its ``Share``. A tick is
-one call of the thread with ``task_int``; it takes over what decoder and PLC have done before that
-call begins. The first activation of that thread lies before tick 0: in it the decoder has its time
-for the first blocks, and the interpolation has nothing to do yet.
+one call of the thread with ``task_int``; it takes over the results that decoder and PLC have
+produced before that call begins. The first activation of that thread lies before tick 0: in it the
+decoder has its time for the first blocks, and the interpolation has nothing to do yet.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nctakt.schedule.simulation.simulate import SchedulerState
 #: The function that decodes (SDA, P-RTCF-00012).
 DECODER_FUNCTION = "task_rnd"
 
-#: The schedule of a tick needs that of the one after it, and another one has begun by then.
+#: The schedule of a tick needs that of the next, and yet another has begun by then.
 _TICKS_AHEAD = 2
 
 
@@ -87,7 +87,7 @@ class TickSchedule:
     def simulation(self, ticks: int) -> Simulation:
         """Return the results of the schedule in the first ``ticks`` ticks.
 
-        What is there of Windows and of missed suspensions is that of these ticks exactly; greatest
+        The numbers of Windows and of missed suspensions are exactly those of these ticks; greatest
         responses are those up to here, two ticks ahead of the controller.
         """
         whole = self._state.result(self._cycle, self._start, self._begin, None)
@@ -141,7 +141,7 @@ def _since(first: WindowsNumbers, last: WindowsNumbers) -> WindowsNumbers:
 
 @dataclass(frozen=True, slots=True)
 class _Period:
-    """One period, what came before the call of the interpolation apart from what came after."""
+    """One period, with the times before and after the call of the interpolation kept apart."""
 
     early: tuple[int, ...]
     late: tuple[int, ...]
@@ -152,7 +152,7 @@ class _Period:
 
 
 class _Watcher(Recorder):
-    """Records what concerns the controller in a period, instead of everything."""
+    """Records only what concerns the controller in a period."""
 
     def __init__(self, model: Model, roles: ThreadRoles) -> None:
         super().__init__(range(0))

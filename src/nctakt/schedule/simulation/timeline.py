@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is in a record between its events: timer interrupts, the time of Windows, suspensions.
+"""Times of a record between its events: timer interrupts, the time of Windows, suspensions.
 
 In: a simulation with a record. Out: moments and times in ns.
 """

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What an oscilloscope shows: the calls of functions, and the seven trace bits (P-RTCF-00014).
+"""The view of an oscilloscope: the calls of functions, and the seven trace bits (P-RTCF-00014).
 
-In: the record of a simulation. Out: each call with its begin and end; each bit with the times in
+In: the record of a simulation. Out: each call with its start and end; each bit with the times in
 which it is high. A bit stays high while its function is preempted or suspended; of two functions
 with one bit either makes it high. Times in ns.
 """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""The past of a session: branches, what was recorded, parked controllers."""
+"""The past of a session: branches, records, parked controllers."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Branches of the tape of a session: each with its inputs, and what it has left behind.
+"""Branches of the tape of a session: each with its inputs and its record.
 
 In: inputs, the record of the ticks that were run with them. Out: the inputs from any tick on, the
 marks and events of all ticks up to there, whichever branch has them.
@@ -21,8 +21,8 @@ from nctakt.session.stops import EventFilter
 class Branch:
     """One course of the inputs.
 
-    It shares the inputs and the record of its ``parent`` before ``first_tick``. ``inputs`` are its
-    own, by tick and order; ``latest``: the furthest tick that it has reached.
+    It shares the inputs and the record of its ``parent`` before ``first_tick``. ``inputs`` are
+    those of this branch, by tick and order; ``latest``: the furthest tick that it has reached.
     """
 
     number: int
@@ -50,7 +50,7 @@ class Branch:
         return inherited[: index_of(inherited, self.first_tick)] + own
 
     def shares(self, other: Branch, tick: int) -> bool:
-        """Return whether a state of ``other`` before a tick is one of this branch's, too."""
+        """Return whether a state of ``other`` before a tick also belongs to this branch."""
         branch: Branch | None = self
         while branch is not None and branch is not other:
             if tick > branch.first_tick:
@@ -59,7 +59,7 @@ class Branch:
         return branch is other
 
     def owner(self, tick: int) -> Branch:
-        """Return the eldest branch of which a state before a tick is one."""
+        """Return the oldest branch to which a state before a tick belongs."""
         branch = self
         while branch.parent is not None and tick <= branch.first_tick:
             branch = branch.parent
@@ -68,7 +68,7 @@ class Branch:
     # --- marks and events -----------------------------------------------------------------------
 
     def marks_between(self, after: int, last: int) -> list[PastMark]:
-        """Return the marks after a tick, up to another one, but for that of the run's end."""
+        """Return the marks after a tick, up to another, except that of the run's end."""
         found: list[PastMark] = []
         if self.parent is not None and after < self.first_tick:
             found = self.parent.marks_between(after, min(last, self.first_tick))
@@ -91,7 +91,7 @@ class Branch:
         return own
 
     def mark_before_work(self, work_us: float) -> PastMark | None:
-        """Return the last mark up to which the run took at most so long."""
+        """Return the last mark up to which the run took at most this long."""
         own = self.record.mark_before_work(work_us)
         if own is None and self.parent is not None:
             own = self.parent.mark_before_work(work_us)
@@ -109,7 +109,7 @@ class Branch:
         return first_us + share * max(0.0, after.work_us - first_us)
 
     def last_event(self, requested: EventFilter, before: float) -> int:
-        """Return the last tick before another one that has such an event, -1 without."""
+        """Return the last tick before another that has such an event, -1 without."""
         found = self.record.last_event(requested, before)
         if found is None and self.parent is not None:
             return self.parent.last_event(requested, min(before, self.first_tick))
@@ -129,7 +129,7 @@ class Branch:
         return max(self.record.columns.writes_from, min(inherited, self.first_tick))
 
     def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
-        """Return the ticks after one, and before another one, that have such events."""
+        """Return the ticks between two ticks that have such events."""
         found: list[int] = []
         if self.parent is not None and after + 1 < self.first_tick:
             found = self.parent.ticks_between(requested, after, min(before, self.first_tick))
@@ -137,5 +137,5 @@ class Branch:
 
 
 def index_of(inputs: Sequence[Input], tick: int) -> int:
-    """Return the index of the first input of a tick or a later one, of inputs in their order."""
+    """Return the index of the first input of a tick or later, among inputs in order."""
     return bisect.bisect_left(inputs, tick, key=lambda one: one.tick)

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What a session records of signals and of written variables, tick by tick, in little memory.
+"""A session's compact record of signals and written variables, tick by tick.
 
 In: the rows of the recorded signals and the events of writes, as the ticks are run for the first
-time. Out: in which of the ticks a signal can have done what a stop asks for; the last tick in which
-a realtime cycle has written a variable. Of a signal the lowest and the highest value of some
-thousand ticks are kept, so that whoever searches runs only those again in which it can have been.
+time. Out: the ticks in which a signal can have met the condition of a stop; the last tick in which
+a realtime cycle has written a variable. The lowest and the highest value of a signal in some
+thousand ticks are kept, so that a search reruns only ticks in which the condition can have been
+met.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.kernel import rows
 from nctakt.session.stops import EventFilter
 
-#: Ticks whose lowest and highest values are kept together; they are recorded no farther at once.
+#: Ticks whose lowest and highest values are kept together; at most this many are recorded at once.
 EXTENT_TICKS = 4096
 
 #: Signals that a session records at most by default.
@@ -34,7 +35,7 @@ MAX_SERIES = 2_000_000
 WRITES = (rows.EVENT_WRITTEN, rows.EVENT_WRITTEN_TEXT)
 WRITE_KINDS = sum(1 << kind for kind in WRITES)
 
-#: The columns of an event that name what is written.
+#: The columns of an event that name the written variable.
 _WRITTEN = (rows.EVENT_KIND, rows.EVENT_CHANNEL, rows.EVENT_A, rows.EVENT_TICK)
 
 #: Rows of writes that wait to be joined at most.
@@ -42,7 +43,7 @@ _MAX_WAITING = 100_000
 
 
 def extent_end(tick: int) -> int:
-    """Return up to where ticks from this one on are recorded together at most."""
+    """Return the limit up to which ticks from this one on are recorded together."""
     return (tick // EXTENT_TICKS + 1) * EXTENT_TICKS
 
 
@@ -69,7 +70,7 @@ class Extent:
 
 @dataclass(frozen=True, slots=True)
 class Necessary:
-    """What a signal must do where a stop holds: change, or pass a number.
+    """A condition necessary for a stop: a signal changes, or passes a number.
 
     ``column``: that of the signal; ``operator``: of the comparison that becomes true.
     """
@@ -98,7 +99,7 @@ class Necessary:
 
 
 class ColumnTrail:
-    """Gathers what the ticks of a controller leave of signals and writes, until it is taken."""
+    """Gathers the signals and writes of a controller's ticks, until they are taken."""
 
     def __init__(self) -> None:
         self._extents: list[Extent] = []
@@ -118,7 +119,7 @@ class ColumnTrail:
         self._end = first_tick + count
 
     def _close_extent(self) -> None:
-        """Make one extent of the values that follow each other."""
+        """Merge consecutive values into one extent."""
         if not self._values:
             return
         whole = np.array(self._values).reshape(len(self._values), 2, -1)
@@ -144,7 +145,7 @@ class ColumnTrail:
             self._join()
 
     def _join(self) -> NDArray[np.float64]:
-        """Return the writes so far as series: kind, channel, what is written, first, last tick."""
+        """Return the writes so far as series: kind, channel, written variable, first, last tick."""
         parts = [one if one.shape[1] == 5 else one[:, (0, 1, 2, 3, 3)] for one in self._writes]
         whole = np.concatenate(parts) if parts else np.empty((0, 5))
         whole = whole[np.lexsort((whole[:, 3], whole[:, 2], whole[:, 1], whole[:, 0]))]
@@ -157,7 +158,7 @@ class ColumnTrail:
         return joined
 
     def take(self) -> tuple[tuple[Extent, ...], bytes]:
-        """Return what has been gathered since the last call: of signals, of writes."""
+        """Return the signals and writes gathered since the last call."""
         self._close_extent()
         extents, self._extents = tuple(self._extents), []
         written = self._join().tobytes() if self._writes else b""
@@ -166,7 +167,7 @@ class ColumnTrail:
 
 
 def _append(extents: list[Extent], extent: Extent) -> None:
-    """Append an extent, to the last one where that holds some of the same ticks."""
+    """Append an extent, or merge it with the last one if they share ticks."""
     number = extent.first_tick // EXTENT_TICKS
     if extents and extents[-1].end == extent.first_tick:
         if extents[-1].first_tick // EXTENT_TICKS == number:
@@ -188,7 +189,7 @@ class ColumnRecord:
         self.writes_from = 0
 
     def add(self, extents: Sequence[Extent], written: bytes) -> None:
-        """Add what ticks have left that were run for the first time."""
+        """Add the record of ticks that were run for the first time."""
         for extent in extents:
             _append(self._extents, extent)
         for kind, channel, cell, first, last in np.frombuffer(written).reshape(-1, 5).tolist():
@@ -210,7 +211,7 @@ class ColumnRecord:
         self._count = sum(len(series) // 2 for series in self._series.values())
 
     def last_write(self, requested: EventFilter, before: float) -> int | None:
-        """Return the last kept tick before another one with such a write, ``None`` without."""
+        """Return the last kept tick before another that has such a write, ``None`` without."""
         found: list[int] = []
         for (kind, channel, cell), series in self._series.items():
             if not requested.takes_write(kind, channel, cell):
@@ -223,7 +224,7 @@ class ColumnRecord:
     def possible_end(self, needed: Necessary, first_tick: int, before: int) -> int | None:
         """Return the end of the last ticks before ``before`` in which a stop may hold.
 
-        ``None``: in none of those since ``first_tick``. Ticks that are not recorded are possible.
+        ``None``: in none since ``first_tick``. Ticks that are not recorded count as possible.
         """
         unknown = before
         for extent in self._backward(before):

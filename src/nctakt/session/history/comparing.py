@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Where two branches of a session differ first.
 
-In: two branches, each with a controller at a tick where both are still one. Out: the first tick
-after which one of their signals differs.
+In: two branches, each with a controller at a tick before they fork. Out: the first tick after which
+one of their signals differs.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ _FIRST_PART, _LARGEST_PART = 16, 1024
 
 @dataclass(frozen=True, slots=True)
 class BranchDifference:
-    """Two branches are one before tick ``fork``, and have both run up to tick ``end``.
+    """Two branches that are the same before tick ``fork``, and have both run up to tick ``end``.
 
-    ``tick``: the first tick after which signals differ, ``None`` where there is no such one before
-    ``end``. ``signals``: their names and values in both.
+    ``tick``: the first tick after which signals differ, ``None`` if there is none before ``end``.
+    ``signals``: their names and values in both.
     """
 
     fork: int

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Ticks of the past of which it is known how they are: a step to one of them needs no more proof.
+"""Ticks of the past whose state is confirmed: a step to one of them needs no more proof.
 
-In: marks of ticks that were run again, near to where somebody has gone; the word that the same run
-has led to a mark of the first one. Out: whether a later run comes to the same there.
+In: marks of rerun ticks near the place somebody has gone to; the fact that the same run has led to
+a mark of the first run. Out: whether a later run agrees there.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from collections.abc import Iterable
 
 from nctakt.session.history.trail import Mark
 
-#: Ticks that are known at most; beyond them those known so far are forgotten.
+#: Maximum number of known ticks; beyond it those known so far are forgotten.
 MAX_KNOWN = 4096
 
 
@@ -25,7 +25,7 @@ class Confirmed:
         self._compared = -1
 
     def enter(self, branch: int) -> None:
-        """Begin a run of the past of a branch; of another one nothing is known."""
+        """Begin to rerun the past of a branch; nothing is known about any other."""
         if branch != self._branch or len(self._digests) > MAX_KNOWN:
             self._digests.clear()
         self._branch = branch
@@ -36,13 +36,13 @@ class Confirmed:
         return tick in self._digests
 
     def between(self, after: int, last: int, count: int) -> list[int]:
-        """Return the first ``count`` known ticks after a tick, up to another one."""
+        """Return the first ``count`` known ticks after a tick, up to another."""
         return sorted(tick for tick in self._digests if after < tick <= last)[:count]
 
     def compare(self, branch: int, found: Iterable[Mark]) -> int | None:
         """Take the marks of a run of a branch; return the first tick known to be otherwise.
 
-        Nothing is known of any other branch than the entered one.
+        Nothing is known about any branch other than the entered one.
         """
         if branch != self._branch:
             return None
@@ -57,7 +57,7 @@ class Confirmed:
         return None
 
     def is_proved(self, tick: int) -> bool:
-        """Return whether the latest run has come to what is known of this tick."""
+        """Return whether the latest run agrees with the known state of this tick."""
         return self._compared == tick
 
     def prove(self) -> None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the record of a session says about a stop, so that fewer ticks have to be run again.
+"""Evidence about a stop in the record of a session, so that fewer ticks need a rerun.
 
-In: a stop, the recorded signals. Out: what one of these signals must do in each tick in which the
-stop holds.
+In: a stop, the recorded signals. Out: a condition that one of these signals must meet in each tick
+in which the stop holds.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _Operator = Literal["<", "<=", ">", ">=", "==", "!="]
 def necessary(
     stop: StopAt, machine: AssembledMachine, columns: Mapping[int, int]
 ) -> Necessary | None:
-    """Return what a signal must do where a stop holds; ``None`` where nothing is known of it.
+    """Return a signal's necessary condition for a stop; ``None`` if none is known.
 
     ``columns``: cell of a recorded signal -> its column.
     """

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The parked controllers of a session.
 
-In: controllers at ticks of branches. Out: the nearest one to any moment; those that no one needs
-are closed.
+In: controllers at ticks of branches. Out: the nearest one to any moment; unneeded ones are closed.
 """
 
 from __future__ import annotations
@@ -24,10 +23,9 @@ class Parked:
 
 
 class ParkedControllers:
-    """All parked controllers; ``filler``: one on its way to where another one is missing.
+    """All parked controllers; ``filler``: one on its way to where another is missing.
 
-    ``candidate``: one of which it is not known yet whether it is right. ``capacity``: how
-    many are kept.
+    ``candidate``: one not confirmed yet. ``capacity``: how many are kept.
     """
 
     def __init__(self, capacity: int = MAX_PARKED) -> None:
@@ -58,11 +56,11 @@ class ParkedControllers:
         return sorted(usable, key=lambda one: one.tick)
 
     def nearest(self, branch: Branch, tick: int) -> Parked | None:
-        """Return the last one at or before a tick of a branch."""
+        """Return the last controller at or before a tick of a branch."""
         return next(reversed(self.before(branch, tick)), None)
 
     def before_by(self, branch: Branch, tick: int, work_us: float) -> Parked | None:
-        """Return the last one that is before a tick of a branch by some work, else the first."""
+        """Return the last one that is some work before a tick of a branch, else the first."""
         latest_us = branch.work_at(tick) - work_us
         before = self.before(branch, tick)
         far = [one for one in before if one.work_us <= latest_us]
@@ -82,7 +80,7 @@ class ParkedControllers:
             self.candidate = None
 
     def give_up_filler(self) -> None:
-        """Close the one on its way."""
+        """Close the filler."""
         if self.filler is not None:
             self.filler.engine.close()
             self.filler = None

@@ -19,7 +19,7 @@ SPARSE_US = 45_000.0
 #: Work from the nearest parked controller to a moment that somebody has gone back to.
 DENSE_US = 5_000.0
 
-#: What a copy of a controller takes in all: to make it, its first ticks, its end.
+#: Total cost of a copy of a controller: making it, its first ticks, its end.
 COPY_US = 6_000.0
 
 #: From this share of the whole work on, gaps are no longer wider where they are farther away.
@@ -29,9 +29,9 @@ EVEN_SHARE = 10.0
 def surplus(parked: Sequence[float], present: float, capacity: int = MAX_PARKED) -> list[int]:
     """Return the indexes to give up, so that at most ``capacity`` are left.
 
-    ``parked`` ascends; the first one, the start, and the last one are always kept. One by one goes
-    the controller without which the gap between its neighbours is the smallest, as a share of what
-    a gap there may be.
+    ``parked`` ascends; the first one, the start, and the last one are always kept. Controllers are
+    removed one by one, always the one that leaves the smallest gap between its neighbours, relative
+    to the gap allowed there.
     """
     kept = list(range(len(parked)))
     given_up: list[int] = []
@@ -48,10 +48,10 @@ def surplus(parked: Sequence[float], present: float, capacity: int = MAX_PARKED)
 
 
 def approach(start: float, target: float, nearest: float = 4.0 * DENSE_US) -> list[float]:
-    """Return where to park on the way from ``start`` to ``target``.
+    """Return where to park between ``start`` and ``target``.
 
-    Half of what is left each time, so that going back again from there is cheap; on a short way
-    once, since each copy takes its time as well; no more once at most ``nearest`` is left.
+    At half of the rest each time, so that going back again from there is cheap; only once on a
+    short distance, since each copy costs time as well; no more once at most ``nearest`` is left.
     """
     places = []
     left = target - start
@@ -62,10 +62,10 @@ def approach(start: float, target: float, nearest: float = 4.0 * DENSE_US) -> li
 
 
 def first_gap(parked: Sequence[float], present: float) -> tuple[int, float] | None:
-    """Return after which parked controller another one is missing, and where; ``None``: nowhere.
+    """Return after which parked controller another is missing, and where; ``None``: nowhere.
 
-    ``parked`` ascends, up to ``present``. Of two neighbours the nearer one may be no farther from
-    the present than from the other one: then whoever goes back step by step never has far to go.
+    ``parked`` ascends, up to ``present``. The nearer of two neighbours may be no farther from the
+    present than from the other: so going back step by step is never far.
     """
     nearer = present
     for index in reversed(range(len(parked))):

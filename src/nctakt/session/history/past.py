@@ -15,7 +15,7 @@ from nctakt.session.setup import Setup
 
 @dataclass(frozen=True, slots=True)
 class Past:
-    """What it takes to run a branch of a session up to a tick again, in a process of its own.
+    """Everything needed to rerun a branch of a session up to a tick, in a separate process.
 
     ``marks``: those that this must lead to.
     """
@@ -29,6 +29,6 @@ class Past:
     def inputs_from(self, tick: int) -> list[Input]:
         """Return the inputs that a controller before a tick has not had yet.
 
-        What the PLC gave in the tick before is in its state.
+        The PLC's output of the previous tick is in its state.
         """
         return [one for one in self.inputs if one.tick >= tick + (tick > 0 and one.source == PLC)]

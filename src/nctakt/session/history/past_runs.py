@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Runs the past of a session once more to explain it, in a process of its own.
+"""Reruns the past of a session to explain it, in a separate process.
 
-In: what it takes to run a branch up to a tick. Out: the result, with the histories of its
-conditions. What runs a past leaves copies of itself on the way, so that the next place is explained
-from the nearest one on.
+In: everything needed to run a branch up to a tick. Out: the result, with the histories of its
+conditions. A rerun leaves copies of itself on the way, so that the next place is explained from the
+nearest one on.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from nctakt.session.history.timeline import PART_TICKS, Poll
 from nctakt.session.process.worker import can_fork
 from nctakt.session.process.workshop import ProcessPool, RemoteEngine
 
-#: Copies that are left on the way at most.
+#: Maximum number of copies left on the way.
 MAX_KEPT = 12
 
 
 class PastRuns:
-    """Runs pasts of one session again; several threads may ask at once."""
+    """Reruns pasts of one session; several threads may ask at once."""
 
     def __init__(self) -> None:
         self._kept = ParkedControllers(MAX_KEPT)
@@ -38,19 +38,19 @@ class PastRuns:
     def explained(self, past: Past, poll: Poll) -> Run:
         """Return the result with ``why``; raises ``Failure`` where the setup has mistakes.
 
-        Raises it as well where the past is not as it was (901901). ``poll`` is called meanwhile,
-        and may end it by an exception.
+        Also raises it if the past is not as it was (901901). ``poll`` is called meanwhile, and may
+        end it by an exception.
         """
         with contextlib.ExitStack() as ends:
             engine = self._nearest(past)
             if engine is None:
-                with self._opening:  # whoever asks meanwhile gets a copy of the first one
+                with self._opening:  # requests meanwhile get a copy of the first one
                     engine = self._nearest(past) or self._opened(past, ends)
             ends.enter_context(contextlib.closing(engine))
             return self._run(engine, past, poll)
 
     def _opened(self, past: Past, ends: contextlib.ExitStack) -> RemoteEngine:
-        """Return a new controller, of which a copy is kept; ``ends``: what waits for its end."""
+        """Return a new controller, of which a copy is kept; ``ends``: those waiting for its end."""
         pool = ends.enter_context(contextlib.closing(ProcessPool()))
         setup = replace(past.setup, options={**past.setup.options, "why": True})
         engine = pool.open(setup)[0]
@@ -66,7 +66,7 @@ class PastRuns:
             return self._copy(kept.engine)
 
     def _copy(self, engine: RemoteEngine) -> RemoteEngine | None:
-        """Return a copy; ``None`` where none can be made, which a PLC may be the reason of."""
+        """Return a copy; ``None`` if none can be made, for instance because of a PLC."""
         try:
             copy = engine.copy()
         except Failure:

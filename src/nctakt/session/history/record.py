@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a session has recorded on a branch of its tape: marks and events, tick by tick.
+"""A session's record of a branch of its tape: marks and events, tick by tick.
 
 In: marks and rows of events, as the ticks are run for the first time. Out: the marks that these
 ticks must lead to when they are run again; the last event of a kind, without running anything.
@@ -28,7 +28,7 @@ from nctakt.session.history.columns import WRITE_KINDS, ColumnRecord, Extent
 from nctakt.session.history.trail import MARK_US, Mark
 from nctakt.session.stops import EventFilter
 
-#: Bytes of events that a branch has in memory at most, beside its latest chunk.
+#: Maximum bytes of events that a branch has in memory, besides its latest chunk.
 MAX_BYTES = 32 << 20
 
 #: Bytes of a chunk.
@@ -48,7 +48,7 @@ class PastMark:
 
     @property
     def end(self) -> int:
-        """How far a run has to go to come to it: one tick more shows that it is over."""
+        """How far a run must go to reach it: one more tick shows that it is over."""
         return self.tick + self.is_over
 
 
@@ -66,7 +66,7 @@ def first_difference(found: Sequence[Mark], marks: Sequence[PastMark]) -> int | 
 
 
 def past_differs(tick: int) -> Failure:
-    """Return what to raise where the past is not as it was (901901)."""
+    """Return the exception to raise if the past is not as it was (901901)."""
     return Failure(diagnostic(PAST_DIFFERS, tick=tick))
 
 
@@ -126,9 +126,9 @@ class BranchRecord:
         events: bytes,
         columns: tuple[Sequence[Extent], bytes] = ((), b""),
     ) -> None:
-        """Add what ticks have left that were run for the first time.
+        """Add the record of ticks that were run for the first time.
 
-        The last mark gives way to the next one if that is near.
+        The next mark replaces the last one if it is near.
         """
         for mark in marks:
             self.work_us += mark.work_us
@@ -166,7 +166,7 @@ class BranchRecord:
         return self.marks[index] if index < len(self.marks) else None
 
     def mark_before_work(self, work_us: float) -> PastMark | None:
-        """Return the last mark up to which the run took at most so long."""
+        """Return the last mark up to which the run took at most this long."""
         index = bisect.bisect_right(self.marks, work_us, key=lambda mark: mark.work_us)
         return self.marks[index - 1] if index else None
 
@@ -185,7 +185,7 @@ class BranchRecord:
             yield chunk.rows(self._file)
 
     def last_event(self, requested: EventFilter, before: float) -> int | None:
-        """Return the last tick before another one that has such an event, ``None`` without."""
+        """Return the last tick before another that has such an event, ``None`` without."""
         if requested.kinds & WRITE_KINDS:
             return self.columns.last_write(requested, before)
         for events in self._backward():
@@ -196,7 +196,7 @@ class BranchRecord:
         return None
 
     def ticks_between(self, requested: EventFilter, after: int, before: int) -> list[int]:
-        """Return the ticks after one, and before another one, that have such events."""
+        """Return the ticks between two ticks that have such events."""
         found: list[NDArray[np.float64]] = []
         for events in self._backward():
             ticks = events[:, rows.EVENT_TICK]

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The past of a session: branches of its tape, parked controllers, the way to any moment.
+"""The past of a session: branches of its tape, parked controllers, travel to any moment.
 
-In: runs forward, inputs, wishes to be elsewhere. Out: the live controller, at the moment that was
-asked for. The past is not stored but run again: from the nearest parked controller over the tape.
-An input in the past begins another branch; the old one stays.
+In: runs forward, inputs, requests to move. Out: the live controller, at the requested moment. The
+past is not stored but rerun: from the nearest parked controller along the tape. An input in the
+past begins another branch; the old one stays.
 """
 
 from __future__ import annotations
@@ -53,13 +53,13 @@ REFINED_US = 20_000.0
 #: How far before a moment that somebody has travelled to controllers are parked at once, in us.
 FAR_US = 100_000.0
 
-#: Ticks before a moment whose events come with the arrival there.
+#: Number of ticks before a moment whose events are delivered on arrival.
 ARRIVAL_TICKS = 100
 
-#: Steps back, or on, by blocks and by ticks, that need no proof of their own after another one.
+#: Steps back or forward, by blocks and by ticks, that need no separate proof after another.
 NEAR_TICKS = 8
 
-#: Work of the latest stretch that a search runs again, in microseconds, and how much longer each
+#: Work of the latest stretch that a search reruns, in microseconds, and how much longer each
 #: earlier one is at least: a copy of a controller takes as long as some 30 ms of a run.
 SEARCHED_US = 100_000.0
 SEARCHED_GROWTH = 3.0
@@ -71,12 +71,12 @@ Poll = Callable[[], None]
 
 
 class Timeline:
-    """The moments of a session, and the live controller that is at one of them.
+    """The moments of a session, and the live controller at one of them.
 
-    Raises ``Failure`` with the mistakes of the setup. ``branch``: the one that it is in. ``poll``
-    is called while the past is run again, and may end that by an exception. ``progress``: how many
-    of how many ticks of the past have been run again by now, ``None`` while none are. ``took_s``:
-    how long the controller took for the latest ``run``, in seconds.
+    Raises ``Failure`` with the mistakes of the setup. ``branch``: the current branch. ``poll`` is
+    called while the past is rerun, and may end that by an exception. ``progress``: how many of how
+    many ticks of the past have been rerun so far, ``None`` while there are none. ``took_s``: how
+    long the controller took for the latest ``run``, in seconds.
     """
 
     def __init__(self, setup: Setup, poll: Poll) -> None:
@@ -111,7 +111,7 @@ class Timeline:
 
     @property
     def live(self) -> RemoteEngine:
-        """The live controller; raises ``Failure`` (901901) where it is not as it was."""
+        """The live controller; raises ``Failure`` (901901) if it is not as it was."""
         if self._fault is not None:
             raise self._fault
         return self._live
@@ -123,7 +123,7 @@ class Timeline:
     ) -> StepResult:
         """Run the live controller as ``Engine.run``.
 
-        What has been run before must be as it was; raises ``Failure`` (901901) where it is not.
+        Ticks run before must be as they were; raises ``Failure`` (901901) if they are not.
         """
         live, branch, again = self.live, self.branch, None
         self.took_s = 0.0
@@ -151,7 +151,7 @@ class Timeline:
         return done if again is None else joined(again, done)
 
     def _run_again(self, end: int, stops: Sequence[StopAt], *, events: bool) -> StepResult:
-        """Let the live controller run over what it has run before."""
+        """Let the live controller rerun ticks that it has run before."""
         marks = self.branch.marks_between(self.tick, end)
         self._confirmed.enter(self.branch.number)
         asked = _asked(marks, self._confirmed.between(self.tick, end, NEAR_TICKS))
@@ -171,7 +171,7 @@ class Timeline:
         return self.branch.work_at(self.tick) - before_us > SPARSE_US
 
     def _park(self, engine: RemoteEngine | None = None) -> None:
-        """Park a copy of the live controller, or one that has been brought to a tick."""
+        """Park a copy of the live controller, or one brought to a tick."""
         tick = self.tick if engine is None else engine.tick
         nearest = self._parked.nearest(self.branch, tick)
         if nearest is not None and nearest.tick == tick:
@@ -188,16 +188,16 @@ class Timeline:
         self._parked.add(Parked(self.branch, tick, self.branch.work_at(tick), parked))
         self._parked.thin_out(self.branch.work_at(self.tick))
 
-    # --- what has been run again ----------------------------------------------------------------
+    # --- rerun ticks ----------------------------------------------------------------------------
 
     def _compared(
         self, branch: Branch, done: StepResult, marks: Sequence[PastMark], asked: Sequence[int] = ()
     ) -> StepResult:
-        """Return what ticks have done that were run again; raises ``Failure`` (901901).
+        """Return the results of rerun ticks; raises ``Failure`` (901901).
 
-        ``asked``: where the slice has marks, by default at ``marks`` alone. Where a PLC has done
-        otherwise than before, the slice says so. Where a program is another one now, what it has
-        decoded may not have been carried out yet: raises ``Failure`` (901900).
+        ``asked``: where the slice has marks, by default at ``marks`` alone. If a PLC has acted
+        differently from before, the slice says so. If a program has changed, commands that it has
+        decoded may not have been executed yet: raises ``Failure`` (901900).
         """
         check_programs(done.diagnostics)
         ends = ticks_of(marks)
@@ -214,7 +214,7 @@ class Timeline:
         raise past_differs(differs)
 
     def _confirm(self, engine: RemoteEngine, branch: Branch) -> None:
-        """Let a copy run on to the next mark, so that what is shown here is as it was."""
+        """Let a copy run on to the next mark, to prove that the state shown here is as it was."""
         tick = engine.tick
         following = branch.mark_after(tick)
         if following is None or not self._can_copy or self._setup.plcs:
@@ -243,7 +243,7 @@ class Timeline:
     ) -> StepResult:
         """Run a controller over ticks of the past, up to ``end``; ``first``: where it began.
 
-        Returns what the ticks from ``since`` on have done, by default none. ``near``: ticks to
+        Returns the results of the ticks from ``since`` on, by default none. ``near``: ticks to
         which somebody may go next.
         """
         begin = engine.tick if first is None else first
@@ -266,7 +266,7 @@ class Timeline:
     # --- inputs ---------------------------------------------------------------------------------
 
     def post(self, inputs: Sequence[Input]) -> bool:
-        """Let inputs reach the next tick, or a later one; return whether a branch has begun.
+        """Add inputs for the next tick or a later one; return whether a branch has begun.
 
         Raises ``Failure`` for a wrong name or value, and nothing has happened.
         """
@@ -311,16 +311,16 @@ class Timeline:
     def go_to(self, tick: int, branch: int | None = None) -> StepResult:
         """Bring the live controller to just before a tick of a branch, by default of this one.
 
-        Returns what its last ticks have done. Raises ``Failure`` (901154, 901157, 901901), and it
-        stays where it was.
+        Returns what its last ticks have done. If it raises ``Failure`` (901154, 901157, 901901), it
+        does not move.
         """
         target = self.reached(tick, branch)
         if target is self.branch and tick == self.tick and self._fault is None:
             return self._live.run(tick)
         is_front = self._can_copy and self.tick == self.branch.latest and self._fault is None
         if is_front and self._setup.plcs:
-            with contextlib.suppress(Failure):  # one that is gone is left behind
-                self._park()  # what holds a file open shows now
+            with contextlib.suppress(Failure):  # a controller that is gone is left behind
+                self._park()  # whatever holds a file open shows now
         before_us, copies = self.branch.work_at(self.tick), self._workshop.copies
         self._confirmed.enter(target.number)
         engine = self._on_the_way(target, tick)
@@ -345,7 +345,7 @@ class Timeline:
         return done
 
     def _leave(self, *, is_front: bool) -> None:
-        """Give the live controller up; at the front it is parked: so the way back is short."""
+        """Give up the live controller; at the front it is parked, so that the way back is short."""
         if is_front:
             self._park(self._live)
         else:
@@ -367,7 +367,7 @@ class Timeline:
         return self.branches[number - 1]
 
     def _on_the_way(self, target: Branch, tick: int) -> RemoteEngine:
-        """Return a controller before a tick of a branch, as near to it as there is one."""
+        """Return a controller before a tick of a branch, as near to it as possible."""
         self._refuse_without_past()
         nearest = self._parked.nearest(target, tick)
         if target is self.branch and self._fault is None and self.tick <= tick:
@@ -403,9 +403,9 @@ class Timeline:
         return planned + given
 
     def _approach(self, engine: RemoteEngine, branch: Branch, tick: int) -> StepResult:
-        """Run a controller up to a tick; park on the way where that is dear."""
+        """Run a controller up to a tick; park on the way if that is expensive."""
         first = engine.tick
-        ways = (SPARSE_US,) if self._refines else ()  # what is missing nearer is parked later
+        ways = (SPARSE_US,) if self._refines else ()  # nearer ones are parked later
         for work_us in approach(branch.work_at(first), branch.work_at(tick), *ways):
             mark = branch.mark_before_work(work_us)
             if self._can_copy and mark is not None and engine.tick < mark.tick < tick:
@@ -461,7 +461,7 @@ class Timeline:
             try:
                 spent_us += self._fill(older, mark, limit_us)
             except Failure:
-                return  # whoever goes there learns why, and no one has asked for it yet
+                return  # whoever goes there learns why; nobody has asked yet
 
     def _fill(self, older: Parked, mark: PastMark, limit_us: float) -> float:
         """Bring a copy of a parked controller to a mark, or some work nearer; return the work."""
@@ -498,7 +498,7 @@ class Timeline:
     def trial(self, tick: int, branch: Branch | None = None) -> RemoteEngine:
         """Return a controller before a tick of a branch that never joins the session.
 
-        Close it after use; ``confirm`` what it shows. Raises ``Failure`` (901154, 901901).
+        Close it after use; ``confirm`` its state. Raises ``Failure`` (901154, 901901).
         """
         target = self.branch if branch is None else branch
         if not 0 <= tick <= target.latest:
@@ -517,7 +517,7 @@ class Timeline:
         return engine
 
     def inside(self) -> RemoteEngine:
-        """Return a controller before the last tick that this one has run, kept for the next time.
+        """Return a controller before the last tick that this one has run, kept for the next call.
 
         Close it after use. Raises ``Failure`` as ``trial``.
         """
@@ -532,8 +532,8 @@ class Timeline:
     def ahead(self) -> RemoteEngine | None:
         """Return a controller at the end of this branch to run ahead, in whichever thread.
 
-        ``None`` where what comes depends on somebody outside who cannot be copied: a PLC in Python
-        or a model that may reach beyond this process, a schedule on the real clock.
+        ``None`` if the future depends on somebody outside who cannot be copied: a PLC in Python or
+        a model that may reach beyond this process, a schedule on the real clock.
         """
         is_outside = not all(map(is_structured, self._setup.plcs))
         if not self._can_copy or is_outside or self._setup.options.get("fmu") is not None:
@@ -562,7 +562,7 @@ class Timeline:
             self.progress = None
 
     def happened(self, first: int, end: int) -> StepResult:
-        """Return what the ticks of this branch from ``first`` up to ``end`` have done."""
+        """Return the results of this branch's ticks from ``first`` up to ``end``."""
         engine = self.trial(first)
         try:
             done = self._rerun(engine, self.branch, end, since=first)
@@ -588,10 +588,10 @@ class Timeline:
     ) -> int | None:
         """Return the last tick before the present at which one of the stops held, or ``None``.
 
-        ``answers``: what the live controller has said of each of them, if it has been asked.
-        The record shows where there were events and writes. For other stops the past is run again,
-        from the latest parked controller to the earliest: where they depend on a recorded signal,
-        only up to the ticks in which it can have been.
+        ``answers``: the live controller's evidence about each of them, if it has been asked. The
+        record shows where there were events and writes. For other stops the past is rerun, from the
+        latest parked controller to the earliest: if they depend on a recorded signal, only up to
+        the ticks in which they can have held.
         """
         end, found = self.tick - 1, 0
         if end <= 0:
@@ -613,7 +613,7 @@ class Timeline:
         return found or None
 
     def _possible_end(self, stops: Sequence[tuple[StopAt, int, Necessary | None]], end: int) -> int:
-        """Return up to which tick before ``end`` one of some stops can have held at last."""
+        """Return the last tick before ``end`` in which one of some stops can have held."""
         ends = [(min(end, last), needed) for _, last, needed in stops]
         return max(
             last if needed is None else self.branch.possible_end(needed, last)
@@ -625,7 +625,7 @@ class Timeline:
     ) -> int:
         """Return the last tick up to ``end`` at which a stop held, ``found`` if that is later.
 
-        ``others``: stops, each with the tick up to which it is looked for and what it needs.
+        ``others``: stops, each with the tick up to which to search and its necessary condition.
         """
         stops = [stop for stop, _, _ in others]
         end = self._possible_end(others, end)
@@ -683,7 +683,7 @@ class Timeline:
 
     @property
     def setup(self) -> Setup:
-        """What the session was opened with."""
+        """The setup of the session."""
         return self._setup
 
     def tape(self, branch: Branch | None = None) -> list[Input]:
@@ -728,12 +728,12 @@ class Timeline:
 
 
 def _asked(marks: Sequence[PastMark], near: Sequence[int]) -> list[int]:
-    """Return up to where a run goes for some marks, and for other ticks on its way."""
+    """Return how far a run must go for some marks, and for other ticks on its way."""
     return sorted({*ticks_of(marks), *near})
 
 
 def _near_ahead(branch: Branch, tick: int, end: int) -> list[int]:
-    """Return the ticks before ``end`` to which somebody goes on from a tick."""
+    """Return the ticks before ``end`` to which somebody is likely to step from a tick."""
     blocks = branch.ticks_between(BLOCKS, tick - 1, end - 1)[:NEAR_TICKS]
     return [*(one + 1 for one in blocks), *range(tick + 1, min(tick + 1 + NEAR_TICKS, end))]
 
@@ -746,7 +746,7 @@ def next_part(branch: Branch, tick: int, end: int) -> tuple[int, list[PastMark]]
 
 
 def _insert(inputs: list[Input], arriving: Sequence[Input]) -> None:
-    """Insert inputs into a list in its order, whose end they nearly always concern."""
+    """Insert inputs into an ordered list, nearly always at its end."""
     first = min(map(in_order, arriving), default=None)
     if first is not None:
         at = bisect.bisect_right(inputs, first, key=in_order)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the ticks of a controller leave behind, by which a run of the same ticks is recognized.
+"""The trail of a controller's ticks, by which a run of the same ticks is recognized.
 
 In: the events of a run, the memory of its machine. Out: a mark after some ticks, with a digest of
 the memory and of all events so far; the rows of events that a session keeps.
@@ -44,8 +44,8 @@ class Mark:
 class Trail:
     """A sink that digests all events.
 
-    ``keeps``: it keeps their rows as well, and what is recorded of signals and writes, until
-    ``take`` and ``take_columns``.
+    ``keeps``: it also keeps their rows, and the record of signals and writes, until ``take`` and
+    ``take_columns``.
     """
 
     def __init__(self, memory: bytearray) -> None:
@@ -87,7 +87,7 @@ class Trail:
         return taken
 
     def take_columns(self) -> tuple[tuple[Extent, ...], bytes]:
-        """Return what the ticks since the last call have left of signals and writes."""
+        """Return the record of signals and writes since the last call."""
         return self._columns.take()
 
     def digest(self) -> bytes:
@@ -99,10 +99,10 @@ class Trail:
         return whole.digest()
 
     def note(self, ticks: int, work_us: float) -> bool:
-        """Note what some ticks have cost; return whether a mark is due.
+        """Note the cost of some ticks; return whether a mark is due.
 
-        ``part``: how many ticks should follow in one go, so that marks are about as far from each
-        other as they should be.
+        ``part``: how many ticks should follow in one go, so that marks are about the intended
+        distance apart.
         """
         self._since_us += work_us
         if work_us < 0.5 * MARK_US and ticks >= self.part:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a PLC in Python holds open while its controller is copied.
+"""Files that a PLC in Python holds open while its controller is copied.
 
 In: the descriptors of this process. Out: files that are only read are opened again by the copy, at
 the same place; all others would be shared by both, and are refused by name.
@@ -26,9 +26,9 @@ _MAX_NAMED = 3
 
 
 def check_open_files(own: Collection[int]) -> list[int]:
-    """Return the descriptors that a copy has to open again; ``own`` are not the PLC's.
+    """Return the descriptors that a copy must reopen; ``own`` are not the PLC's.
 
-    Raises ``Failure`` (902060) where the PLC holds open what two processes must not share.
+    Raises ``Failure`` (902060) if the PLC holds something open that two processes must not share.
     """
     import fcntl  # noqa: PLC0415 - not on Windows, where nothing is copied
 
@@ -47,7 +47,7 @@ def check_open_files(own: Collection[int]) -> list[int]:
 
 
 def open_again(descriptors: Collection[int]) -> None:
-    """Give this process places of its own in files that it shares with the one it is a copy of."""
+    """Give this process its own positions in files shared with the process it is a copy of."""
     for descriptor in descriptors:
         position = os.lseek(descriptor, 0, os.SEEK_CUR)
         opened = os.open(_DESCRIPTORS / str(descriptor), os.O_RDONLY | os.O_CLOEXEC)
@@ -64,6 +64,6 @@ def _opened(own: Collection[int]) -> Iterator[tuple[int, str, int]]:
             continue
         try:
             name, mode = str(path.readlink()), os.fstat(descriptor).st_mode
-        except OSError:  # it was this list's own
+        except OSError:  # it belonged to this list
             continue
         yield descriptor, name, mode

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The thread that a session lives in: it does what others ask for, and between that goes on.
+"""The thread of a session: it executes commands of others, and between them runs on.
 
 In: methods to call, from any thread; a clock. Out: their results, and slices when the clock says.
 """
@@ -19,10 +19,10 @@ from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import INTERRUPTED, SESSION_IS_CLOSED
 from nctakt.session.clock import AnyClock
 
-#: Commands that wait for the thread at most; whoever brings one more waits.
+#: Maximum number of commands that wait for the thread; whoever adds one more waits.
 MAX_COMMANDS = 1000
 
-#: How long a thread that is closed may take for what it has begun, in seconds.
+#: How long a closing thread may take to finish its work, in seconds.
 CLOSING_S = 10.0
 
 _P = ParamSpec("_P")
@@ -32,8 +32,8 @@ _T = TypeVar("_T")
 class SessionThread:
     """Does commands, and between them the slices that ``clock`` asks for.
 
-    ``run_slice`` runs one; without a clock nothing goes on by itself. ``interruptions`` counts the
-    calls of ``interrupt``: a command that was asked for before the last one shall end.
+    ``run_slice`` runs one; without a clock nothing runs unasked. ``interruptions`` counts the calls
+    of ``interrupt``: a command requested before the last one shall end.
     """
 
     def __init__(self, run_slice: Callable[[AnyClock], None]) -> None:
@@ -63,12 +63,12 @@ class SessionThread:
             command()
 
     def interrupt(self) -> None:
-        """Let whatever has been asked for so far end soon."""
+        """Make everything requested so far end soon."""
         self.interruptions += 1
 
     @contextmanager
     def together(self) -> Iterator[None]:
-        """Count the commands that this thread asks for inside as one, asked for at the beginning.
+        """Count the commands that this thread requests inside as one, requested at the beginning.
 
         An interruption between two of them ends the second.
         """
@@ -99,7 +99,7 @@ class SessionThread:
         return poll
 
     def ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
-        """Return what a method gives in this thread.
+        """Return the result of a method, called in this thread.
 
         Raises ``Failure`` (901155) once it is closed.
         """
@@ -127,7 +127,7 @@ class SessionThread:
             raise
 
     def close(self, abandon: Callable[[], None] = lambda: None) -> None:
-        """Do what has been asked for, then end; ``abandon`` ends what takes too long."""
+        """Finish the requested commands, then end; ``abandon`` ends one that takes too long."""
         self.interrupt()
         with self._entry:
             self.is_closed = True

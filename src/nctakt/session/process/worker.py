@@ -2,11 +2,11 @@
 """The process that a session's controller lives in; started as ``python -m
 nctakt.session.process.worker``.
 
-It has one thread: it takes a request from its connection, does it, and answers. So it can fork
+It has one thread: it takes a request from its connection, executes it, and answers. So it can fork
 between two requests: the child is a parked controller, a copy of the whole state at that tick (the
 decoder's generators and a scripted PLC included), which takes a few milliseconds and shares its
-memory until it runs. A parked controller that is woken forks again, and its copy goes on; so it can
-be woken any number of times.
+memory until it runs. A parked controller that is woken forks again, and its copy continues; so it
+can be woken any number of times.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ from nctakt.session.engine import Engine
 from nctakt.session.process.open_files import check_open_files, open_again
 from nctakt.session.setup import Setup
 
-#: What a request is answered with: the result, or the reason why there is none; and how long it
-#: took, in seconds.
+#: The answer to a request: the result, or the reason why there is none; and how long it took, in
+#: seconds.
 DONE, REFUSED, BROKEN = "done", "refused", "broken"
 
 #: The length of the secret that a worker and its session share, in bytes.
@@ -45,7 +45,7 @@ def can_fork() -> bool:
 
 
 def send(connection: Connection[Any, Any], value: object) -> None:
-    """Send a value, from a copy: the library's own way leaves a buffer that no one may free."""
+    """Send a value, from a copy: the library's method leaves a buffer that must not be freed."""
     connection.send_bytes(pickle.dumps(value, pickle.HIGHEST_PROTOCOL))
 
 
@@ -86,11 +86,11 @@ class Worker:
                 return
 
     def end(self) -> None:
-        """End a copy at once, without what Python does at its end; return in the first process.
+        """End a copy at once, without Python's cleanup; return in the first process.
 
-        Taking all objects apart would touch, and so copy, all of the memory that it shares: twenty
-        times the work of ending. What is at its end to be done once (files of a model, functions
-        that a PLC has registered) the first process does.
+        Taking all objects apart would touch, and so copy, all of the shared memory: twenty times
+        the work of ending. Cleanup that must be done once (files of a model, functions registered
+        by a PLC) is done by the first process.
         """
         if self._is_copy:
             _flush()
@@ -136,7 +136,7 @@ class Worker:
 
     def _copy(self) -> None:
         """Copy this process; the session gets the copy's number and its end of a connection."""
-        _flush()  # else what a PLC has printed is printed by each
+        _flush()  # otherwise each would print what a PLC has printed
         shared = self._shared()
         gc.freeze()  # a search for garbage would touch, and so copy, all of the shared memory
         connection = self._connection
@@ -157,7 +157,7 @@ class Worker:
         self._is_copy = True
 
     def _shared(self) -> list[int]:
-        """Return which files a copy opens again; raises ``Failure`` (902060) for what it cannot."""
+        """Return which files a copy reopens; raises ``Failure`` (902060) for others."""
         if self._engine is None or not self._engine.has_plc:
             return []
         assert self._connection is not None
@@ -165,7 +165,7 @@ class Worker:
 
 
 def _flush() -> None:
-    """Write what has been printed."""
+    """Flush printed output."""
     for stream in (sys.stdout, sys.stderr):
         with contextlib.suppress(OSError, ValueError):
             stream.flush()
@@ -176,7 +176,7 @@ def main() -> None:
     key = sys.stdin.buffer.read(KEY_SIZE)
     interrupts.ignore()  # they may go to a whole group; the session ends its workers itself
     if can_fork():
-        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no one waits for the copies
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for the copies
     worker = Worker(sys.argv[1], key)
     with contextlib.suppress(OSError, EOFError):  # the session has ended meanwhile
         worker.connect(sys.argv[2])

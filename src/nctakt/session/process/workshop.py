@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The processes of a session: opens controllers, copies them, speaks with them.
 
-In: a ``Setup``. Out: ``RemoteEngine`` objects, each a controller in a process of its own.
+In: a ``Setup``. Out: ``RemoteEngine`` objects, each a controller in its own process.
 """
 
 from __future__ import annotations
@@ -52,9 +52,9 @@ _NOBODY = "nobody"
 class RemoteEngine:
     """A controller in another process, with the methods of ``Engine``.
 
-    Raises ``Failure`` as that does, and 901153 when its process is gone. ``tick``: where it is;
-    ``process``: the number of its process; ``took_s``: how long the latest request has taken there.
-    ``is_apart``: a thread of its own asks it, and no one is to abandon it.
+    Raises ``Failure`` as ``Engine`` does, and 901153 when its process is gone. ``tick``: where it
+    is; ``process``: the number of its process; ``took_s``: how long the latest request has taken
+    there. ``is_apart``: a separate thread uses it, and nobody may abandon it.
     """
 
     def __init__(
@@ -70,7 +70,7 @@ class RemoteEngine:
         self.is_apart = False
 
     def ask(self, request: str, *words: Any) -> Any:
-        """Return the answer to a request; raises as well what an order before it has led to."""
+        """Return the answer to a request; also raises the failure of an earlier request."""
         self._send(request, words)
         self._unread += 1
         answers = self._received()
@@ -83,7 +83,7 @@ class RemoteEngine:
         return answers[-1][1]
 
     def order(self, request: str, *words: Any) -> None:
-        """Make a request without waiting for its answer: no one has to wake for that alone."""
+        """Make a request without waiting for its answer: no thread has to wake for that alone."""
         self._send(request, words)
         self._unread += 1
 
@@ -100,7 +100,7 @@ class RemoteEngine:
 
     @contextlib.contextmanager
     def _watched(self) -> Iterator[None]:
-        """Let the process be killed while it is spoken to; raises ``Failure`` where it is gone."""
+        """Allow the process to be killed during a request; raises ``Failure`` if it is gone."""
         if not self.is_apart:
             self._workshop.asked = self
         try:
@@ -112,7 +112,7 @@ class RemoteEngine:
                 self._workshop.asked = None
 
     def copy(self, workshop: ProcessPool | None = None) -> RemoteEngine:
-        """Return a copy at the same tick, in a process of its own; it belongs to ``workshop``."""
+        """Return a copy at the same tick, in its own process; it belongs to ``workshop``."""
         process = cast("int", self.ask("copy"))
         try:
             with socket.fromfd(
@@ -125,7 +125,7 @@ class RemoteEngine:
         return RemoteEngine(Connection(descriptor), process, workshop or self._workshop, self.tick)
 
     def begin(self) -> None:
-        """Give a copy of the prototype what a new process has from this one.
+        """Give a copy of the prototype everything that a new process gets from this one.
 
         That is: the working directory, where it prints, and the environment.
         """
@@ -196,10 +196,9 @@ class RemoteEngine:
 
 
 class ProcessPool:
-    """Opens controllers in processes of their own; ``close`` ends them all.
+    """Opens controllers in separate processes; ``close`` ends them all.
 
-    ``asked``: the one that has been asked something and has not answered yet. ``copies``: how many
-    copies have been made.
+    ``asked``: the one with an unanswered request. ``copies``: how many copies have been made.
     """
 
     def __init__(self) -> None:
@@ -227,14 +226,14 @@ class ProcessPool:
             raise
 
     def _from_prototype(self) -> RemoteEngine:
-        """Return a process for a controller: one that has imported what a new one would."""
+        """Return a process for a controller: one that has already done the imports."""
         engine = _PROTOTYPE.copy(self)
-        with contextlib.suppress(OSError):  # it has ended, which the next request tells
+        with contextlib.suppress(OSError):  # it has ended, as the next request will report
             self._copies.append(os.pidfd_open(engine.process))
         return engine
 
     def start(self) -> RemoteEngine:
-        """Return a new process for a controller, which imports what it needs."""
+        """Return a new process for a controller, which does its imports."""
         name = self.next_name()
         address = self._listener.address
         with interrupts.kept_back():
@@ -283,7 +282,7 @@ class ProcessPool:
         return self._waiting.pop(name)
 
     def _wake(self) -> None:
-        """Wake whoever waits for a process to report: closing the listener would not."""
+        """Wake the thread that waits for a process to report: closing the listener would not."""
         with (
             contextlib.suppress(OSError, EOFError, AuthenticationError),
             Client(self._listener.address, authkey=self._key) as connection,
@@ -296,7 +295,7 @@ class ProcessPool:
         return can_fork()
 
     def abandon(self) -> None:
-        """Kill the process that does not answer: whoever has asked it gets 901153."""
+        """Kill the process that does not answer: the requester gets 901153."""
         asked = self.asked
         if asked is not None:
             with contextlib.suppress(OSError):  # it has ended just now
@@ -310,7 +309,7 @@ class ProcessPool:
             process.wait()
 
     def close(self) -> None:
-        """Let no more processes in, and wait for the first ones; the others end by themselves.
+        """Let no more processes in, and wait for the first ones; the others end unasked.
 
         One of the first that does not end is killed.
         """
@@ -366,7 +365,7 @@ class Prototype:
         return copy
 
     def _renewed(self, now: tuple[object, ...]) -> RemoteEngine:
-        """Return a new one, started as ``now`` says; raises ``Failure`` (901153) if it ends."""
+        """Return a new process, started as ``now`` says; raises ``Failure`` (901153) if it ends."""
         self.end()
         pool = ProcessPool()
         try:
@@ -385,7 +384,7 @@ class Prototype:
         self._engine = self._pool = None
 
     def _leave(self) -> None:
-        """Leave it to the process of which this one is a copy."""
+        """Leave it to the process from which this one was copied."""
         self._lock = threading.Lock()
         if self._engine is not None:
             self._engine.close()

@@ -3,7 +3,7 @@
 
 In: the values of a signal, one for each tick, and a condition. Out: the first value that meets it,
 or all that do so after one that did not. A condition is a number, ``limit``, and whether values
-below it, equal to it, above it and those that are no numbers meet it.
+below it, equal to it, above it and NaN meet it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The parts of a measure: each computes its value from a run.
 
-Times are whole microseconds of the run; as values they are exact fractions of seconds, and so is
-what is computed from them. Rounding to a binary number comes where a result is shown.
+Times are whole microseconds of the run; as values they are exact fractions of seconds, and so are
+results computed from them. Rounding to a binary number comes when a result is shown.
 """
 
 from __future__ import annotations
@@ -202,7 +202,7 @@ class TimeOf:
 
 @dataclass(frozen=True, slots=True)
 class TimeBetween:
-    """The time from the first occurrence of an event to the next one of another, in seconds."""
+    """The time from the first occurrence of an event to the next of another, in seconds."""
 
     first: AnyEvent
     second: AnyEvent
@@ -310,9 +310,9 @@ def _compare(word: str, left: Number, right: Number) -> bool:
 def _alike(
     left: float | Fraction, right: float | Fraction
 ) -> tuple[float, float] | tuple[Fraction, Fraction]:
-    """Return two numbers as they can be compared: exact ones, binary ones beside a binary one.
+    """Return two numbers in comparable form: exact, or binary if one of them is binary.
 
-    A text such as 0.02 means that number, and beside a signal the binary one that is nearest to it.
+    A text such as 0.02 means that number, and compared with a signal the nearest binary number.
     """
     if isinstance(left, float) or isinstance(right, float):
         return float(left), float(right)
@@ -341,7 +341,7 @@ class Order:
 class Reaction:
     """A condition that has to become true within a time after an event.
 
-    ``after`` ``None``: after the injection of an each-tick study, else after the begin of the run.
+    ``after`` ``None``: after the injection of an each-tick study, else after the start of the run.
     """
 
     condition: Condition
@@ -382,7 +382,7 @@ def reaction_time(reaction: Reaction, outcome: Outcome) -> float | None:
 
 
 def found_instead(node: Node, outcome: Outcome) -> list[Number | None]:
-    """Return what an expectation compares, without the numbers of its text; ``None``: no value."""
+    """Return the values that an expectation compares, without literals; ``None``: no value."""
     if isinstance(node, Reaction):
         return [reaction_time(node, outcome)]
     parts: list[Node] = [node]

@@ -142,7 +142,7 @@ class Reader:
     # --- expectations ----------------------------------------------------------------------------
 
     def _order(self) -> Order | None:
-        """Return ``EVENT before EVENT``; ``None`` for another text, of which nothing is taken."""
+        """Return ``EVENT before EVENT``; ``None`` for another text, which is left unread."""
         begin = self._position
         try:
             first = self._event()
@@ -155,7 +155,7 @@ class Reader:
         return order
 
     def _reaction(self) -> Reaction | None:
-        """Return ``CONDITION within TIME``; ``None`` as above."""
+        """Return ``CONDITION within TIME``; ``None`` likewise."""
         begin = self._position
         try:
             condition = self._condition()

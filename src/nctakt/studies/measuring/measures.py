@@ -44,10 +44,10 @@ from nctakt.studies.measuring.python_measure import PythonMeasure
 from nctakt.testing import expectations
 from nctakt.testing.verdict import differences
 
-#: What a broken expectation tells at most of what was instead.
+#: Maximum number of actual values reported for a broken expectation.
 MAX_FOUND = 3
 
-#: The begin of a line that tells it.
+#: The start of a line that reports them.
 _FOUND = "    + "
 
 #: A value of a measure; ``None``: it has none in this run.
@@ -107,7 +107,7 @@ class Expectation:
             return False
 
     def broken(self, outcome: Outcome) -> str:
-        """Return its text with what was instead in a run that does not meet it."""
+        """Return its text with the actual values in a run that does not meet it."""
         if self.node is not None:
             found = [as_text(value) for value in found_instead(self.node, outcome)]
         else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One run of a study, as measures look at it: events, signals tick by tick, state, duration."""
+"""One run of a study, as seen by measures: events, signals tick by tick, state, duration."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Outcome:
     """A run, as measures and expectations look at it.
 
     Times are microseconds of the run. ``injected_us``: that of the stimulus of an each-tick study.
-    ``simulation``: the schedule that the run went by, or that was simulated without one.
+    ``simulation``: the schedule of the run, or the one simulated without a run.
     """
 
     def __init__(
@@ -55,7 +55,7 @@ class Outcome:
         return self.course(name)[0]
 
     def course(self, name: str) -> tuple[array[float], int]:
-        """Return the values of a signal that are there, and the tick of the first one."""
+        """Return the available values of a signal, and the tick of the first one."""
         signal = signal_of(self.queries, name)
         if signal not in self._columns:
             assert self.run.trace is not None

@@ -20,7 +20,7 @@ from nctakt.studies.measuring.outcome import NotMeasuredError, Outcome
 
 @dataclass(frozen=True, slots=True)
 class PythonMeasure:
-    """A user's function of a run: in a file, or as it is."""
+    """A user's function of a run: in a file, or as an object."""
 
     file: Path
     name: str
@@ -29,8 +29,8 @@ class PythonMeasure:
     def value(self, outcome: Outcome) -> Number:
         """Return its result.
 
-        Raises ``NotMeasuredError`` if it raises anything, and for what is neither a finite number
-        nor a text; ``None`` says that there is no value.
+        Raises ``NotMeasuredError`` if it raises anything, and if the result is neither a finite
+        number nor a text; ``None`` means that there is no value.
         """
         try:
             function = self.function or loaded(self.file, self.name)
@@ -49,7 +49,7 @@ class PythonMeasure:
         return Fraction(repr(number))  # the decimal number that is meant: 0.463 is 463 ms
 
     def signals(self) -> Iterator[str]:
-        """Yield nothing: ``record`` of the plan names what it reads."""
+        """Yield nothing: ``record`` of the plan names the signals it reads."""
         yield from ()
 
     def problem(self) -> str | None:
@@ -65,7 +65,7 @@ class PythonMeasure:
 
 @cache
 def loaded(file: Path, name: str) -> Callable[..., Number | None]:
-    """Return a function of a Python file, which may import files beside it.
+    """Return a function of a Python file, which may import files next to it.
 
     Raises whatever the file raises.
     """

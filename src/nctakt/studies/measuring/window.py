@@ -33,7 +33,7 @@ class Injection:
     reactions: tuple[Reaction, ...]
 
     def looks(self) -> Iterator[int]:
-        """Yield the ticks at which the run is looked at; the last one is ``end``."""
+        """Yield the ticks at which the run is inspected; the last one is ``end``."""
         yield from range(self.tick + LOOK_TICKS, self.end, LOOK_TICKS)
         yield self.end
 

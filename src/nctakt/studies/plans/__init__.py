@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Plans: what is varied and searched for, read and checked, its points as inputs."""
+"""Plans: variations and goals, read and checked, and their points as inputs."""

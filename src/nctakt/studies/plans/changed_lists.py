@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A machine with other values of some parameters, as if they stood in its lists.
+"""A machine with other values of some parameters, as if its lists had them.
 
 In: a machine and values by ID and axis or channel. Out: another machine, loaded from the same
 files, in which these entries are replaced or added while they are read. No file is written.
@@ -42,8 +42,8 @@ def with_entry(text: str, name: str, value: str) -> str:
 def changed_machine(machine: Machine, values: Mapping[tuple[str, str], float | str]) -> Machine:
     """Return a machine with these values.
 
-    Raises ``Failure`` for an unknown parameter (901312), and with what the lists report about a
-    value that they do not take.
+    Raises ``Failure`` for an unknown parameter (901312), and with the lists' reports about a value
+    that they refuse.
     """
     access = FileAccess()
     for path, text in changed_texts(machine, values).items():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A scheduling list and its load with other values of some entries, as if they stood there.
+"""A scheduling list and its load with other values of some entries.
 
 In: the files of a plan and the changes of a run. Out: the schedule of the changed texts. No file is
 written; ``files_of`` returns the texts, for who wants to have them.
@@ -44,7 +44,7 @@ _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 @dataclass(slots=True)
 class ScheduleChanges:
-    """What a run changes: other files, parameters by ID and thread, entries of the load."""
+    """Changes for a run: other files, parameters by ID and thread, entries of the load."""
 
     rtconf: Path | None = None
     load: Path | None = None
@@ -70,7 +70,8 @@ class ScheduleFiles:
     def schedule(self, changes: ScheduleChanges, access: FileAccess) -> RunSchedule:
         """Return the schedule with these changes.
 
-        Raises ``Failure``: an unknown parameter or thread (901312), and what list and load report.
+        Raises ``Failure``: an unknown parameter or thread (901312), and the reports of list and
+        load.
         """
         name, text, tables = self._changed(changes, access)
         schedule = self._schedule(name, text, tables)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The points of a plan as whole numbers, for searches that go from one to its neighbours.
+"""The points of a plan as whole numbers, for searches that go from a point to its neighbours.
 
-In: a plan. Out: coordinates, one for each dimension, and the values that they stand for. A
-dimension without steps has a coordinate for each tick or whole number; where it takes any number,
-for its bounds and for at most a million round ones or all whole ones between them, since programs
+In: a plan. Out: coordinates, one for each dimension, and the values that they represent. A
+dimension without steps has a coordinate for each tick or whole number; if it takes any number, for
+its bounds and for at most a million round numbers or all whole numbers between them, since programs
 compare with round numbers.
 """
 
@@ -19,10 +19,10 @@ from nctakt.studies.plans.plan import Plan
 
 Coordinates = tuple[int, ...]
 
-#: The round numbers of a dimension in which any value may be taken, unless whole ones are more.
+#: Number of round numbers of a dimension that takes any value, unless there are more whole ones.
 MAX_COORDINATES = 1 << 20
 
-#: The share of all points between two that are tried one after the other: the golden ratio.
+#: The share of all points between two consecutive trials: the golden ratio.
 _SPREAD, _SPREAD_OF = 618_033_988_749_895, 10**15
 
 
@@ -80,7 +80,7 @@ class PlanCoordinates:
         return number
 
     def of_point(self, point: Sequence[Value]) -> Coordinates | None:
-        """Return the coordinates of values that earlier runs had; ``None``: no longer there."""
+        """Return the coordinates of values of earlier runs; ``None`` if they no longer exist."""
         if self._is_list:
             points = (self._plan.point(number) for number in range(self._plan.size))
             return next(((i,) for i, one in enumerate(points) if list(one) == list(point)), None)
@@ -137,7 +137,7 @@ def _value(dimension: Dimension, number: int, size: int) -> Value:
 
 
 def _number(dimension: Dimension, value: Value, size: int) -> int | None:
-    """Return the coordinate whose value is nearest; ``None`` for one that is not in the plan."""
+    """Return the coordinate whose value is nearest; ``None`` if it is not in the plan."""
     if dimension.values:
         return dimension.values.index(value) if value in dimension.values else None
     if isinstance(value, str) or not dimension.low <= value <= dimension.high:

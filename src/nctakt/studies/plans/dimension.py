@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A dimension of a study: what is varied, and the values that it takes.
+"""A dimension of a study: the varied quantity, and its values.
 
 In: the entries of a plan. Out: values by their number or by a number between 0 and 1. A value of a
 dimension of times is a whole number of microseconds, each other one a number or a text.
@@ -14,10 +14,10 @@ from nctakt.base.dataclass import dataclass
 from nctakt.lists.format.times import Time
 from nctakt.studies.plans.distribution import Distribution
 
-#: What a dimension varies: a variable's value, the time of a stimulus, the seed of a noise, the
-#: file of a series, how a function is acknowledged, when the PLC dies and comes back, a parameter
-#: of the lists, a variable of the program, an entry of the load of a schedule, the files of a
-#: schedule and of its load.
+#: Quantities that a dimension varies: a variable's value, the time of a stimulus, the seed of a
+#: noise, the file of a series, how a function is acknowledged, when the PLC dies and comes back, a
+#: parameter of the lists, a variable of the program, an entry of the load of a schedule, the files
+#: of a schedule and of its load.
 Kind = Literal[
     "variable", "time_of", "noise", "series", "acknowledge", "plc_dies", "plc_returns",
     "parameter", "program_variable", "load_entry", "rtconf", "load",
@@ -31,7 +31,7 @@ FILE_KINDS: tuple[Kind, ...] = ("series", "rtconf", "load")
 
 Value = float | int | str
 
-#: The highest time of a dimension that goes on to the end of the unchanged run, in microseconds.
+#: The highest time of a dimension that extends to the end of the unchanged run, in microseconds.
 END_OF_RUN = 1 << 60
 
 #: The most values of a list that are checked before any run.
@@ -45,18 +45,18 @@ _MASK = (1 << 64) - 1
 
 @dataclass(frozen=True, slots=True)
 class Dimension:
-    """What is varied, and its values: ``values``, or from ``low`` to ``high`` in steps.
+    """A varied quantity, and its values: ``values``, or from ``low`` to ``high`` in steps.
 
-    ``target``: the variable, the assignment of ``time_of`` (its variable; ``amount`` is the
-    value), the function, the parameter's ID; ``of``: the axis or channel whose parameter it is.
-    ``at``: from which time on; ``duration``: how long, for ``time_of`` until the value goes back to
+    ``target``: the variable, the assignment of ``time_of`` (its variable; ``amount`` is the value),
+    the function, the parameter's ID; ``of``: the axis or channel whose parameter it is. ``at``:
+    from which time on; ``duration``: how long, for ``time_of`` until the value goes back to
     ``rest``, for a ramp or a noise how long it lasts. A ramp begins with ``rest``; a noise keeps
     within ``amount`` of ``rest``. ``step`` 0: any value between ``low`` and ``high``.
     ``is_each_tick``: each tick of a run, from ``low`` up to the end of the unchanged run.
     ``nominal``: the value of the unchanged run; ``None``: the first one. ``is_whole``: it takes
     whole numbers only, so that values between two of them are rounded. ``tick_us``: the length of a
-    tick, for times: those between two ticks would do what the next tick does. ``distribution``: how
-    often each value is drawn by methods without a grid; ``None``: evenly.
+    tick, for times: those between two ticks would have the effect of the next tick.
+    ``distribution``: how often each value is drawn by methods without a grid; ``None``: evenly.
     """
 
     name: str
@@ -118,7 +118,7 @@ class Dimension:
         return self.values[:MAX_PROBES] or (self.between(0.0), self.between(1.0))
 
     def between(self, share: float) -> Value:
-        """Return the value at a share of the way, 0 … 1; on the grid where there is one."""
+        """Return the value at a share of the range, 0 … 1; on the grid if there is one."""
         count = self.count
         if count:
             return self.value(min(int(share * count), count - 1))

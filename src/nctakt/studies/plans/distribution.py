@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How often each value of a dimension is drawn: normal, triangular, or as in measured samples.
 
-Out: the value below which a share of all drawn ones are, within the bounds of the dimension. A
+Out: the value below which a share of all drawn values lie, within the bounds of the dimension. A
 dimension without a distribution is drawn evenly.
 """
 
@@ -26,7 +26,7 @@ NORMAL_SPAN = 6.0
 
 @dataclass(frozen=True, slots=True)
 class Normal:
-    """The normal distribution; what is outside the bounds is not drawn."""
+    """The normal distribution; values outside the bounds are not drawn."""
 
     mean: float
     deviation: float
@@ -69,9 +69,9 @@ class Triangular:
 
 @dataclass(frozen=True, slots=True)
 class Samples:
-    """The values of a column of a CSV file in ascending order, each drawn as often as it is in it.
+    """The values of a column of a CSV file in ascending order, each drawn as often as it occurs.
 
-    ``file`` is where they are from; what was read is part of the plan.
+    ``file`` is where they are from; the values read are part of the plan.
     """
 
     values: tuple[float, ...] = field(repr=False)
@@ -93,9 +93,9 @@ Distribution = Normal | Triangular | Samples
 def read_samples(path: Path, column: str, number_of: Callable[[str], float]) -> Samples:
     """Return the samples of a CSV file; ``number_of`` reads a cell and raises ``ValueError``.
 
-    ``column``: its name in the first row; may be empty where there is only one. Empty cells and
-    lines, and lines that begin with ``#``, are skipped. Raises ``Failure`` for a file that cannot
-    be read, that has no such column (902533) or no value, and for each cell that is none (902532).
+    ``column``: its name in the first row; may be empty if there is only one. Empty cells and lines,
+    and lines that begin with ``#``, are skipped. Raises ``Failure`` for a file that cannot be read,
+    that has no such column (902533) or no value, and for each cell that is not a number (902532).
     """
     lines = FileAccess().read_lines(path)
     rows = [

@@ -22,7 +22,7 @@ from nctakt.studies.plans.distribution import (
 )
 from nctakt.studies.plans.plan_reader import PlanReader, one_of
 
-#: The distributions, each with its own entries and those that it needs.
+#: The distributions, each with its entries and those that it requires.
 _WORDS = {
     "normal": (("mean", "deviation", "from", "to"), ("mean", "deviation")),
     "triangular": (("peak", "from", "to"), ("peak", "from", "to")),

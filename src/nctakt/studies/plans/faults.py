@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A PLC with faults: it answers late, never or twice, it dies, it comes back.
 
-In: the PLC of the plan, or none, and its faults. Out: a PLC for one run. What a dead PLC would have
-done is lost; when it comes back it goes on where it was.
+In: the PLC of the plan, or none, and its faults. Out: a PLC for one run. The actions of a dead PLC
+are lost; when it comes back it continues where it was.
 """
 
 from __future__ import annotations
@@ -18,7 +18,8 @@ from nctakt.run.plcs.plc_view import AnyPlc, PlcView, WatchedPlc
 if TYPE_CHECKING:
     from nctakt.base.diagnostics import Diagnostic
 
-#: How a function is answered, beside a number: how much later than the PLC wants, in microseconds.
+#: How a function is answered, if not by a number: how much later than the PLC does, in
+#: microseconds.
 NEVER, TWICE = "never", "twice"
 
 
@@ -27,7 +28,7 @@ class PlcFaults:
     """``answers``: function -> ``never``, ``twice`` or microseconds.
 
     ``dies_us``: the time of the run from which on the PLC does nothing, ``returns_us``: after how
-    long it goes on, both in microseconds.
+    long it continues, both in microseconds.
     """
 
     answers: dict[str, float | str] = field(default_factory=dict)

@@ -47,7 +47,7 @@ class RunInputs:
         return bool(self.faults or changed)
 
     def add(self, dimension: Dimension, value: Value, cycle_time_us: int) -> None:
-        """Add what a value of a dimension means."""
+        """Add the inputs for a value of a dimension."""
         match dimension.kind:
             case "variable" if dimension.at is None and not dimension.is_ramp:
                 self.assignments[dimension.target] = value
@@ -133,10 +133,9 @@ def _span(dimension: Dimension, cycle_time_us: int) -> tuple[int, int]:
 
 
 def command_of(plan: Plan, inputs: RunInputs) -> str | None:
-    """Return the command that makes this run; ``None`` if no option says what it needs.
+    """Return the command that makes this run; ``None`` if there is no option for its inputs.
 
-    That is so as well where no one would read the command: with more than ``MAX_STIMULI`` values
-    at times.
+    The same if the command would be unreadable: with more than ``MAX_STIMULI`` values at times.
     """
     if plan.is_schedule or plan.text is not None or inputs.needs_tape:
         return None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A plan: the program, what is varied, measured, expected and searched for; immutable.
+"""A plan: the program, variations, measures, expectations and goal; immutable.
 
 ``Plan.point`` gives the values of each run by its number. Which runs there are does not depend on
 who makes them, or in which order.
@@ -29,7 +29,7 @@ from nctakt.studies.plans.distribution import Samples
 #: How points are chosen: each with each, by chance, or spread evenly.
 Method = Literal["grid", "list", "random", "latin", "sobol"]
 METHODS: tuple[Method, ...] = ("grid", "list", "random", "latin", "sobol")
-#: The methods whose points are made as a whole, and how many of them there may be.
+#: The methods whose points are made as a whole, and the maximum number of points.
 DESIGNS: tuple[Method, ...] = ("latin", "sobol")
 MAX_DESIGN = 10_000_000
 
@@ -52,7 +52,7 @@ GoalWord = Literal["minimize", "maximize", "boundary", "pareto"]
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """What is searched for: ``word`` says how, ``measure`` of what.
+    """The goal of a search: ``word`` says how, ``measure`` of what.
 
     ``budget``: how many runs the search may take. ``several``: the objectives of a Pareto set.
     """
@@ -78,9 +78,9 @@ class Plan:
     ``names_default_plc`` because the plan says so. ``assignments`` and ``stimuli`` are those of all
     runs. ``count``: the number of points of a method without a grid. ``rtconf``, ``load``,
     ``system``: the scheduling list, its load and its operating system; ``is_schedule``: the list is
-    simulated without a program, which ``program`` then stands for.
-    ``further``: the run options that are no entries of their own here, by name.
-    ``places``: where the entries are in the plan's file, with the text of the line.
+    simulated without a program, and ``program`` then is the list. ``further``: run options without
+    their own entry here, by name. ``places``: where the entries are in the plan's file, with the
+    text of the line.
     """
 
     program: Path
@@ -114,7 +114,7 @@ class Plan:
 
     @property
     def files(self) -> list[Path]:
-        """The files beside program and machine: PLC, schedule, series, Python measures."""
+        """The files besides program and machine: PLC, schedule, series, Python measures."""
         single = (*self.plcs, self.rtconf, self.load)
         files = [path for path in single if path is not None]
         for dimension in self.dimensions:

@@ -38,7 +38,7 @@ from nctakt.studies.plans.plan_reader import (
 COMMON = (
     "name", "values", "from", "to", "step", "nominal", "distribution", *OF_DISTRIBUTION
 )  # fmt: skip
-#: What can be varied, and the further entries of each.
+#: Quantities that can be varied, with the further entries of each.
 WORDS: Mapping[Kind, tuple[str, ...]] = MappingProxyType(
     {
         "variable": ("at", "for", "rest", "over"),
@@ -212,7 +212,7 @@ class DimensionReader:
         return self._amount(key)
 
     def _nominal(self, kind: Kind, distribution: Distribution | None) -> Value | None:
-        """Return the value of the unchanged run; ``None`` if the entry does not say it."""
+        """Return the value of the unchanged run; ``None`` if the entry does not give it."""
         if "nominal" not in self._entry and distribution is not None:
             is_rounded = kind in TIME_KINDS or is_whole(kind, self._entry[kind])
             return round(distribution.center) if is_rounded else distribution.center

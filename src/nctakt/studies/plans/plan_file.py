@@ -66,7 +66,7 @@ from nctakt.studies.plans.plan_reader import (
 )
 from nctakt.studies.plans.schedule_measures import ScheduledProgramReader, ScheduleReader
 
-#: The run options that a plan has beside those with a meaning of their own here.
+#: The run options of a plan other than those with a special meaning here.
 _FURTHER = tuple(
     option
     for option in accepted_by("plan")
@@ -219,7 +219,7 @@ class _Reader(PlanReader):
         return plan
 
     def _check_entries(self, tables: dict[str, Any]) -> None:
-        """Note what is missing beside other entries, and what belongs to a program only."""
+        """Note entries missing next to others, and entries that belong to a program only."""
         if "program" not in tables and "rtconf" not in tables:
             self.missing("program", THE_PLAN)
         if ("load" in tables or "os" in tables) and "rtconf" not in tables:
@@ -238,7 +238,7 @@ class _Reader(PlanReader):
                     self.wrong("distribution", plan.method, _DRAWN, "vary", number)
 
     def _check_size(self, plan: Plan) -> None:
-        """Note a plan without runs (901304), and lists of which one has more values."""
+        """Note a plan without runs (901304), and lists with unequal numbers of values."""
         dimensions = list(enumerate(plan.dimensions))
         if plan.goals:
             empty = [(number, one.name) for number, one in dimensions if one.is_empty]
@@ -259,7 +259,7 @@ class _Reader(PlanReader):
     def _check_trusted(self, plcs: Sequence[Path], measures: Sequence[Measure]) -> None:
         """Note code that the plan's file names, and that may be somebody else's (902970)."""
         if not self._file:
-            return  # the tables are a program's own
+            return  # the tables belong to a program
         code = [(path, "plc", "") for path in plcs if path != Path(DEFAULT_PLC)]
         for measure in measures:
             if isinstance(measure.node, PythonMeasure):
@@ -277,7 +277,7 @@ class _Reader(PlanReader):
                 self.report(found, self.location(key, table, 0))
 
     def _places(self, plan: Plan) -> dict[Entry, Place]:
-        """Return where the entries are whose names machine and program have to have."""
+        """Return the places of entries whose names machine and program must know."""
         keys: list[tuple[str, str, str | int]] = [
             (dimension.kind, "vary", number) for number, dimension in enumerate(plan.dimensions)
         ]
@@ -333,7 +333,7 @@ class _Reader(PlanReader):
                 yield option.name, value
 
     def _take_settings(self, named: Named) -> None:
-        """Take what the plan leaves out from the project of its program."""
+        """Take entries missing from the plan from the project of its program."""
         try:
             self._settings = run_settings([self._program], FileAccess(), named)
         except Failure as failure:
@@ -370,7 +370,7 @@ class _Reader(PlanReader):
         return tuple(stimuli)
 
     def _measures(self, table: Any) -> tuple[tuple[Measure, ...], dict[str, Node]]:
-        """Return the measures, and what their names mean in further texts."""
+        """Return the measures, and the meaning of their names in further texts."""
         if not isinstance(table, dict):
             self.wrong("measure", table, TABLE)
             return (), {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Reads entries of a plan and reports what is wrong with them, each with its line."""
+"""Reads entries of a plan and reports their mistakes, each with its line."""
 
 from __future__ import annotations
 
@@ -158,7 +158,7 @@ class PlanReader:
     def read(
         self, text: str, key: str, table: str, function: Callable[..., _T], *words: object
     ) -> _T | None:
-        """Return what a function reads from a text, ``None`` after a ``Failure``, as ``tried``."""
+        """Return a function's result for a text, ``None`` after a ``Failure``, as ``tried``."""
         return self._noted(lambda: self.location_of_text(text, key, table), function, *words)
 
     def _noted(
@@ -187,7 +187,7 @@ class PlanReader:
         return default
 
     def choice(self, table: dict[str, Any], key: str, names: Sequence[_T]) -> _T:
-        """Return one of these words, the first one without an entry."""
+        """Return one of these words, by default the first."""
         value = table.get(key, names[0])
         if isinstance(value, str) and value in names:
             return names[names.index(value)]
@@ -264,7 +264,7 @@ class PlanReader:
         return []
 
     def existing(self, value: object, key: str, header: str = "", number: int = 0) -> Path | None:
-        """Return the path of a file or folder that is there, ``None`` after a mistake."""
+        """Return the path of an existing file or folder, ``None`` after a mistake."""
         if not isinstance(value, str | Path) or not str(value):
             self.wrong(key, value, TEXT, header, number)
             return None

@@ -12,7 +12,7 @@ Times are exact seconds::
     load of 1                   how much of processor 1 its threads need, 0 … 1
     cycles, duration            of the simulation
 
-A study of a program that runs under a schedule has these words beside its own, but for cycles and
+A study of a program that runs under a schedule has these words in addition, except cycles and
 duration.
 """
 
@@ -230,7 +230,7 @@ def _numbers_of(node: Node) -> Iterator[ScheduleNumber]:
 
 
 def problems_of_numbers(plan: Plan, model: Model) -> list[Diagnostic]:
-    """Return what is wrong with the threads and processors that measures and expectations name."""
+    """Return the mistakes in threads and processors named by measures and expectations."""
     readers = [("measure", measure.name, measure.node) for measure in plan.measures]
     readers += [("expect", one.text, one.node) for one in plan.expectations if one.node is not None]
     found: list[Diagnostic] = []

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The units of the columns of a study: of its inputs and its measures, and of what is counted.
+"""The units of the columns of a study: of inputs, measures, and counts.
 
 In: a plan, the units of the machine's signals. Out: unit by name of the column, for frames, files
-and axes of pictures. A column without a unit, or whose unit cannot be said, is not in it.
+and axes of pictures. A column without a unit, or whose unit is not known, is not in it.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ def units_of(plan: Plan, signal_unit: SignalUnit) -> dict[str, str]:
 
 
 def _unit(node: Node, signal_unit: SignalUnit) -> str | None:
-    """Return the unit of a value; ``None`` of a plain number, which goes with any unit."""
+    """Return the unit of a value; ``None`` for a plain number, which goes with any unit."""
     match node:
         case Constant():
             return SECOND if isinstance(node.constant, Time) else None
@@ -65,7 +65,7 @@ def _unit(node: Node, signal_unit: SignalUnit) -> str | None:
 
 
 def _of_result(word: str, left: str | None, right: str | None) -> str | None:
-    """Return the unit of a result; empty where it has none or one that no one has named."""
+    """Return the unit of a result; empty if it has none or an unnamed one."""
     if word in ("+", "-"):
         if left is None or right is None:
             return left or right

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The modules of a user that a PLC or a measure imports, for machines that do not have them.
 
-In: Python files. Out: the files of the modules that they import, whatever imports those have in
-turn, and the folders in which Python finds them. Imports are read from the texts, also those inside
-of functions; nothing is run. What Python has itself or what is installed beside nctakt is not the
-user's, and a machine that makes runs has to have it installed, too.
+In: Python files. Out: the files of the modules that they import, directly or indirectly, and the
+folders in which Python finds them. Imports are read from the texts, also those inside of functions;
+nothing is run. Modules of Python itself and packages installed next to nctakt are not the user's,
+and a machine that makes runs must have them installed, too.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def is_users(path: Path) -> bool:
 
 
 def files_below(folder: Path) -> Iterator[Path]:
-    """Yield the files below a folder, without hidden ones and what Python has translated.
+    """Yield the files below a folder, without hidden and compiled ones.
 
     Raises ``Failure`` (901317) if they are too large to go along with runs.
     """
@@ -112,5 +112,5 @@ def _spec(name: str, folder: Path) -> importlib.machinery.ModuleSpec | None:
     try:
         beside = importlib.machinery.PathFinder.find_spec(name, [str(folder)])
         return beside or importlib.util.find_spec(name)
-    except (ImportError, ValueError):  # what cannot be found is reported when it is imported
+    except (ImportError, ValueError):  # a missing module is reported when it is imported
         return None

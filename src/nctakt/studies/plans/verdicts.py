@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a study says about its runs as a whole: shares with their intervals, limits of measures.
+"""Verdicts of a study on its runs as a whole: shares with intervals, limits of measures.
 
 In: counts, a plan. Out: numbers for summary and report.
 """

@@ -16,16 +16,16 @@ from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder
 from nctakt.studies.rows.row_store import RunNumbers, fingerprint, lock, open_stores
 from nctakt.studies.runs.row_block import RowBlock
 
-#: Rows that this process gathers for a part: of a study, and of a search, whose runs are few.
+#: Rows that this process gathers for a part: of a study, and of a search, which has few runs.
 GATHERED, GATHERED_OF_SEARCH = 500, 50
 
 
 class FolderStore:
     """As ``RowStore``, in a folder that can be anywhere; on this machine no two studies have it.
 
-    ``purpose``: what else the runs are for, as ``fingerprint`` takes it; ``gathered``: how many
-    rows this process gathers for a part. Raises ``Failure`` as ``PartFolder``, and for a folder
-    that another study writes (900919).
+    ``purpose``: a further purpose of the runs, as for ``fingerprint``; ``gathered``: how many rows
+    this process gathers for a part. Raises ``Failure`` as ``PartFolder``, and for a folder that
+    another study writes (900919).
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class FolderStore:
         return RowsOfFolder(self.folder)
 
     def close(self) -> None:
-        """Write what is left; another study may have the folder then."""
+        """Write the remaining rows; then another study may use the folder."""
         try:
             self._write()
         finally:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A folder of Parquet parts: each is written by whoever has made its runs, and then stays.
+"""A folder of Parquet parts: each is written by the process that made its runs, and then stays.
 
 In: rows of runs, a folder: a path or an address that fsspec knows (``s3://bucket/study``). Out: its
 parts, ``batch=000000/run-FIRST-LAST-COUNT.parquet``. A part is there as a whole or not at all, so
@@ -29,7 +29,7 @@ from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.runs.study_runner import Row, columns_of
 from nctakt.trace.arrow import load_pyarrow
 
-#: Runs of a batch, which is a folder of its own.
+#: Runs of a batch, which is a separate folder.
 BATCH = 1_000_000
 
 #: The file that says of which plan the parts are.
@@ -62,7 +62,7 @@ class PartFolder:
     """The folder of a study's results, on this machine or elsewhere; copies of it can be sent.
 
     ``covers``: the rows are those of ``--cover``, with the counts of their branches. Raises
-    ``Failure``: no package fsspec (901311), what cannot be read or written (900503, 900507).
+    ``Failure``: no package fsspec (901311), files that cannot be read or written (900503, 900507).
     """
 
     def __init__(
@@ -95,7 +95,7 @@ class PartFolder:
         self._open()
 
     def begin(self, fingerprint: str, *, resumes: bool) -> None:
-        """Begin a study in the folder, or go on with one.
+        """Begin a study in the folder, or continue one.
 
         Raises ``Failure``: results are there (902690), or those of another plan (901309).
         """
@@ -119,7 +119,7 @@ class PartFolder:
         return block.without_rows()
 
     def _put(self, name: str, data: bytes) -> None:
-        """Write a file that is there as a whole or not at all."""
+        """Write a file atomically: as a whole or not at all."""
         path = f"{self._root}/{name}"
         with _Reported(self.address):
             if not self.is_local:
@@ -136,7 +136,7 @@ class PartFolder:
                 raise
 
     def parts(self) -> list[Part]:
-        """Return the parts that are there, in the order of their first runs."""
+        """Return the existing parts, in the order of their first runs."""
         with _Reported(self.address, is_read=True):
             self._files.invalidate_cache()
             found = self._files.glob(f"{self._root}/batch=*/*.parquet")
@@ -173,7 +173,7 @@ class RowsOfFolder(StreamedRows):
         return self._merged(self._folder.rows)
 
     def _merged(self, read: Any) -> Iterator[Any]:
-        """Yield what ``read`` has of the parts; those whose numbers overlap are merged."""
+        """Yield the rows that ``read`` returns for the parts; overlapping parts are merged."""
         previous = -1
         for group in _overlapping(self._parts):
             for one in heapq.merge(*map(read, group), key=_number_of):
@@ -201,7 +201,7 @@ def _overlapping(parts: Sequence[Part]) -> Iterator[list[Part]]:
 
 
 class _Reported:
-    """Raise ``Failure`` for whatever a storage raises: each has errors of its own."""
+    """Raise ``Failure`` for anything a storage raises: each has its own errors."""
 
     def __init__(self, address: str, *, is_read: bool = False) -> None:
         self._message = FILE_NOT_READABLE if is_read else FILE_NOT_WRITABLE

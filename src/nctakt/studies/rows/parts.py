@@ -2,8 +2,8 @@
 """A study in parts: each makes a share of the runs and writes its own file into one folder.
 
 In: ``3/10``, the folder, the number of runs. Out: the numbers of the runs of a part, and its file.
-Parts need nothing of each other: they can be the jobs of an array, on any machines with a common
-folder, and what is finished can be read while others run (``FOLDER/*.parquet``).
+Parts are independent of each other: they can be the jobs of an array, on any machines with a common
+folder, and finished parts can be read while others run (``FOLDER/*.parquet``).
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class Part:
 
 
 def parse_part(text: str) -> Part | None:
-    """Return the part that a text says, ``3/10``; ``None`` for any other text."""
+    """Return the part named by a text, ``3/10``; ``None`` for any other text."""
     match = _PART.fullmatch(text)
     if match is None or not 1 <= int(match[1]) <= int(match[2]):
         return None

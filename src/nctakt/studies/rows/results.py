@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The results of a study as a file: one row per run, as Parquet, CSV or JSON lines.
 
-In: rows in the order of their runs. Out: a file, the same bytes whoever has made the rows; and
-back. Rows are written in groups, so that not all of them need be in memory.
+In: rows in the order of their runs. Out: a file, with the same bytes no matter which process made
+the rows; and back. Rows are written in groups, so that not all of them need be in memory.
 """
 
 from __future__ import annotations
@@ -145,7 +145,7 @@ class StreamedRows(Sequence[Row], ABC):
 
 
 class RowsOfFile(StreamedRows):
-    """The rows of a file of results; raises ``Failure`` (900503) for what is none."""
+    """The rows of a file of results; raises ``Failure`` (900503) for other files."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -165,7 +165,7 @@ def unreadable(path: Path, error: Exception) -> Failure:
 
 
 def checked_row(row: Any) -> Row:
-    """Return a row in the words of this version; raises ``ValueError`` for what is none."""
+    """Return a row in the words of this version; raises ``ValueError`` if it is not one."""
     if not isinstance(row, dict) or not isinstance(row.get("verdict"), str):
         raise ValueError("not a row of a study")
     if not isinstance(row.get("run"), int | float):

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The rows of a study while its runs are made, and in the order of their runs afterwards.
 
-They are in ``NAME.rows``: a line that says of which plan, then a line per run, each written at
-once, so that whatever ends the process loses no finished run. Which runs are finished takes a bit
-of memory for each. Rows that came out of order are sorted in parts of bounded size, to a file
-beside it, so that a study may have more rows than memory holds. A file with the name of the rows
-that no study has written is left alone.
+They are in ``NAME.rows``: a line that identifies the plan, then a line per run, each written at
+once, so that no finished run is lost however the process ends. Which runs are finished takes a bit
+of memory for each. Rows that came out of order are sorted in parts of bounded size, to a file next
+to it, so that a study may have more rows than memory holds. A file of that name that no study has
+written is left alone.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ except ImportError:  # Windows
 #: The begin of the first line.
 _HEAD = b'{"study": "'
 
-#: Bytes of rows that are kept in memory as they are; more stay in their file.
+#: Maximum bytes of rows kept in memory; more stay in their file.
 MAX_KEPT = 16 << 20
 
 #: Bytes of rows that are sorted at a time, and the most parts: each is a file that is open.
@@ -51,7 +51,7 @@ MAX_SORTED, MAX_PARTS = 64 << 20, 500
 def fingerprint(plan: Plan, purpose: str = "") -> str:
     """Return digits that change with the plan and with all files that its runs depend on.
 
-    ``purpose``: what else says which runs they are.
+    ``purpose``: further identifies the runs.
     """
     needed = files_of(plan)
     files = [*needed.files, *needed.modules.files]
@@ -62,9 +62,9 @@ def fingerprint(plan: Plan, purpose: str = "") -> str:
 class RowStore:
     """The rows of a study in a file, line by line; ``done`` are the numbers of finished runs.
 
-    ``resumes``: go on with the rows that are there; ``purpose``: what they are rows of, beyond the
-    plan. Raises ``Failure``: rows of another plan or purpose (901309), a file that is there and has
-    no rows (902023), or cannot be written (900507).
+    ``resumes``: continue the existing rows; ``purpose``: identifies the rows further than the plan.
+    Raises ``Failure``: rows of another plan or purpose (901309), an existing file without rows
+    (902023), or cannot be written (900507).
     """
 
     def __init__(self, path: Path, plan: Plan, *, resumes: bool, purpose: str = "") -> None:
@@ -101,7 +101,7 @@ class RowStore:
             self._write(f"{head}\n".encode())
 
     def _read(self, head: str) -> int:
-        """Note the finished runs; return the length of what is whole, in bytes."""
+        """Note the finished runs; return the length of the complete part, in bytes."""
         length = 0
         try:
             with self.path.open("rb") as file:
@@ -173,10 +173,10 @@ class RowStore:
 
 
 class LeftByCopies(Protocol):
-    """What a copy of the process leaves to the process itself."""
+    """Actions that a copy of the process leaves to the process itself."""
 
     def leave(self) -> None:
-        """Close what is open, without a change of any file."""
+        """Close open files, without changing any."""
 
 
 def lock(file: int, path: Path) -> None:
@@ -257,7 +257,7 @@ def _check_rows(path: Path) -> None:
 
 
 def _new_file(beside: Path, suffix: str) -> Path:
-    """Return a new file beside another one; raises ``OSError``."""
+    """Return a new file next to another; raises ``OSError``."""
     number, name = tempfile.mkstemp(suffix, f"{beside.name}.", beside.parent)
     os.close(number)
     return Path(name)
@@ -276,7 +276,7 @@ def _run_of(line: Any) -> int:
 def _sort(source: Path, target: Path) -> None:
     """Write the lines of a file in the order of their runs, after its first line.
 
-    Parts that fit in memory are sorted and written one after another, then merged.
+    Parts that fit in memory are sorted and written in turn, then merged.
     """
     parts = _new_file(source, ".parts")
     try:

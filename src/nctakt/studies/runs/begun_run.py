@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run of a study that has begun: it goes on to its end, or to where an injection is decided.
+"""A started run of a study: it continues to its end, or to where an injection is decided.
 
 Out: ``FinishedRun`` with the outcome of the run and a digest of its trace.
 """
@@ -83,7 +83,7 @@ class FinishedRun:
 
 
 class Lent(Protocol):
-    """What a run works on, given back at its end."""
+    """The objects that a run works on, returned at its end."""
 
     part: RealtimePart
 
@@ -92,9 +92,9 @@ class Lent(Protocol):
 
 
 class BegunRun:
-    """A run that goes on; ``before``: the values of its signals at its begin.
+    """A run in progress; ``before``: the values of its signals at its start.
 
-    ``lent``: its realtime part, given back at its end; a run under a schedule has its own.
+    ``lent``: its realtime part, returned at its end; a run under a schedule has its own.
     """
 
     def __init__(
@@ -125,7 +125,7 @@ class BegunRun:
     def finish(
         self, injected_us: int | None = None, injection: Injection | None = None
     ) -> FinishedRun:
-        """Go on to the end of the run, or to where the injection is decided; return the run."""
+        """Continue to the end of the run, or to where the injection is decided; return the run."""
         try:
             if injection is None:
                 self.run.advance()
@@ -143,7 +143,7 @@ class BegunRun:
         return FinishedRun(outcome, self._inputs, self.digest.text())
 
     def _advance_through(self, injection: Injection) -> None:
-        """Go on until the injection is decided or the run is over."""
+        """Continue until the injection is decided or the run is over."""
         self.run.advance(injection.tick)
         self.digest.begin_tail(self.values())
         for look in injection.looks():

@@ -2,7 +2,7 @@
 """Blocks of runs: as many as keep a worker busy for a while, fewer at the end of a study.
 
 In: numbers of runs, and how long runs have taken. Out: blocks of them. A block that takes too short
-a time costs messages; one that takes too long loses more with its worker, and lets others wait at
+a time costs messages; one that takes too long loses more with its worker, and makes others wait at
 the end.
 """
 
@@ -20,16 +20,16 @@ from nctakt.studies.runs.study_runner import Row
 
 Block = tuple[int, ...]
 
-#: Runs of the first blocks, of which no one knows how long they take, and of a block at most.
+#: Runs of the first blocks, whose duration is not known yet, and of a block at most.
 FIRST, MAX_RUNS = 20, 5_000
 
 #: Runs between two searches for garbage.
 RUNS_BETWEEN_SEARCHES = 5
 
-#: A block is this share of what is left for each worker.
+#: A block is this share of the runs left for each worker.
 SHARE = 4
 
-#: A block at the end is not smaller than this share of one before.
+#: A block at the end is no smaller than this share of the block before.
 MIN_SHARE = 20
 
 
@@ -67,7 +67,7 @@ def make_runs(maker: RowMaker, block: Block, writer: RowWriter | None = None) ->
 def _rows(maker: RowMaker, block: Block) -> Iterator[Row]:
     """Yield the rows of a block; garbage is looked for between runs, not at any time in them.
 
-    What a run leaves is all garbage then, and nothing of a present run is looked through.
+    The leftovers of runs are all garbage then, and no objects of a present run are scanned.
     """
     was_enabled = gc.isenabled()
     gc.disable()

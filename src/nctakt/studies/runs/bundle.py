@@ -80,7 +80,7 @@ class Bundle:
 
 
 def _with_paths(plan: Plan, changed: Callable[[Path], Path], built_in: str = "") -> Plan:
-    """Return a plan with its paths changed; ``built_in``: the name of its machine, if it is one."""
+    """Return a plan with its paths changed; ``built_in``: the name of a built-in machine."""
 
     def of(path: Path | None) -> Path | None:
         return None if path is None else changed(path)
@@ -120,7 +120,7 @@ def _install(content: bytes, folder: Path) -> list[str]:
 
 
 def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
-    """Return a plan with its files: program and what it calls, lists, PLC, series, measures.
+    """Return a plan with its files: program and files it calls, lists, PLC, series, measures.
 
     The modules of the user that they import go along. ``uploads``: further files, folders, modules
     and wheels. Raises ``Failure``: a plan that cannot be used, an upload that cannot be read
@@ -168,7 +168,7 @@ def bundle(plan: Plan, uploads: Sequence[Path] = ()) -> Bundle:
 
 
 def _wheel(path: Path) -> bytes:
-    """Return the content of a wheel; raises ``Failure`` for what is none."""
+    """Return the content of a wheel; raises ``Failure`` if it is not one."""
     content = FileAccess().read_bytes(path)
     if not zipfile.is_zipfile(io.BytesIO(content)):
         reason = "not a wheel"

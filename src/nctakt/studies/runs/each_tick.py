@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Each tick: the span of an injection, and the strip of what it did, over the program.
+"""Each tick: the span of an injection, and the strip of its effects, over the program.
 
 In: a plan with an ``each_tick`` dimension. Out: the plan with the span of the unchanged run; after
 the runs, a strip with a line for each block of the program: when it was current, at how many of its
@@ -55,7 +55,7 @@ def injection_table(text: str) -> dict[str, object]:
 class Nominal:
     """The unchanged run: its length in ticks, and first tick, line and text of its blocks.
 
-    ``broken``: the expectations that it does not meet, beside those about an injection.
+    ``broken``: the expectations that it does not meet, apart from those about an injection.
     """
 
     ticks: int
@@ -114,7 +114,7 @@ def strip(
 
 
 class _Block:
-    """What the injections into a block did: whether each held, and the longest reaction."""
+    """Results of the injections into a block: whether each passed, and the longest reaction."""
 
     def __init__(self) -> None:
         self.held = bytearray()

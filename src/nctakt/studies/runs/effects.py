@@ -2,8 +2,8 @@
 """Which dimensions of a study change nothing.
 
 In: a plan and the rows of its runs. Out: the dimensions for which all runs that differ in them
-alone are the same run: same events, same values of all that is measured, by the digests. Points by
-chance differ in all dimensions at once: there some runs are made again with another value of one.
+alone are the same run: same events, same measured values, by the digests. Random points differ in
+all dimensions at once: for them some runs are repeated with another value of one dimension.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ from collections.abc import Collection, Iterable, Sequence
 from nctakt.studies.plans.plan import Method, Plan
 from nctakt.studies.runs.study_runner import Row, StudyRunner
 
-#: Runs that are remembered for one dimension; of more nothing is said.
+#: Maximum number of runs remembered for one dimension; beyond that nothing is reported.
 MAX_REMEMBERED = 100_000
 
 #: The methods whose points differ in all dimensions at once.
 BY_CHANCE: tuple[Method, ...] = ("random", "latin", "sobol")
 
-#: Runs that are made again for one dimension at most; most of those with an effect need one.
+#: Maximum number of runs repeated for one dimension; most dimensions with an effect need one.
 REPEATED = 8
 
 
@@ -43,8 +43,8 @@ def without_shown_effect(
 ) -> list[tuple[str, int]]:
     """Return the dimensions that changed nothing where runs were made again for it, and how many.
 
-    Only of points by chance, and of dimensions of which it is not ``known``. A run that is made
-    again has the value that the next one of them has.
+    Only for random points, and for dimensions for which it is not ``known``. A repeated run has the
+    value of the next point.
     """
     plan = runner.plan
     finished = [row for row in rows if row.get("digest")]

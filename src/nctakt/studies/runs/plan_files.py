@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """All files that the runs of a plan depend on.
 
-In: a plan. Out: program and what it calls, lists, schedule, series, PLC with its inputs, measures,
+In: a plan. Out: program and files it calls, lists, schedule, series, PLC with its inputs, measures,
 and the user's modules that PLC and measures import.
 """
 

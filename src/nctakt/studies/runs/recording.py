@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A run of a study in a file that shows it again: a tape, or a list and a load.
 
-In: a runner and the values of a run. Out: files, and the command that shows the run by them. A tape
-has the run whole, with all that no option of ``nctakt run`` says: what the PLC has done, parameters
-that the lists do not have, other numbers in the program.
+In: a runner and the values of a run. Out: files, and the command that shows the run from them. A
+tape has the whole run, including everything for which ``nctakt run`` has no option: actions of the
+PLC, parameters that the lists do not have, other numbers in the program.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ _LOAD = Path("load.toml")
 def record_run(runner: StudyRunner, point: Sequence[Value], path: Path) -> str:
     """Write the files of a run; return the command that shows it.
 
-    ``path``: of the tape; list and load of a schedule are beside it, with endings of their own.
-    Raises ``Failure`` as the run, and for files that cannot be written.
+    ``path``: of the tape; list and load of a schedule are next to it, with their own suffixes.
+    Raises ``Failure`` like the run, and for files that cannot be written.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     if isinstance(runner, ScheduleRunner):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Finished rows on their way from who makes them to who keeps them.
+"""Finished rows in transit from the process that makes them to the one that keeps them.
 
-They travel as the lines of text that a file of rows consists of: whoever hands out the runs of many
-processes need not look into them.
+They travel as the lines of text that a file of rows consists of: the process that distributes the
+runs need not parse them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _encode = json.JSONEncoder(ensure_ascii=False).encode
 
 
 class RowBlock:
-    """Rows, with what a progress shows: ``numbers`` of their runs, ``crashed`` ones.
+    """Rows, with data for the progress display: ``numbers`` of their runs, ``crashed`` ones.
 
     ``broken``: how many runs did not meet all expectations. ``has_rows``: they are in it.
     """
@@ -54,11 +54,11 @@ class RowBlock:
 
     @cached_property
     def lines(self) -> bytes:
-        """The rows as JSON, each on a line of its own."""
+        """The rows as JSON, one per line."""
         return "".join(f"{_encode(row)}\n" for row in self.rows).encode()
 
     @cached_property
     def rows(self) -> list[Row]:
-        """The rows as they were."""
+        """The original rows."""
         rows: list[Row] = json.loads(b"[%b]" % self.lines[:-1].replace(b"\n", b","))
         return rows

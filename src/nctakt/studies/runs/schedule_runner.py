@@ -34,7 +34,7 @@ SIMULATED = "simulated"
 
 
 class ScheduleRunner(StudyRunner):
-    """List and load of a plan; raises ``Failure`` for what cannot be read."""
+    """List and load of a plan; raises ``Failure`` for files that cannot be read."""
 
     def __init__(self, plan: Plan, access: FileAccess | None = None) -> None:
         assert plan.rtconf is not None
@@ -59,7 +59,7 @@ class ScheduleRunner(StudyRunner):
             raise Failure(*{one.text(): one for one in found}.values())
 
     def _check_value(self, dimension: Dimension, value: Value) -> None:
-        """Raise ``Failure`` for a value that list or load do not take, the others as they stand."""
+        """Raise ``Failure`` for a value that list or load refuse, with the others unchanged."""
         inputs = RunInputs()
         inputs.add(dimension, value, self.cycle_time_us)
         self._files.schedule(inputs.schedule, self.access)
@@ -67,7 +67,7 @@ class ScheduleRunner(StudyRunner):
     def _failures(
         self, table: str, entry: str | int, function: Callable[..., None], *words: object
     ) -> list[Diagnostic]:
-        """Return what a function raises, at the place of an entry of the plan."""
+        """Return the exception of a function, at the place of an entry of the plan."""
         try:
             function(*words)
         except Failure as failure:

@@ -2,12 +2,11 @@
 """Injections that share the beginning of their runs, which is run once.
 
 In: a runner whose plan injects a value at each tick. Out: the same rows as ``StudyRunner.row``
-makes. The unchanged run goes forward by some ticks at a time. Where it waits, the ticks up to the
-next injections and after them are tried, and the realtime part is put back (``trial.py``). What
-cannot be tried is made by a copy of
-the process (``fork``), which goes on until the injection is decided and hands its row over; a
-process that does so has one thread. Where a copy takes longer than the beginning, or must not be
-made, the run is made from its start: that is measured, and changes no row.
+makes. The unchanged run advances by some ticks at a time. Where it waits, the ticks up to the next
+injections and after them are tried, and the realtime part is restored (``trial.py``). If a trial is
+not possible, a copy of the process (``fork``) continues until the injection is decided and hands
+its row over; a process that does so has one thread. If a copy takes longer than the beginning, or
+must not be made, the run is made from its start: the choice is measured, and changes no row.
 """
 
 from __future__ import annotations
@@ -51,12 +50,12 @@ def is_copied(plan: Plan, cycle_time_us: int) -> bool:
 
 
 def maker_of(runner: StudyRunner, *, may_copy: bool) -> StudyRunner | SharedBeginning:
-    """Return what makes the rows of a runner; ``may_copy``: this process may copy itself."""
+    """Return the maker of a runner's rows; ``may_copy``: this process may copy itself."""
     return SharedBeginning(runner, may_copy=may_copy) if is_shared(runner.plan) else runner
 
 
 class SharedBeginning:
-    """Makes the rows of a runner; each number should be higher than the one before.
+    """Makes the rows of a runner; each number should be higher than the last.
 
     ``may_copy``: this process has one thread and may copy itself.
     """
@@ -72,7 +71,7 @@ class SharedBeginning:
         self._copy_s = 0.0
 
     def row(self, number: int) -> Row:
-        """Return the row of a run; of one whose process ends by itself, a row that says so."""
+        """Return the row of a run; if its process dies, a row that says so."""
         plan, runner = self._runner.plan, self._runner
         point = plan.point(number)
         injected_us = plan.injection_us(point)
@@ -98,7 +97,7 @@ class SharedBeginning:
     def _advanced(self, tick: int) -> BegunRun:
         """Return the unchanged run at a tick, and note how long it takes to get there.
 
-        If it ends before, it is there at its end.
+        If it ends earlier, it waits at its end.
         """
         begin_s = time.perf_counter()
         if self._begun is None or self._begun.controller.tick > tick:
@@ -198,7 +197,7 @@ class SharedBeginning:
         return copied
 
     def _finished(self, begun: BegunRun, number: int, point: Sequence[Value]) -> Row:
-        """Take the injection, go on until it is decided, and return the row."""
+        """Apply the injection, continue until it is decided, and return the row."""
         runner = self._runner
         inputs = inputs_of(runner.plan, point, runner.cycle_time_us)
         own = [Stimulus(*one) for one in inputs.stimuli[len(runner.plan.stimuli) :]]

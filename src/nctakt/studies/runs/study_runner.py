@@ -2,7 +2,7 @@
 """The runner of a worker: machine and program, loaded once, on which the runs of a plan are made.
 
 In: a plan. Out: the row of each run: inputs, measures, verdict, digest. A run depends on its inputs
-alone, so that rows are the same whoever makes them, in whatever order.
+alone, so that rows are the same no matter which process makes them, and in which order.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ Parameters = tuple[tuple[tuple[str, str], float | str], ...]
 #: A row of the results: name -> number, text or ``None``.
 Row = dict[str, float | int | str | None]
 
-#: Verdicts of a run: all expectations met, one of them not, not possible, process died.
+#: Verdicts of a run: all expectations met, some not met, not possible, process died.
 PASSED, FAILED, REFUSED, CRASHED = "passed", "failed", "refused", "crashed"
 #: Verdicts in files of earlier versions, whose ``failed`` was a run that is not possible.
 EARLIER_VERDICTS = {"held": PASSED, "broken": FAILED}
@@ -119,7 +119,7 @@ class StudyRunner:
         return tuple(dict.fromkeys(signals))
 
     def _readers(self) -> Iterator[tuple[str, str, str]]:
-        """Yield what is read, with table and entry of the plan that read it."""
+        """Yield the signals read, with table and entry of the plan that read them."""
         for measure in self.plan.measures:
             for name in measure.node.signals():
                 yield "measure", measure.name, name
@@ -159,7 +159,7 @@ class StudyRunner:
             raise Failure(*{one.text(): one for one in found}.values())
 
     def _wrong_inputs(self, inputs: RunInputs, table: str, entry: str | int) -> list[Diagnostic]:
-        """Return what is wrong with the inputs that an entry of the plan gives."""
+        """Return the mistakes in the inputs of an entry of the plan."""
         try:
             controller = self._controller(inputs)
             self.program_of(inputs, controller)
@@ -219,7 +219,7 @@ class StudyRunner:
         }
 
     def broken(self, outcome: Outcome, expectations: Sequence[Expectation]) -> list[str]:
-        """Return what a run breaks: expectations with what was instead, and unexpected errors."""
+        """Return the broken expectations of a run with actual values, and unexpected errors."""
         broken = [one.broken(outcome) for one in expectations if not one.is_met(outcome)]
         if not self._speaks_of_errors:
             broken += dict.fromkeys(f"error {found.id}" for found in outcome.run.errors)
@@ -293,7 +293,7 @@ class StudyRunner:
     def _begun_again(self, inputs: RunInputs) -> BegunRun | None:
         """Begin a run where others with these lists and this text have begun, if that is possible.
 
-        What it depends on besides are values, times and sinks.
+        Apart from them it depends on values, times and sinks.
         """
         if self._has_structured or self._schedule_files is not None:
             return None
@@ -415,7 +415,7 @@ def _signal_name(name: str, axes: Collection[str]) -> str:
 
 
 def _unit(controller: Controller, name: str) -> str:
-    """Return the unit of a signal; empty for what is none, such as a variable of the program."""
+    """Return the unit of a signal; empty for anything else, such as a variable of the program."""
     axes = {axis.name for axis in controller.channel_axes}
     try:
         return controller.unit(_signal_name(name, axes))
@@ -453,7 +453,7 @@ def columns_of(plan: Plan) -> list[str]:
 
 
 def crashed_row(plan: Plan, index: int, point: Sequence[Value] | None = None) -> Row:
-    """Return the row of a run whose process ended by itself; ``point``: its values if searched."""
+    """Return the row of a run whose process died; ``point``: its values if searched."""
     row: Row = dict.fromkeys(columns_of(plan))
     point = plan.point(index) if point is None else point
     values: dict[str, Any] = {

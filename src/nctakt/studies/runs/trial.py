@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""A trial: what an injection does in the ticks after it, off a run that goes on without it.
+"""A trial: the effect of an injection in the ticks after it, on a run that continues without it.
 
 In: an unchanged run that waits at the injection's tick or some ticks before. Out: the rest of the
-run with the injection, up to where it is decided, and the realtime part put back to where the run
-waits. Only ticks are tried, nothing of Python's side: where the decoder, the PLC or another
-stimulus is due before, or an error comes, there is no trial, and the run has to be made from its
-start.
+run with the injection, up to where it is decided, and the realtime part restored to where the run
+waits. Only ticks are tried, nothing on Python's side: if the decoder, the PLC or another stimulus
+is due before, or an error occurs, there is no trial, and the run must be made from its start.
 """
 
 from __future__ import annotations
@@ -28,7 +27,7 @@ _ANSWERED = frozenset((rows.EVENT_ERROR, rows.EVENT_NOTICE, rows.EVENT_USER_ERRO
 
 @dataclass(frozen=True, slots=True)
 class Tried:
-    """What a trial has made: its outcome, and the events and rows since the run waits."""
+    """The result of a trial: its outcome, and the events and rows since the run waits."""
 
     outcome: WindowOutcome
     events: bytes
@@ -36,7 +35,7 @@ class Tried:
 
 
 class Trials:
-    """Trials off one realtime part; ``cells`` are those of its rows' signals, by their names."""
+    """Trials on one realtime part; ``cells`` are those of its rows' signals, by their names."""
 
     def __init__(self, part: RealtimePart, names: MachineNames, cells: Mapping[str, int]) -> None:
         self._part = part
@@ -49,10 +48,10 @@ class Trials:
     def make(
         self, injection: Injection, inputs: Sequence[Input], before: Mapping[str, float]
     ) -> Tried | None:
-        """Go on from the present tick to that of the injection, and try these inputs there.
+        """Continue from the present tick to that of the injection, and try these inputs there.
 
         Returns ``None`` if there can be no trial; raises ``Failure`` for an input that the machine
-        does not take.
+        refuses.
         """
         tick = self._part.kernel.tick
         if self._snapshot is None or tick != self._tick:

@@ -25,7 +25,7 @@ BranchKey = tuple[str, int, int]
 #: Words of branches that follow others of their ``$IF`` or IF.
 _FOLLOWING = ("$ELSEIF", "$ELSE", "ELSIF", "ELSE")
 
-#: What is left of a condition whose values say nothing; of one with values it is less.
+#: The distance of a condition whose values say nothing; with values it is less.
 _UNKNOWN = 1.0
 
 #: A comparison that misses by nothing still misses: ``X < 5`` at 5.
@@ -34,7 +34,7 @@ _MIN_REST = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class BranchDistance:
-    """What is left up to a branch; ``difference``: that of the two sides of its comparison.
+    """The distance to a branch; ``difference``: that of the two sides of its comparison.
 
     ``levels``: the branches that did not run, those around it included; 0 if it ran.
     ``difference`` is ``None`` where no single comparison of numbers decides.
@@ -46,7 +46,7 @@ class BranchDistance:
 
     @property
     def key(self) -> tuple[int, float]:
-        """What makes a run better than another one: less of it."""
+        """The key by which runs compare: less is better."""
         return self.levels, self.rest
 
 
@@ -109,7 +109,7 @@ def _earlier(branches: tuple[BranchCounts, ...], index: int) -> list[BranchCount
 
 
 def _miss(branch: BranchCounts, *, to: bool) -> tuple[float, float | None]:
-    """Return what is left until a condition changes, and the difference of its sides if it has any.
+    """Return the distance until a condition changes, and the difference of its sides if it has any.
 
     The rest is below 1 for a comparison, and for ``&&`` and ``||`` the sum of their operands'; the
     difference is then that of the first operand that has not changed.

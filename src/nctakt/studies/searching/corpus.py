@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Points that earlier searches for branches have found, kept in a file from call to call.
 
-In: a file with a JSON object a line, value by name of the dimension; times in microseconds. Out:
-the points of it that a plan has, and the file with the new ones in front.
+In: a file with a JSON object per line, value by name of the dimension; times in microseconds. Out:
+those of its points that belong to a plan, and the file with the new ones first.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class Corpus:
         return [tuple(entry[name] for name in names) for entry in fitting]
 
     def add(self, plan: Plan, points: Sequence[Sequence[Value]]) -> None:
-        """Put points in front and write the file; raises ``Failure`` where that is impossible."""
+        """Put points first and write the file; raises ``Failure`` if that is impossible."""
         names = [dimension.name for dimension in plan.dimensions]
         entries = [dict(zip(names, point, strict=True)) for point in points]
         entries += [entry for entry in self._entries if entry not in entries]

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Looks for runs of a study that reach the branches of realtime cycles, and says which do.
 
-In: what makes runs, how many it may take, points that were good before. Out: ``Reached``. Points
-are spread over the whole range first; then each branch that has not run is approached from the
-run that came nearest to it, dimension by dimension, until its comparisons hold. The distances are
+In: a maker of runs, how many runs it may take, points that were good before. Out: ``Reached``.
+Points are spread over the whole range first; then each branch that has not run is approached from
+the run that came nearest, dimension by dimension, until its comparisons hold. The distances are
 those that the realtime part keeps anyway (``branch_distance.py``). Runs that do not depend on each
-other are asked for at once, whoever makes them.
+other are requested at once, no matter who makes them.
 """
 
 from __future__ import annotations
@@ -32,13 +32,13 @@ _FIRST_RUNS, _FIRST_PART = 16, 8
 #: The most points that are asked for at once before any branch is approached.
 _AT_ONCE = 16
 
-#: Known points that an approach may ask for in a row before another one has its turn.
+#: Known points that an approach may request in a row before another has its turn.
 _MAX_KNOWN = 64
 
 #: Between two steps of a dimension that are tried.
 _STEP_FACTOR = 8
 
-#: What came of a run: its distance to each branch.
+#: The result of a run: its distance to each branch.
 _Distances = dict[BranchKey, BranchDistance]
 
 #: Asks for coordinates, and gets the distance to its branch there.
@@ -59,9 +59,9 @@ class FirstRun:
 class Reached:
     """The sum of all runs, for each branch the run that reached it first, and the best points.
 
-    ``best``: points for the next search: those that reached a branch or came nearest to one.
-    ``untried``: how many points of the plan are left. ``failed``: how many runs were not possible,
-    and what the first of them reported. ``proofs``: the branches that no values of the plan reach.
+    ``best``: points for the next search: those that reached a branch or came nearest. ``untried``:
+    how many points of the plan are left. ``failed``: how many runs were not possible, and the first
+    reason. ``proofs``: the branches that no values of the plan reach.
     """
 
     coverage: Coverage
@@ -92,7 +92,7 @@ def reach(searched: SearchRuns, budget: int, earlier: Sequence[Sequence[Value]] 
 
 
 def covered(runner: StudyRunner, point: Sequence[Value]) -> Coverage:
-    """Return the coverage of the run with these values; raises ``Failure`` for a wrong one."""
+    """Return the coverage of the run with these values; raises ``Failure`` for a wrong value."""
     coverage = runner.cover(point).outcome.run.coverage
     assert coverage is not None
     return coverage
@@ -142,7 +142,7 @@ class _Search:
                 self._note(coordinates, point, from_json("--cover", str(counts)))
 
     def _note(self, coordinates: Coordinates, point: tuple[Value, ...], coverage: Coverage) -> None:
-        """Note what a run has reached, and how near it came to what it has not."""
+        """Note the branches that a run has reached, and how near it came to the others."""
         self.coverage = self.coverage.plus(coverage)
         lines = {
             (cycle.file, cycle.line, index): branch.line
@@ -194,7 +194,7 @@ class _Search:
     # --- one branch -----------------------------------------------------------------------------
 
     def _approach(self, key: BranchKey) -> _Approach:
-        """Go down from the nearest run, then again and again from one beside it or elsewhere."""
+        """Descend from the nearest run, then repeatedly from points next to it or elsewhere."""
         current = self._nearest[key]
         while True:
             gained = True
@@ -234,7 +234,7 @@ class _Search:
     def _onward(
         self, current: tuple[Coordinates, BranchDistance], axis: int, step: int
     ) -> Generator[Coordinates, BranchDistance, tuple[Coordinates, BranchDistance]]:
-        """Go on with doubled steps as long as they make it better."""
+        """Continue with doubled steps as long as they improve it."""
         while True:
             step *= 2
             moved = current[0][axis] + step
@@ -247,9 +247,10 @@ class _Search:
             current = tried, distance
 
     def _elsewhere(self, nearest: Coordinates) -> Coordinates:
-        """Return in turn any point, the nearest one with one dimension changed, and a mixed one.
+        """Return in turn a random point, the nearest one with one dimension changed, and a mixture.
 
-        That takes each dimension from one of the points that reached a branch or came nearest.
+        The mixture takes each dimension from one of the points that reached a branch or came
+        nearest.
         """
         self._draws += 1
         sizes = self._space.sizes
@@ -269,7 +270,7 @@ class _Search:
         return min(int(chance(what, self._draws) * size), size - 1)
 
     def result(self) -> Reached:
-        """Return what the runs have reached."""
+        """Return the result of the runs."""
         reached = [one.point for one in self._first]
         left = [near for key, near in self._nearest.items() if key not in self._reached]
         best = dict.fromkeys(
@@ -286,7 +287,7 @@ class _Search:
         )
 
     def _failure(self) -> tuple[Diagnostic, ...]:
-        """Return what the first run that was not possible reports, begun once more for that."""
+        """Return the reports of the first run that was not possible, restarted for that."""
         try:
             if self._refused is not None:
                 covered(self._runner, self._refused)
@@ -296,7 +297,7 @@ class _Search:
 
 
 class _Turn:
-    """An approach, and what it has asked for last."""
+    """An approach, and its latest request."""
 
     def __init__(self, approach: _Approach) -> None:
         self._approach = approach

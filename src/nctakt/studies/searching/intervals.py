@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Intervals of numbers: what an expression can be where its variables are within bounds.
+"""Intervals of numbers: possible values of an expression whose variables are within bounds.
 
 In: an expression of the tree, and an interval for each variable that has bounds. Out: an interval
 that holds every value that the realtime part can compute (RC-206), perhaps more; whether a
@@ -42,7 +42,7 @@ class Interval:
         return Interval(min(one.low for one in parts), max(one.high for one in parts))
 
     def cut(self, other: Interval) -> Interval:
-        """Return what both have."""
+        """Return the intersection."""
         return Interval(max(self.low, other.low), min(self.high, other.high))
 
 
@@ -213,7 +213,7 @@ def narrowed(
 
 
 def _allowed(operator: str, limit: Interval) -> Interval:
-    """Return the numbers that compare so with one of the limit; those of ``<`` with the limit."""
+    """Return the numbers that compare so with some number of the limit; ``<`` includes it."""
     match operator:
         case "<" | "<=":
             return Interval(-math.inf, limit.high)

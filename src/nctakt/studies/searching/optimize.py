@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The points that a search for the best runs tries: a whole grid, or what optuna suggests.
+"""The points that a search for the best runs tries: a whole grid, or suggestions of optuna.
 
 In: a plan, a goal, the runs of a search. Out: more of these runs. Expectations are constraints: a
-run that meets them is better than one that does not, whatever their values. The same plan tries
-the same points.
+run that meets them is better than one that does not, regardless of their values. The same plan
+tries the same points.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.studies.searching.search_runs import Runs
 #: Halvings of a dimension without a step: a millionth of a millionth of its span.
 MAX_HALVINGS = 40
 
-#: The share of a budget that looks everywhere; the rest goes on from the best point.
+#: The share of a budget spent on looking everywhere; the rest continues from the best point.
 WIDE_SHARE = 0.6
 
 #: How good a run is, smaller is better: whether it breaks something, then its objectives.
@@ -45,8 +45,8 @@ def objective_values(goal: Goal, row: Row) -> tuple[float, ...] | None:
 def optimize(plan: Plan, goal: Goal, runs: Runs) -> None:
     """Try points; raises ``Failure`` (901311) without optuna where it is needed.
 
-    Where the budget is enough for the whole grid, each point is tried. Else optuna looks for the
-    region, for one objective steps of halving length from the best point for the rest.
+    If the budget is enough for the whole grid, each point is tried. Otherwise optuna looks for the
+    region, and for one objective the rest goes into steps of halving length from the best point.
     """
     dimensions = plan.dimensions
 
@@ -70,7 +70,7 @@ def optimize(plan: Plan, goal: Goal, runs: Runs) -> None:
 
 
 def dimension_value(dimension: Dimension, number: float) -> Value:
-    """Return the value of a number on the grid, or at a share of the way."""
+    """Return the value of a number on the grid, or at a share of the range."""
     return dimension.value(int(number)) if dimension.count else dimension.between(number)
 
 
@@ -112,7 +112,7 @@ def _by_steps(
     ranked: Callable[[Sequence[float]], Rank],
     has_budget: Callable[[], bool],
 ) -> None:
-    """Try steps from the best point, each half as long as the one before."""
+    """Try steps from the best point, each half as long as the last."""
     lowest = ranked(best)
     for halving in range(1, MAX_HALVINGS):
         steps = [max(1.0, one.count // 2**halving) if one.count else 0.5**halving

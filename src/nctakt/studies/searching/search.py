@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The search of a study: a switch-over, the best run that passes, the smallest violation.
 
-In: the runs of a plan, and a goal. Out: the runs that answer the question, as rows. A search
-makes runs one after another, since each decides about the next; the same plan makes the same runs.
+In: the runs of a plan, and a goal. Out: the runs that answer the question, as rows. A search makes
+runs one by one, since each decides about the next; the same plan makes the same runs.
 """
 
 from __future__ import annotations
@@ -36,8 +36,9 @@ class Answer:
     ``rows``: the run before and the run after a switch-over; or the best run that meets the
     expectations, then the best one that does not if it is better; or the Pareto set.
 
-    ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is none, or
-    none that counts; ``without_effect``: dimensions that changed nothing in all these runs.
+    ``points``: the values of each; ``runs``: how many were made. ``finding``: why there is no
+    answer, or none that counts; ``without_effect``: dimensions that changed nothing in all these
+    runs.
     """
 
     goal: Goal
@@ -60,7 +61,7 @@ def search(searched: SearchRuns, goal: Goal) -> Answer:
 
 
 def _best(goal: Goal, runs: Runs) -> Answer:
-    """Return what the runs of a search have found."""
+    """Return the findings of a search's runs."""
     measured = [
         (point, row, values)
         for point, row in runs.tried
@@ -85,7 +86,7 @@ def _best(goal: Goal, runs: Runs) -> Answer:
 
 
 def pareto_set(runs: Sequence[_Measured]) -> list[_Measured]:
-    """Return the runs that no other one is at least as good as in all and better in one objective.
+    """Return the Pareto set: no other run is at least as good in all and better in one objective.
 
     Of runs with the same values the first one; sorted by the first objective.
     """
@@ -134,7 +135,7 @@ def _boundary(runner: StudyRunner, goal: Goal, runs: Runs) -> Answer:
 def in_ticks(dimension: Dimension) -> Dimension:
     """Return a dimension of times with a step of a tick from the first tick between its bounds.
 
-    A list of times stays as it is, and so do bounds without a tick between them.
+    A list of times is unchanged, and so are bounds without a tick between them.
     """
     tick_us = dimension.tick_us
     first, last = math.ceil(dimension.low / tick_us), math.floor(dimension.high / tick_us)
@@ -144,7 +145,7 @@ def in_ticks(dimension: Dimension) -> Dimension:
 
 
 def _value(dimension: Dimension, share: int, last: int) -> Value:
-    """Return the value of a number on the grid, or at a share of the way."""
+    """Return the value of a number on the grid, or at a share of the range."""
     if dimension.count:
         return dimension.value(share)
     return dimension.between(share / last)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The runs of searches: each point is made once, here or elsewhere, and its row is kept.
 
-In: a runner, what makes rows of points, a store of rows. Out: rows. The same plan asks for the same
-points in the same order: so the rows that an earlier call has stored are those of its first points.
+In: a runner, a maker of rows for points, a store of rows. Out: rows. The same plan requests the
+same points in the same order: so the rows that an earlier call has stored are those of its first
+points.
 """
 
 from __future__ import annotations
@@ -72,7 +73,7 @@ class SearchRuns:
     def _stored(self, number: int, point: tuple[Value, ...]) -> Row | None:
         """Return the row of an earlier call; ``None`` if it has none of a run with these values.
 
-        Raises ``Failure`` (901309) if a folder has other values: its parts stay as they are.
+        Raises ``Failure`` (901309) if a folder has other values: its parts are not changed.
         """
         row = self._earlier.get(number)
         head = self.runner.row_head(number, point)

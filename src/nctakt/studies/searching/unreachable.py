@@ -84,7 +84,7 @@ def _bounds(runner: StudyRunner) -> dict[VariableName, Interval]:
         if len(numbers) < len(values) or isinstance(start, str):
             unknown.add(name)
             continue
-        # A whole number, or one of less digits, is rounded when it is written.
+        # A whole number, or one of fewer digits, is rounded when it is written.
         own = Interval(math.floor(min(*numbers, start)), math.ceil(max(*numbers, start)))
         bounds[name] = own.hull(bounds.get(name, own))
     return {name: own for name, own in bounds.items() if name not in unknown}
@@ -112,7 +112,7 @@ def _values(dimension: Dimension) -> list[float | str]:
     return [*rest, *(dimension.values or (dimension.low, dimension.high))]
 
 
-# --- what programs write --------------------------------------------------------------------------
+# --- writes of programs ---------------------------------------------------------------------------
 
 
 def _is_known(text: ProgramText) -> bool:
@@ -179,7 +179,7 @@ def _variables(item: object) -> Iterator[tree.Variable]:
 
 
 def _may_be(variable: tree.Variable, name: VariableName) -> bool:
-    """Return whether a variable that is written is the named one, or a whole with it in it."""
+    """Return whether a written variable is the named one, or contains it."""
     written = (variable.family.upper(), *(part.name.upper() for part in variable.parts))
     return name[: len(written)] == written
 
@@ -210,9 +210,9 @@ def _proof(
 def _conditions(
     outlines: list[BranchOutline], index: int
 ) -> Iterator[tuple[tree.Expression, bool]]:
-    """Yield what has to be true or false in the tick in which a branch runs.
+    """Yield conditions that must be true or false in the tick in which a branch runs.
 
-    The body of ``$IF ALWAYS`` goes on running when its condition is no longer true.
+    The body of ``$IF ALWAYS`` keeps running when its condition is no longer true.
     """
     number: int | None = index
     while number is not None:

@@ -2,9 +2,8 @@
 """Runs of a plan on the workers of a Dask cluster (extra ``cluster``).
 
 In: a plan, numbers of runs, the address of a scheduler. Out: rows, block by block as they are
-finished. Programs, lists and the PLC go along with the runs. A worker that is lost loses nothing:
-its blocks are made again elsewhere; a run at which workers are lost again and again gets a row that
-says so.
+finished. Programs, lists and the PLC travel with the runs. Nothing is lost with a worker: its
+blocks are repeated elsewhere; a run that loses workers again and again gets a row that says so.
 """
 
 from __future__ import annotations
@@ -39,10 +38,10 @@ from nctakt.studies.runs.shared_beginning import maker_of
 from nctakt.studies.runs.study_runner import Row, crashed_row
 from nctakt.studies.searching.search_runs import Point, RowsOfPoints
 
-#: Blocks that are on the cluster for each of its threads: one that is made, others that wait.
+#: Blocks on the cluster for each of its threads: one in progress, others waiting.
 AHEAD = 3
 
-#: How long a worker has a block, in seconds: so long that its way there and back counts little.
+#: How long a worker has a block, in seconds: long enough for its transport to matter little.
 BLOCK_S = 1.0
 
 #: How long to wait for the scheduler, and then for a worker, in seconds.
@@ -51,7 +50,7 @@ CONNECT_S, WORKER_S = 20, 300
 #: Studies that a worker is ready for; those used last.
 STATIONS = 4
 
-#: The begin of what a scheduler says that cannot read what it is sent.
+#: The start of the error of a scheduler that cannot read what it is sent.
 _NOT_READ = "Error during deserialization"
 _OTHER_PYTHON = Text(
     "nctakt or what it needs is not installed there, or is another version",
@@ -87,7 +86,7 @@ def make_point(
 
 
 def _station(packed: Bundle, key: str) -> Station:
-    """Return what makes the runs of a study on this worker; those used last are kept."""
+    """Return the maker of a study's runs on this worker; those used last are kept."""
     station = _stations.get(key) or Station(packed)
     _stations[key] = station
     _stations.move_to_end(key)
@@ -97,9 +96,9 @@ def _station(packed: Bundle, key: str) -> Station:
 
 
 class Station:
-    """What makes the runs of one study on a worker, with the modules of its user.
+    """Makes the runs of one study on a worker, with the modules of its user.
 
-    Other studies may have other modules of the same names: each block begins with its own.
+    Other studies may have other modules of the same names: each block begins by loading its own.
     """
 
     _present: Station | None = None
@@ -122,7 +121,7 @@ class Station:
         self._runner = runner
         self._maker = maker_of(runner, may_copy=False)
         gc.collect()
-        gc.freeze()  # machine and program stay: no one looks for garbage in them again
+        gc.freeze()  # machine and program stay: the garbage collector need not scan them again
 
     def make(self, block: Block, writer: RowWriter | None) -> MadeBlock:
         """Make the runs of a block."""
@@ -139,19 +138,19 @@ class Station:
         return row
 
     def close(self) -> None:
-        """Remove its files, and let its memory be found as garbage."""
+        """Remove its files, and make its memory collectable."""
         self._folder.cleanup()
         gc.unfreeze()
 
     def _enter(self) -> None:
-        """Let imports find the modules of this study, and no other one's."""
+        """Let imports find the modules of this study, and of no other."""
         before = Station._present
         if before is self:
             return
         if before is not None:
             before._leave()
         Station._present = self
-        _taken(self._names)  # also what the worker has by itself under these names
+        _taken(self._names)  # including the worker's own modules of these names
         sys.modules.update(self._modules)
         sys.path[:0] = self._folders
         importlib.invalidate_caches()
@@ -184,14 +183,14 @@ def rows_of_cluster(
 
     ``address``: of the scheduler, or a ``distributed`` cluster or client; ``uploads``: further
     files, modules and wheels for the workers; ``writer`` writes rows there. Raises ``Failure``: no
-    package distributed (901311), no such scheduler or none any more (901316), a worker that cannot
-    make the runs (901485), and that of the writer.
+    package distributed (901311), no such scheduler, or it is gone (901316), a worker that cannot
+    make the runs (901485), and failures of the writer.
     """
     packed = bundle(plan, uploads)
     with _connected(address) as client:
         blocks = _Blocks(
             client, plan, packed, writer
-        )  # what is asked for lets some clusters start workers
+        )  # the request makes some clusters start workers
         client.wait_for_workers(1, timeout=WORKER_S)
         yield from blocks.rows(numbers)
 
@@ -200,7 +199,7 @@ def rows_of_cluster(
 def points_of_cluster(
     plan: Plan, address: str | Any, uploads: Sequence[Path] = (), *, covers: bool = False
 ) -> Iterator[RowsOfPoints]:
-    """Return what makes the runs of a search on a cluster; arguments and failures as above.
+    """Return the maker of a search's runs on a cluster; arguments and failures as above.
 
     ``covers``: runs of ``--cover``, as ``StudyRunner.row_of`` makes them.
     """
@@ -229,7 +228,7 @@ def points_of_cluster(
 
 
 def _row_of(future: Any, plan: Plan, number: int, point: Sequence[Value]) -> Row:
-    """Return the row of a run that was asked for; one that costs workers gets a row, too."""
+    """Return the row of a requested run; a run that kills workers gets a row, too."""
     import distributed  # noqa: PLC0415 - as below
 
     try:
@@ -246,7 +245,7 @@ def _sent(client: Any, packed: Bundle) -> Any:
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    """Keep distributed from logging what ``Failure`` says: lost connections, with tracebacks."""
+    """Keep distributed from logging what ``Failure`` reports: lost connections, with tracebacks."""
     loggers = [logging.getLogger(name) for name in ("distributed", "tornado")]
     loggers += [
         logging.getLogger(name)
@@ -350,7 +349,7 @@ class _Blocks:
         finished.add(future)
 
     def _take(self, finished: Any, blocks: Blocks) -> Iterator[RowBlock]:
-        """Yield the rows of the next finished block; divide one that has cost workers."""
+        """Yield the rows of the next finished block; divide a block that has killed workers."""
         import distributed  # noqa: PLC0415 - as above
 
         future = next(finished)

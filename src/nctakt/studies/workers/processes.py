@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Runs of a plan on several processes of this machine.
 
-In: a plan and numbers of runs. Out: rows, block by block as they are finished. A process that ends
-by itself is replaced; the runs of its block are made again one by one, and the one at which the new
-process ends as well gets a row that says so. Nothing else can be lost.
+In: a plan and numbers of runs. Out: rows, block by block as they are finished. A process that dies
+is replaced; the runs of its block are repeated one by one, and the run that kills the new process
+as well gets a row that says so. Nothing else can be lost.
 """
 
 from __future__ import annotations
@@ -29,12 +29,12 @@ BLOCK_S = 0.2
 #: The same where it writes the rows: a block is a part then, a file.
 PART_S = 2.0
 
-#: Blocks that a worker has been asked for: one that it makes, one so that it need not wait.
+#: Blocks requested from a worker: one in progress, one so that it need not wait.
 ASKED = 2
 
 
 def rows_here(plan: Plan, numbers: Iterable[int]) -> Iterator[RowBlock]:
-    """Yield the rows of runs, made in this process one after another."""
+    """Yield the rows of runs, made in this process one by one."""
     maker = maker_of(runner_of(plan), may_copy=False)
     for number in numbers:
         yield RowBlock([maker.row(number)])
@@ -75,7 +75,7 @@ def rows_of_processes(
 
 
 class _Pool:
-    """Hands out blocks to workers; each thread speaks with one worker at a time."""
+    """Hands out blocks to workers; each thread talks to one worker at a time."""
 
     def __init__(self, plan: Plan, blocks: Blocks, writer: RowWriter | None) -> None:
         self._plan = plan
@@ -91,7 +91,7 @@ class _Pool:
     def copies(self, runner: StudyRunner, count: int) -> Iterator[WorkerProcess]:
         """Yield workers that are copies of this process."""
         gc.collect()
-        gc.freeze()  # a copy shares the memory in which no one looks for garbage
+        gc.freeze()  # a copy shares the memory that the garbage collector skips
         try:
             for _ in range(count):
                 worker = WorkerProcess.copied(runner, self._workers)

@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: MIT
 """A worker: a process that makes runs of a plan, asked over a pipe.
 
-In: where Python finds modules, the plan, then lists of numbers of runs, each pickled with what
-writes their rows or ``None``. Out: ``True``
-once it is ready, or the ``Failure`` that keeps it from that; then for each list its rows, pickled,
-or the ``Failure`` to write them.
-A worker has one thread, so that it can copy itself, and it ends when no one asks any more. What a
-user's PLC prints goes to standard error, and it finds nothing to read.
+In: where Python finds modules, the plan, then lists of numbers of runs, each pickled with the
+writer of their rows or ``None``. Out: ``True`` once it is ready, or the ``Failure`` that keeps it
+from that; then for each list its rows, pickled, or the ``Failure`` to write them. A worker has one
+thread, so that it can copy itself, and it ends when there are no more requests. Output of a user's
+PLC goes to standard error, and its standard input is empty.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ from nctakt.studies.runs.study_runner import StudyRunner
 
 
 def main() -> None:
-    """Make runs until no one asks for more."""
+    """Make runs until there are no more requests."""
     answers = os.fdopen(os.dup(1), "wb")
     questions = os.fdopen(os.dup(0), "rb")
     _leave_streams()
@@ -38,13 +37,13 @@ def main() -> None:
         _answer(answers, failure)
         return
     gc.collect()
-    gc.freeze()  # machine and program stay: no one looks for garbage in them again
+    gc.freeze()  # machine and program stay: the garbage collector need not scan them again
     _answer(answers, True)
     serve(runner, questions, answers)
 
 
 def serve(runner: StudyRunner, questions: IO[bytes], answers: IO[bytes]) -> None:
-    """Answer lists of numbers with the rows of their runs until there is none any more."""
+    """Answer lists of numbers with the rows of their runs until there are no more."""
     _leave_streams()
     maker = maker_of(runner, may_copy=True)
     with contextlib.suppress(EOFError, BrokenPipeError):

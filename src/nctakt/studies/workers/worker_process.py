@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A process that makes runs, as the one sees it that asks.
+"""A process that makes runs, as seen by the requesting one.
 
-It is a copy of this process (``fork``), which has machine and program already, or a new one, which
-loads them: where there is no ``fork``, and where this process has several threads, of which a copy
-would have one.
+It is a copy of this process (``fork``), which already has machine and program, or, if there is no
+``fork`` or this process has several threads, of which a copy would have one, a new process that
+loads them.
 """
 
 from __future__ import annotations
@@ -121,13 +121,13 @@ class WorkerProcess:
         raise _not_started(Text(f"exit code {code}", f"Exit-Code {code}"))
 
     def ask(self, block: Sequence[int], writer: RowWriter | None) -> None:
-        """Ask for the rows of a block; what is asked is answered in order."""
+        """Request the rows of a block; requests are answered in order."""
         self._send((tuple(block), writer))
 
     def answer(self) -> MadeBlock | None:
         """Return the next rows; ``None`` if the process has ended.
 
-        Raises the ``Failure`` of what writes them.
+        Raises the ``Failure`` of their writer.
         """
         answer = self._received()
         if isinstance(answer, Failure):

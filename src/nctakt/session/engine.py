@@ -69,7 +69,7 @@ Found = tuple[int, int, tuple[Mark, ...]]
 
 @dataclass(frozen=True, slots=True)
 class FoundEvents:
-    """The events that were sought in the ticks from ``first`` up to, but without, ``end``.
+    """The events found in the ticks from ``first`` up to, but without, ``end``.
 
     ``left_out``: how many others there were; ``marks``: those of a run of these ticks.
     """
@@ -81,7 +81,7 @@ class FoundEvents:
     marks: tuple[Mark, ...] = ()
 
 
-#: The events at which a stop holds, ``None`` where others tell; what must be so where it holds.
+#: The events at which a stop holds, ``None`` if others decide; conditions necessary for it.
 Evidence = tuple[tuple[EventFilter, ...] | None, Necessary | None]
 
 #: Places of ended realtime cycles that a state_view has at most, the newest.

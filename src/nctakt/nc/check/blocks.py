@@ -126,8 +126,8 @@ Role = Literal["main", "called", "either"]
 
 @dataclass(slots=True)
 class _BlockState:
-    """The words of a block so far: names, G function of each group, any unknown word, independent
-    axes, whether a G function is computed, whether G74 homes spindles.
+    """The words of a block so far: names, G function of each group, unknown word, independent axes,
+    whether a G function is computed, whether G74 homes spindles.
 
     A block that begins with an unknown word is usually not NC text, so one report is enough.
     """

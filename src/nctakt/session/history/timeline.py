@@ -739,7 +739,7 @@ def _near_ahead(branch: Branch, tick: int, end: int) -> list[int]:
 
 
 def next_part(branch: Branch, tick: int, end: int) -> tuple[int, list[PastMark]]:
-    """Return up to where a controller runs again in one go, and the marks on the way."""
+    """Return how far a controller reruns in one go, and the marks on the way."""
     marks = branch.marks_between(tick, end)[:PART_MARKS]
     part = min(end, tick + PART_TICKS, *(mark.tick for mark in marks[PART_MARKS - 1 :]))
     return part, [mark for mark in marks if mark.tick <= part]

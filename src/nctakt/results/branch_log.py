@@ -35,7 +35,7 @@ CHANGES_KEPT = 1000
 SERIES_KEPT = 1000
 
 
-#: What the realtime part has for a distance before any.
+#: Initial value of a distance in the realtime part.
 _NEVER = 1.7976931348623157e308
 
 
@@ -148,8 +148,8 @@ class ConditionLog:
 def _left(node: conditions.Condition, *, to: bool) -> float:
     """Return how much is left until a condition has been so; 0 if it was.
 
-    Of operands that have to be so together, it is less the nearer one of them came while the other
-    one was so: ``V.E.GO == 1 && X > 200`` is nearer the later ``V.E.GO`` is 1 before X is at 200.
+    If operands must hold together, it is smaller the nearer one of them came while the other held:
+    ``V.E.GO == 1 && X > 200`` is nearer the later ``V.E.GO`` is 1 before X is at 200.
     """
     if node.was_ever_true if to else node.was_ever_false:
         return 0.0

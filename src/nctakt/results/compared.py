@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The values that a condition compares: at its last evaluation, and as they are now.
+"""The values that a condition compares: at its last evaluation, and now.
 
 In: a condition's node in the realtime part. Out: ``Compared``, and its text such as
 ``100.25 > 100 && 0 == 1``.
@@ -48,7 +48,7 @@ _COMPARISONS: dict[str, Callable[[float, float], bool]] = {
 
 @dataclass(frozen=True, slots=True)
 class Compared:
-    """What a condition compares, and with which result; ``parts``: the operands of ``&&``, ``||``.
+    """Compared values of a condition, and the result; ``parts``: the operands of ``&&``, ``||``.
 
     ``operator`` is empty for a single value, ``text`` for a comparison of texts, whose sides are
     not recorded.
@@ -73,7 +73,7 @@ class Compared:
 
 
 def compared_last(node: conditions.Condition) -> Compared | None:
-    """Return what a condition compared at its last evaluation, ``None`` before the first."""
+    """Return the values compared at a condition's last evaluation, ``None`` before the first."""
     if node.truth == codes.UNKNOWN:
         return None
     parts = tuple(compared_last(part) for part in _parts(node))
@@ -89,7 +89,7 @@ def compared_last(node: conditions.Condition) -> Compared | None:
 
 
 def compared_now(node: conditions.Condition, context: Context) -> Compared | None:
-    """Return what a condition would compare now, ``None`` where a value is not defined."""
+    """Return the values that a condition would compare now, ``None`` if one is not defined."""
     kind = OPERATORS.get(type(node), "")
     parts = tuple(compared_now(part, context) for part in _parts(node))
     known = tuple(part for part in parts if part is not None)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Compared numbers as all explanations show them: short, and never against what they explain.
+"""Compared numbers as shown in explanations: short, and never contradicting the explanation.
 
-In: an operator and the values beside it. Out: their text.
+In: an operator and its values. Out: their text.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def distance_text(distance: float) -> str:
 
 
 def _rounded(value: float, digits: int) -> float:
-    """Return a number with these significant digits; none before the point is lost."""
+    """Return a number with these significant digits; no digit before the point is lost."""
     if abs(value) >= 10.0**digits and math.isfinite(value):
         return float(round(value))
     return float(f"{value:.{digits}g}")

@@ -32,7 +32,7 @@ CoverageWord = Literal[BranchWord, "IF", "ELSIF", "ELSE", "CASE", "FOR", "WHILE"
 COVERAGE_WORDS: tuple[str, ...] = get_args(CoverageWord)
 #: Words of branches without a condition.
 WITHOUT_CONDITION = ("$ELSE", "ELSE", "CASE", "FOR")
-#: What a unit of Structured Text is, as ``CycleCounts.scope``.
+#: Kinds of units of Structured Text, as ``CycleCounts.scope``.
 PLC_SCOPES = ("PROGRAM", "FUNCTION_BLOCK", "FUNCTION", "METHOD", "ACTION", "PROPERTY")
 _RAN = ("ran", "never false")
 
@@ -81,9 +81,9 @@ class ConditionCounts:
 class BranchCounts:
     """One branch: the ticks in which its condition was evaluated and its body ran.
 
-    ``outer`` is the index of the branch around it; ``lines`` are its own and those of the
-    statements in its body outside of inner branches. ``parts`` are the operands of ``&&`` and
-    ``||``. An evaluation that an error broke off is neither true nor false.
+    ``outer`` is the index of the branch around it; ``lines`` are those of the branch itself and of
+    the statements in its body outside inner branches. ``parts`` are the operands of ``&&`` and
+    ``||``. An evaluation aborted by an error is neither true nor false.
     """
 
     line: int
@@ -117,7 +117,7 @@ class CycleCounts:
     is its keyword (``PLC_SCOPES``), and all counts are evaluations.
 
     ``name`` and ``scope`` are those of its first instance, empty without one. ``source`` are its
-    lines, which begin at ``line``; ``outside`` those outside of all branches.
+    lines, which begin at ``line``; ``outside`` those outside all branches.
     """
 
     file: str
@@ -195,7 +195,7 @@ class Coverage:
     def outdated_by(self, other: Coverage) -> tuple[str, ...]:
         """Return the files whose realtime cycles have changed or moved in ``other``.
 
-        A run may know only some cycles of a file: GLOBAL ones that an earlier run has begun.
+        A run may know only some cycles of a file: GLOBAL cycles begun by an earlier run.
         """
         outdated = []
         theirs = other.by_file()
@@ -277,7 +277,7 @@ def _miss(nearest: Nearest | None) -> NearestMiss | None:
 
 
 def _nearer(one: NearestMiss | None, other: NearestMiss | None) -> NearestMiss | None:
-    """Return the one with less distance, the first of equals."""
+    """Return the one with the smaller distance, the first if they are equal."""
     misses = [miss for miss in (one, other) if miss is not None]
     return min(misses, key=lambda miss: miss.distance, default=None)
 

@@ -22,9 +22,9 @@ from nctakt.nc.check.cycles.branches import BranchWord
 #: this tick; ``reset`` while the channel was reset.
 #:
 #: Of a branch: ``cycle`` its cycle did not run; ``outer`` the branch around it did not run;
-#: ``earlier`` a branch before it in the same ``$IF`` ran; ``false`` its condition was false;
-#: ``no rise`` an EDGE whose condition had been true before; ``done`` a ONCE that has run;
-#: ``fault`` an error ended its cycle before; ``forgotten`` the history does not reach back so far.
+#: ``earlier`` a branch before it in the same ``$IF`` ran; ``false`` its condition was false; ``no
+#: rise`` an EDGE whose condition had been true before; ``done`` a ONCE that has run; ``fault`` an
+#: error ended its cycle before; ``forgotten`` the history does not reach back that far.
 ReasonKind = Literal[
     "undefined",
     "unstarted",
@@ -91,8 +91,8 @@ class Change:
 class Nearest:
     """The first evaluation in which a condition that never changed came nearest to changing.
 
-    ``distance`` is the difference of the compared values. Of ``&&`` and ``||``, which have none, it
-    is a measure of what is left for their operands, by which runs can be compared.
+    ``distance`` is the difference of the compared values. For ``&&`` and ``||``, which compare
+    none, it measures how far their operands are from it, so that runs can be compared.
     """
 
     tick: int
@@ -126,7 +126,7 @@ class Reason:
 class LifeEvent:
     """A step in a cycle's life: ``span`` is the command; ``number`` the number of an error.
 
-    The kind ``living`` stands for a cycle that an earlier run of the controller began.
+    The kind ``living`` marks a cycle that an earlier run of the controller began.
     """
 
     tick: int
@@ -149,7 +149,7 @@ class ConditionHistory:
     ``was_true``: its truth before the run, ``None`` without one. ``nearest`` to true: ``None`` if
     it was true once or never evaluated; ``nearest_to_false``: ``None`` if it was false once.
     ``true_ticks`` and ``false_ticks`` count the evaluations of the whole run by their result; an
-    evaluation that an error broke off has none.
+    evaluation aborted by an error has none.
     """
 
     text: str = ""
@@ -196,7 +196,7 @@ class CycleHistory:
     """A realtime cycle of the run, or a definition that the run did not reach (``life`` empty).
 
     ``name`` is its ID, ``#1`` without one, empty for an unreached definition. ``lines`` are those
-    outside of all branches. ``stops`` are faults of other cycles in whose tick it may not have run:
+    outside all branches. ``stops`` are faults of other cycles in whose tick it may not have run:
     tick, position and number. ``shown`` are the indices of the selected branches. ``end_line`` is
     the line of its ``#RT CYCLE END``.
     """

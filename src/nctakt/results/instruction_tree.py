@@ -3,8 +3,8 @@
 
 In: a definition: its checked tree and its frozen values. Out: statements in their order, each with
 the nodes that are counted when it runs. Each operator, function, variable access, assignment,
-condition and action counts 1, constants count 0; a frozen variable is one access, whatever its
-indices were. The nodes that the realtime part fuses are listed separately.
+condition and action counts 1, constants count 0; a frozen variable is one access, regardless of its
+indices. The nodes that the realtime part fuses are listed separately.
 """
 
 from __future__ import annotations

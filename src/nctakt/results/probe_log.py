@@ -63,7 +63,7 @@ _ENDED_BY: dict[int, EndedBy] = {
 
 
 class CycleNames(Protocol):
-    """The names behind the numbers in rows, while a cycle lives."""
+    """The names for the numbers in rows, while a cycle lives."""
 
     def cycle(self, serial: int) -> str:
         """Return the programmed ID of the cycle, or ``#1`` without one."""
@@ -126,7 +126,7 @@ class ProbeLog:
             if state == codes.HELD:
                 cycle.live(LifeEvent(first_tick, "held"))
 
-    # --- while the run goes on ------------------------------------------------------------------
+    # --- during the run -------------------------------------------------------------------------
 
     def add(self, probes: bytes, events: bytes) -> None:
         """Add the rows of some ticks."""

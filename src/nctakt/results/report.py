@@ -144,7 +144,7 @@ class DiagnosisReport:
         self._counts[level] += 1
 
     def _newest(self, chunk: EventChunk) -> tuple[list[int], Sequence[Event]]:
-        """Return the indexes of what is to be kept of a chunk, and its events.
+        """Return the indices of the events of a chunk to be kept, and the events.
 
         Of actions these are as many as are kept; the others are counted, and never decoded.
         """

@@ -92,11 +92,11 @@ class FrozenValue:
 
 @dataclass(frozen=True, slots=True)
 class ReactionResult:
-    """What a branch did: how often it became true, and in how many run-throughs its body ran.
+    """Results of a branch: how often it became true, and in how many run-throughs its body ran.
 
-    It becomes true where its body runs and did not in the run-through before (``fired``).
-    ``first_tick`` and ``last_tick`` are the ticks in which that was first and last so, ``None``
-    without any.
+    It becomes true when its body runs and did not in the previous run-through (``fired``).
+    ``first_tick`` and ``last_tick`` are the first and last ticks in which that happened, ``None``
+    if never.
     """
 
     span: Span | None
@@ -202,10 +202,10 @@ class TechnologyOutput:
 
 
 class RunDrawer(Protocol):
-    """What draws runs of a machine; writes raise ``OSError``, checks ``Failure``."""
+    """Draws runs of a machine; writes raise ``OSError``, checks ``Failure``."""
 
     def check_file(self, kind: str, file: str) -> None:
-        """Raise ``Failure`` for a file that cannot be one of this kind: ``plot``, ``vcd`` …"""
+        """Raise ``Failure`` for a file that cannot be of this kind: ``plot``, ``vcd`` …"""
 
     def check_run(self, run: Run, signals: Sequence[str] | None = None) -> None:
         """Raise ``Failure`` for a run without a trace, and for signals that it lacks."""
@@ -229,7 +229,7 @@ class RunDrawer(Protocol):
         """Write a file for Perfetto."""
 
     def detached(self, run: Run) -> Callable[[], RunDrawer]:
-        """Return what makes a drawer of this run without its controller, in any process."""
+        """Return a maker of this run's drawer that needs no controller, in any process."""
 
 
 @dataclass(frozen=True, slots=True, repr=False)
@@ -240,9 +240,9 @@ class Run:
     ticks from tick ``first_tick`` of the controller on. ``trace`` and ``events`` are those of the
     trace in memory (``None`` and empty without one); messages and counts are always there. ``why``
     has the history of each condition, ``coverage`` the counts, if the run recorded them.
-    ``before``: the values of the recorded signals before the first tick.
-    ``schedule``: the scheduling list of the run; ``starved``, ``overflows``: its effects.
-    ``drawer`` makes what draws the run (``plot``), ``None`` without a trace in memory.
+    ``before``: the values of the recorded signals before the first tick. ``schedule``: the
+    scheduling list of the run; ``starved``, ``overflows``: its effects. ``drawer`` makes the object
+    that draws the run (``plot``), ``None`` without a trace in memory.
 
     Runs can be pickled; the copy is equal and can be drawn as well. Runs with the same inputs are
     equal.
@@ -378,13 +378,13 @@ class Run:
     ) -> Figure | None:
         """Draw the run: ``.html`` (interactive), ``.svg`` or ``.png``; without a file return it.
 
-        Returns a figure of matplotlib, which a notebook shows.
-        It shows what the run has recorded: path and motion of the axes, or ``signals`` instead of
-        the motion; reactions as long as they lasted and conditions with ``why``, blocks and
-        acknowledgements with ``blocks``, what conditions read with ``condition_signals``
-        (``Controller.run``). Raises ``Failure`` without a trace in memory (901091), for a signal
-        that it lacks (901092), another suffix (900635), a missing library (900634), and for a file
-        that cannot be written (900507).
+        Returns a figure of matplotlib, which a notebook shows. It shows the data recorded by the
+        run: path and motion of the axes, or ``signals`` instead of the motion; reactions as long as
+        they lasted and conditions with ``why``, blocks and acknowledgements with ``blocks``,
+        signals read by conditions with ``condition_signals`` (``Controller.run``). Raises
+        ``Failure`` without a trace in memory (901091), for a signal missing from it (901092),
+        another suffix (900635), a missing library (900634), and for a file that cannot be written
+        (900507).
         """
         drawer = self._drawer("plot", "run.png" if file is None else file, signals)
         if file is None:
@@ -435,7 +435,7 @@ class Run:
 
 @dataclass(frozen=True, slots=True, repr=False)
 class RecordedRun(Run):
-    """The result of a run with its trace in memory, as it is unless ``memory_trace`` is false."""
+    """The result of a run with its trace in memory, as by default (``memory_trace``)."""
 
     trace: Trace
 

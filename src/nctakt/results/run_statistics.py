@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Statistics of a run, counted while it goes on.
+"""Statistics of a run, counted during it.
 
 In: events, as a sink. Out: reactions of cycles and outputs of functions as records of
 ``results/run.py``, in memory that does not grow with the ticks.
@@ -164,7 +164,7 @@ class RunStatistics:
         self._outputs.setdefault(key, _Output(event.tick)).count += count
 
     def _moved(self, event: Event) -> None:
-        """Count a motion that begins, or one that has come to its target."""
+        """Count a motion that begins, or one that has reached its target."""
         axis, what, *_ = event.text.split()
         owner = (axis, bool(event.cycle), event.span is not None and not event.cycle)
         motions = self._motions.setdefault(owner, _Motions(event.tick))
@@ -172,14 +172,14 @@ class RunStatistics:
         motions.done += what == "done"
 
     def motions(self) -> tuple[MotionCount, ...]:
-        """Return the independent motions of axes in the order of their first one."""
+        """Return the independent motions of axes in the order of their first occurrence."""
         return tuple(
             MotionCount(axis, is_realtime, own.count, own.done, own.first_tick, is_of_program)
             for (axis, is_realtime, is_of_program), own in self._motions.items()
         )
 
     def spindle_jobs(self) -> tuple[SpindleJobCount, ...]:
-        """Return the jobs of spindles in the order of their first one."""
+        """Return the jobs of spindles in the order of their first occurrence."""
         return tuple(
             SpindleJobCount(spindle, function, is_realtime, job.count, job.first_tick)
             for (spindle, function, is_realtime), job in self._jobs.items()
@@ -242,7 +242,7 @@ def common_name(cycle: str) -> str:
 
 
 def branch_key(cycle: str, span: Span | None) -> BranchKey:
-    """Return what distinguishes a branch from others."""
+    """Return the key that distinguishes a branch from others."""
     name = common_name(cycle)
     return (name, "", 0, 0) if span is None else (name, span.file, span.line, span.column)
 

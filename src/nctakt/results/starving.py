@@ -66,7 +66,7 @@ class OverflowCount:
 
 
 class ScheduleStatistics:
-    """Gathers starvations and overflows while a run goes on."""
+    """Gathers starvations and overflows during a run."""
 
     def __init__(self) -> None:
         self._ended: list[Starvation] = []

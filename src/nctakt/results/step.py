@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What some ticks have done, for those who step a controller by themselves."""
+"""The results of some ticks, for callers that step a controller themselves."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The user's own errors and warnings (``#ERROR``, RC-402) in the events of a run.
+"""User-defined errors and warnings (``#ERROR``, RC-402) in the events of a run.
 
 In: events: ``user_error`` has the ID and RC, each ``user_value`` after it one value. Out:
 ``UserErrorReport``, and the lines of the log file (P-STUP-00170).

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The beginning of a run, kept: runs that differ in values, times and sinks go on from there.
+"""The beginning of a run, kept: runs that differ in values, times and sinks continue from there.
 
-In: a program that was checked, and the options of its runs. Out: ``Beginning``, which puts back
-everything, realtime part, decoder and queue, as it was before one of the first statements of the
-program, and lets another run go on. That is the last statement before the decoder has to wait or
-uses a value of the machine's memory: so nothing before it depends on the values of a run.
+In: a checked program, and the options of its runs. Out: ``Beginning``, which restores everything,
+realtime part, decoder and queue, as it was before one of the first statements of the program, and
+lets another run continue. That is the last statement before the decoder has to wait or uses a value
+of the machine's memory: so nothing before it depends on the values of a run.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ from nctakt.run.realtime.snapshot import Snapshot
 #: those that are the same in all of them.
 _VARIED = frozenset(("set", "at", "plc", "sinks"))
 _SAME = frozenset(("after", "memory_trace", "record_writes", "signals", "skip", "ticks", "until"))
-#: Attributes that get new values when a run goes on or are the same in all runs, and objects that
+#: Attributes that get new values when a run continues or are the same in all runs, and objects that
 #: results keep copies of.
 _REPLACED = ("_parts", "_decoded", "_bound_values", "before")
 _RENEWED = (EventRegistry, SourceFiles)
 
 
 class BeginningController(Protocol):
-    """What the beginning of a run needs of a controller."""
+    """The part of a controller that the beginning of a run needs."""
 
     diagnostics: list[Diagnostic]
 
@@ -62,7 +62,7 @@ def varied(given: RunKeywords) -> RunKeywords:
 
 
 def in_common(given: RunKeywords) -> Hashable:
-    """Return what runs with a common beginning have in common of their options.
+    """Return the options shared by runs with a common beginning.
 
     Raises ``TypeError`` for a value that does not say whether it is the same.
     """
@@ -83,7 +83,7 @@ def may_share(given: RunKeywords) -> bool:
 
 
 class Beginning(Generic[Own]):
-    """Makes runs of a program that have their beginning in common (``may_share``), one at a time.
+    """Makes runs of a program that share their beginning (``may_share``), one at a time.
 
     ``new`` returns a controller with a realtime part. ``lent``: a realtime part, which it keeps.
     ``keeps_results``: results have statistics, and outlive the next run. ``is_possible`` is false
@@ -108,14 +108,14 @@ class Beginning(Generic[Own]):
         self._options = cast("RunKeywords", same)
         self.statement: tree.Statement | None = None
         self.is_possible = False
-        #: Whether a run goes on from here.
+        #: Whether a run continues from here.
         self.is_lent = False
         if program.names_of_fetched_axes is None:
             self._keep()
 
     def _keep(self) -> None:
-        """Find the last statement that all runs reach alike, and keep what is before it."""
-        self._last_statement()  # which builds the trees of cycles, so that they are there
+        """Find the last statement that all runs reach alike, and keep the state before it."""
+        self._last_statement()  # which builds the trees of cycles, so that they exist
         self.statement = self._last_statement()
         if self.statement is None:
             return
@@ -169,7 +169,7 @@ class Beginning(Generic[Own]):
         return found[0] if found else None
 
     def begin(self, options: RunKeywords) -> ProgramRun | None:
-        """Return a run with these options that goes on after the beginning.
+        """Return a run with these options that continues after the beginning.
 
         ``None`` if its values are not only read after the beginning, and for a PLC that runs in the
         tick. Raises ``Failure`` as
@@ -203,16 +203,16 @@ def _is_in_tick(plc: object) -> bool:
 
 
 class Beginnings(Generic[Own]):
-    """The beginnings of runs, by what the runs have in common; those used last are kept.
+    """The beginnings of runs, by their shared options; those used last are kept.
 
-    Who runs only once pays for none: a beginning is made for the second run.
+    A single run does not pay for it: a beginning is made for the second run.
     """
 
     def __init__(self) -> None:
         self._known: OrderedDict[Hashable, Beginning[Own] | None] = OrderedDict()
 
     def of(self, common: Hashable, make: Callable[[], Beginning[Own]]) -> Beginning[Own] | None:
-        """Return a beginning that is free; ``None`` if the run has to begin as any other."""
+        """Return a beginning that is free; ``None`` if the run must begin like any other."""
         known = self._known
         beginning = known.get(common)
         if beginning is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The programs of one channel, run one after another.
+"""The programs of one channel, run in turn.
 
 In: checked programs, the kernel's requests. Out: commands in the channel's queue
 (``run/queue_feeder.py``) and the state in which the programs ended. The kernel runs all channels in
@@ -84,7 +84,7 @@ class ChannelRun:
     # --- programs in sequence -------------------------------------------------------------------
 
     def queue(self, programs: Sequence[LoadedProgram], *, waits_for_start: bool) -> None:
-        """Run these programs one after another, each after START on the HLI if it waits for it."""
+        """Run these programs in turn, each after START on the HLI if it waits for it."""
         self._programs = list(programs)
         self._waits_for_start = waits_for_start
         self._selected = None
@@ -143,7 +143,7 @@ class ChannelRun:
     def _searched_block(self) -> StartBlock | None:
         """Return the block to which the interface orders block search; ``None`` without an order.
 
-        What another process has put into the memory unchecked is reported, and orders nothing.
+        An invalid value that another process has put into the memory is reported and ignored.
         """
         kind, number, passes = (
             int(self._machine.read(f"{self._machine.assembled[self._index].prefix}HLI.{name}"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Expressions of the controller's language for what is looked at after a tick.
+"""Expressions of the controller's language that are evaluated after a tick.
 
 In: a text such as ``V.RTA.ACS.ACT_POS.X > 400``, a machine. Out: the node that the realtime part
 evaluates, in mm and degrees.
@@ -34,7 +34,7 @@ def read_expression(machine: AssembledMachine, text: str, channel: int = 1) -> E
 
 
 def _no_subprogram(name: str, *_: object) -> NoReturn:
-    """Refuse to call: a condition has no program of its own."""
+    """Refuse to call: a condition has no program."""
     raise Failure(diagnostic(NOT_A_STOP, text=name))
 
 

@@ -2,8 +2,8 @@
 """The virtual controller: assembles a machine and runs NC programs on it.
 
 In: a machine (a folder, a loaded one or the demo machine), programs, values of variables at times,
-a PLC. Out: a ``Run``. ``run`` does it all; ``start`` and ``step`` go tick by tick. Controllers are
-independent of each other; any number of them can live in one process.
+a PLC. Out: a ``Run``. ``run`` does everything; ``start`` and ``step`` go tick by tick. Controllers
+are independent of each other; any number of them can live in one process.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class Controller:
     machine. ``schedule`` (of ``open_schedule``) sets the length of a tick and the time that
     decoder, interpolation and PLC get. ``access`` limits the files that may be read
     (``FileAccess([folder])``: only those in a folder). ``realtime``: the realtime part of an
-    earlier controller of this machine, put back to its start-up; by default a new one. Raises
+    earlier controller of this machine, restored to its start-up state; by default a new one. Raises
     ``Failure`` if no machine results.
 
     Times are texts with a unit (us, ms, s, min, h, ticks), seconds or ``datetime.timedelta``.
@@ -172,8 +172,8 @@ class Controller:
     def read(self, name: str) -> float | bool | str:
         """Return the value of a V. variable, such as ``V.E.LIST[3]`` or ``V.RTA.ACS.ACT_POS.X``.
 
-        A name without a channel means the first one; ``CH2.V.CH.COUNT`` is that of the second.
-        A value that ``write`` has set is returned at once. Raises ``Failure`` for an unknown name.
+        A name without a channel means the first one; ``CH2.V.CH.COUNT`` is that of the second. A
+        value set by ``write`` is returned at once. Raises ``Failure`` for an unknown name.
         """
         return self._machine.read(name)
 
@@ -207,7 +207,7 @@ class Controller:
         return signals[name][1]
 
     def attach(self, plc: AnyPlc | None, signals: Sequence[str] = ()) -> None:
-        """Let the variables of a PLC in the realtime part be known before any run.
+        """Make the variables of a PLC in the realtime part known before any run.
 
         ``signals``: names of which those of its variables are signals, too. Raises ``Failure`` for
         a fault in its FB_init.
@@ -316,7 +316,7 @@ class Controller:
         )
 
     def _tick_count(self, ticks: TimeLike) -> int:
-        """Return the number of ticks of a time, or a whole number as it is.
+        """Return the number of ticks of a time; a whole number is returned unchanged.
 
         A text without a unit could mean seconds or ticks, and is refused.
         """
@@ -400,7 +400,7 @@ class Controller:
         channels: Mapping[int, Sequence[str | Path | NcText]] | None = None,
         **options: Unpack[RunKeywords],
     ) -> Run:
-        """Run programs one after another and return the result.
+        """Run programs in turn and return the result.
 
         GLOBAL cycles, V.E and V.CH variables live on from program to program and from run to run.
         ``programs`` are files or ``NcText`` of channel 1, ``channels`` those of the others by
@@ -434,8 +434,8 @@ class Controller:
     def reusable(self) -> ReusableController:
         """Return an object that makes many runs of this machine, each from start-up, faster.
 
-        Nothing lives on from one run to the next; this controller itself stays as it is. Raises
-        ``Failure`` (902536) for a controller with a schedule.
+        Nothing is carried over from one run to the next; this controller itself is not changed.
+        Raises ``Failure`` (902536) for a controller with a schedule.
 
         >>> part = NcText("part.nc", "G01 X[V.E.VALUE] F6000 M30")
         >>> with Controller().reusable() as controller:

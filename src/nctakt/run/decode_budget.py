@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The decode time that a schedule grants a channel (P-RTCF-00012, ``task_rnd``).
 
-Blocks are decoded one after another while there is time. The last one is evaluated as it begins;
-its commands are held until its time has been granted, maybe ticks later. Unused time is lost.
+Blocks are decoded in turn while there is time. The last one is evaluated as it begins; its commands
+are held until its time has been granted, maybe ticks later. Unused time is lost.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ class DecodeBudget:
 
 
 class StepBudget(DecodeBudget):
-    """A number of commands that the decoder may give now, whatever time that takes.
+    """A number of commands that the decoder may yield now, regardless of time.
 
-    A decoder on a real clock gets one command after another; a tape says how many it got.
+    A decoder on a real clock is granted one command at a time; a tape has the number granted.
     """
 
     def __init__(self) -> None:

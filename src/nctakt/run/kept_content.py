@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What objects and containers held at some moment, put back in place.
+"""The contents of objects and containers at some moment, restored in place.
 
-Compiled, since each run of a study does it. A run changes little of what it could change: where an
-object still has the same attributes in the same order, they are only looked at.
+Compiled, since each run of a study does it. A run changes little of what it could change: if an
+object still has the same attributes in the same order, they are only compared.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ class KeptContent:
         self.empty.append((one, name))
 
     def keep_new(self, one: object, name: str, container: Any) -> None:
-        """Keep a container as an attribute that gets another one of the same content."""
+        """Keep a container as an attribute that gets another container of the same content."""
         self.new.append((one, name, type(container), type(container)(container)))
 
     def keep_container(self, one: Any) -> None:
@@ -54,7 +54,7 @@ class KeptContent:
             self.others.append((one, dict(one) if isinstance(one, dict) else list(one)))
 
     def put_back(self) -> None:
-        """Put everything back as it was."""
+        """Restore everything."""
         for attributes, cells, kept in self.attributes:
             if not holds(attributes, cells):
                 self.put_attributes_back(attributes, kept)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The objects around a realtime part as they are at some moment, put back in place.
+"""The objects around a realtime part at some moment, restored in place.
 
 In: an object that leads to all others. Out: ``KeptObjects``, which puts back the attributes of each
 object and the content of each container. Memory and objects of the realtime part are not among
@@ -22,17 +22,17 @@ from typing import Any
 from nctakt.base.mode import is_compiled
 from nctakt.run.kept_content import KeptContent
 
-#: What never changes, whatever it holds.
+#: Types that never change, regardless of content.
 _UNCHANGING = (
     bool, bytes, complex, float, frozenset, int, range, str, type, types.BuiltinFunctionType,
     types.ModuleType, types.NoneType, Decimal, Fraction, Path, property, stat_result,
 )  # fmt: skip
-#: Packages whose objects do not change once they are made, and those of the realtime part.
+#: Packages whose objects never change, and those of the realtime part.
 _LEFT_OUT = tuple(
     f"nctakt.{name}."
     for name in ("files", "hli", "kernel", "lists", "messages", "nc.tree", "nc.vocabulary")
 )
-#: What runs share: programs and cycles as they are.
+#: Objects shared by runs: programs and cycles.
 _SHARED = (
     "Diagnostic",
     "KeptTrees",
@@ -42,7 +42,8 @@ _SHARED = (
     "RealtimePart",
     "Section",
 )
-#: Attributes of compiled classes that change. What else they have is written before it is read.
+#: Attributes of compiled classes that change. Their other attributes are written before they are
+#: read.
 _COMPILED = {
     "BoundValue": (),
     "InputNotes": ("cells", "is_listening"),
@@ -52,16 +53,15 @@ _COMPILED = {
 
 
 class NotKeptError(Exception):
-    """An object of which it is not known what it holds, or how it is put back."""
+    """An object whose content is unknown, or that cannot be restored."""
 
 
 class KeptObjects:
-    """The objects that ``root`` leads to, as they are now.
+    """The objects reachable from ``root``, in their present state.
 
-    ``replaced``: attributes that whoever puts back gives new values, such as iterators;
-    ``without``: objects that are left as they are. Containers in objects of the classes ``renewed``
-    become new ones, so that a copy of such an object keeps those of before. Raises
-    ``NotKeptError``.
+    ``replaced``: attributes that get new values on restoring, such as iterators; ``without``:
+    objects that are left alone. Containers in objects of the classes ``renewed`` become new ones,
+    so that a copy of such an object keeps the old ones. Raises ``NotKeptError``.
     """
 
     def __init__(
@@ -79,7 +79,7 @@ class KeptObjects:
         self._walk(root)
 
     def put_back(self) -> None:
-        """Put everything back as it was."""
+        """Restore everything."""
         self._content.put_back()
 
     # --- finding them ---------------------------------------------------------------------------
@@ -95,7 +95,7 @@ class KeptObjects:
                     waiting.append(held)
 
     def _reached(self, one: Any) -> Iterable[object]:
-        """Note what is kept of an object; return what it leads to."""
+        """Note the kept part of an object; return the objects that it refers to."""
         kind = type(one)
         if isinstance(one, tuple):
             return iter(one)
@@ -174,5 +174,5 @@ def _attributes(one: object) -> Iterator[str]:
 
 @functools.cache
 def _is_frozen(kind: type[Any]) -> bool:
-    """Return whether a class has its own way to assign, as frozen dataclasses have, to refuse."""
+    """Return whether a class redefines assignment, as frozen dataclasses do to refuse it."""
     return kind is not object and "__setattr__" in vars(kind)

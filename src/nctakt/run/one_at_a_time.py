@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Methods that only one thread at a time may run.
+"""Methods that only one thread may run at a time.
 
 In: a method of an object with an ``OneAtATime`` as ``turn``. Out: the same method, which raises
 ``Failure`` (901005) while another thread runs one of them. The thread itself may call them again,
@@ -22,7 +22,7 @@ _T = TypeVar("_T")
 
 
 class OneAtATime:
-    """A lock that one thread at a time has; ``begin`` comes before a method, ``end`` after it."""
+    """A lock held by one thread at a time; ``begin`` comes before a method, ``end`` after it."""
 
     def __init__(self) -> None:
         lock = threading.RLock()

@@ -2,8 +2,8 @@
 """The kinds of values that run options have, each with its forms.
 
 A value is checked as Python gives it, read from the words of a command line and from data (JSON,
-TOML, comments), and kept on a tape. Wrong data raise ``UnfitDataError``, and whoever has read them
-says where they are; everything else raises ``Failure``.
+TOML, comments), and kept on a tape. Wrong data raise ``UnfitDataError``, and the reader adds their
+place; everything else raises ``Failure``.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class UnfitDataError(Exception):
 
 
 class Kind:
-    """A kind of value; this one takes everything, as the objects of Python."""
+    """A kind of value; this one accepts everything, for Python objects."""
 
     #: How help and messages name the value.
     metavar = ""
@@ -70,7 +70,7 @@ class Kind:
         return value
 
     def has_form_of_words(self, words: Any) -> bool:
-        """Return whether what a tape has may be the words of this kind."""
+        """Return whether data of a tape may be the words of this kind."""
         return True
 
 
@@ -136,7 +136,7 @@ class Folders(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Moment(Kind):
-    """A time with a unit; ``is_optional``: there may be none."""
+    """A time with a unit; ``is_optional``: it may be missing."""
 
     is_optional: bool = False
     metavar = "TIME"
@@ -257,7 +257,7 @@ class Names(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Instance(Kind):
-    """An object of Python that has ``attribute``, or none."""
+    """A Python object that has ``attribute``, or none."""
 
     attribute: str
     expected: Text
@@ -276,7 +276,7 @@ class Instances(Instance):
 
 
 class Callback(Kind):
-    """A function of Python, or none."""
+    """A Python function, or none."""
 
     def check(self, name: str, value: Any) -> None:
         arguments.function(name, value)
@@ -309,7 +309,7 @@ class ChannelPrograms(Kind):
         )
 
 
-#: No time at all, the default of options that add one.
+#: No time, the default of options that add one.
 NO_TIME = Time(0)
 
 
@@ -327,7 +327,7 @@ def split_names(text: str) -> tuple[str, ...]:
 
 
 def by_name(option: str, pairs: Iterable[tuple[str, _Value]]) -> dict[str, _Value]:
-    """Return what a repeated option says, by name; raises ``Failure`` for a second value (902953).
+    """Return a repeated option's values, by name; raises ``Failure`` for a second value (902953).
 
     A name may be empty: then the option says it of all others.
     """
@@ -344,7 +344,7 @@ def _is_list_of(value: object, kind: type) -> bool:
 
 
 def _each(items: Sequence[Any], function: Any) -> list[Any]:
-    """Return what a function reads from each item; raises one ``Failure`` with all mistakes."""
+    """Return a function's result for each item; raises one ``Failure`` with all mistakes."""
     values: list[Any] = []
     found: list[Diagnostic] = []
     for item in items:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The run options: each is declared here once, and everything that takes options follows.
 
-A row says name, kind of value, default, meaning in both languages, and which front ends accept it:
-commands, Python, tests, the project file, plans of studies, the debugger, tapes. They read,
-check, complete and pass on the options by this table; what a front end does not accept it refuses
-by name and says who does (902380). ``ProgramOptions`` and ``RunKeywords`` give type checkers and
-editors the same names with their types; ``tests/run/test_options.py`` compares them.
+A row has name, kind of value, default, meaning in both languages, and the front ends that accept
+it: commands, Python, tests, the project file, plans of studies, the debugger, tapes. They read,
+check, complete and pass on the options by this table; an option that a front end does not accept is
+refused by name, with those that do (902380). ``ProgramOptions`` and ``RunKeywords`` give type
+checkers and editors the same names with their types; ``tests/run/test_options.py`` compares them.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ class RunKeywords(KeywordsOfAnyResult, total=False):
     why: bool
 
 
-#: What accepts options: commands by their names, everything else with how messages call it.
+#: Front ends that accept options: commands by their names, all others as named in messages.
 FRONT_ENDS: Mapping[str, Text] = {
     **{
         name: Text(f"nctakt {name}", f"nctakt {name}")
@@ -525,14 +525,14 @@ OPTIONS: Sequence[RunOption] = (
 #: The options by name.
 BY_NAME: Mapping[str, RunOption] = {option.name: option for option in OPTIONS}
 
-#: The options of ``Controller.run`` beside the programs.
+#: The options of ``Controller.run`` besides the programs.
 RUN_OPTIONS = tuple(
     option
     for option in OPTIONS
     if "python" in option.front_ends and option.name not in ("programs", "channels")
 )
 
-#: The names of those that data can say, and of them those whose words a command reads.
+#: The names of those that data can express, and of those among them whose words a command reads.
 DATA_NAMES = tuple(ProgramOptions.__annotations__)
 READ_NAMES = tuple(name for name in DATA_NAMES if name != "signals")
 
@@ -564,7 +564,7 @@ def with_further(options: RunKeywords, given: RunKeywords) -> RunKeywords:
 
 
 def merged(options: ProgramOptions, further: RunKeywords) -> RunKeywords:
-    """Return the options of both; ``further`` counts where both have one."""
+    """Return the options of both; ``further`` wins if both have one."""
     return cast("RunKeywords", {**options, **further})
 
 
@@ -582,7 +582,7 @@ def check_keywords(function: str, front_end: str, given: Mapping[str, Any]) -> N
 
 
 def with_keywords(front_end: str, keywords: type) -> Callable[[_Function], _Function]:
-    """Let ``help`` and completion see the options behind ``**options`` of a function.
+    """Let ``help`` and completion see the options in ``**options`` of a function.
 
     Its signature gets each with type and default, its docstring each with its meaning.
     """
@@ -614,7 +614,7 @@ def with_keywords(front_end: str, keywords: type) -> Callable[[_Function], _Func
 
 
 def _annotation(keywords: type, name: str) -> str:
-    """Return the type of an option as it is written."""
+    """Return the type of an option as written."""
     annotation = keywords.__annotations__[name]
     return str(getattr(annotation, "__forward_arg__", annotation))
 
@@ -622,7 +622,7 @@ def _annotation(keywords: type, name: str) -> str:
 def refused(name: str, front_end: str) -> Diagnostic | None:
     """Return the diagnostic of an option that a front end does not accept (902380).
 
-    ``None`` for a name that is no option. ``name``: as ``refusal`` has it.
+    ``None`` for a name that is not an option. ``name``: as in ``refusal``.
     """
     others = refusal(name, front_end)
     if others is None:
@@ -631,7 +631,7 @@ def refused(name: str, front_end: str) -> Diagnostic | None:
 
 
 def refusal(name: str, front_end: str) -> Text | None:
-    """Return who accepts an option that this front end does not; ``None`` for an unknown one.
+    """Return the front ends that accept an option refused by this one; ``None`` for an unknown one.
 
     ``name``: as in Python, on the command line or in a launch configuration.
     """
@@ -649,7 +649,7 @@ def _listed(option: RunOption, ends: Sequence[str], language: Any) -> str:
 
 
 def command_words(row: RunOption, words: Any) -> Iterator[str]:
-    """Yield the words of the command line that say what the words of an option say."""
+    """Yield the words of the command line for the words of an option."""
     match row.kind:
         case Flag():
             if words:

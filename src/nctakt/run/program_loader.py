@@ -67,8 +67,8 @@ def name_of(program: AnyProgram) -> str:
 def search_folders(caller: str, parameters: ChannelParameters, machine_folder: Path) -> list[Path]:
     """Return the folders in which a subprogram called by the file ``caller`` is searched.
 
-    The caller's own folder; then those of the channel list for subprograms, by priority, then in
-    their order (P-CHAN-00401 … 00404), relative to the machine's folder or to the one above it.
+    The caller's folder; then those of the channel list for subprograms, by priority, then in their
+    order (P-CHAN-00401 … 00404), relative to the machine's folder or to its parent.
     """
     folders = [Path(caller).parent]
     paths = [path for path in parameters.program_paths if path.has_subprograms]
@@ -151,7 +151,7 @@ class LoadedProgram:
     def on(self, machine: AssembledMachine) -> LoadedProgram:
         """Return the program for another controller of the same machine, not checked again.
 
-        Only what it has been loaded with goes along; what it calls by a computed name is read anew.
+        Only the files loaded with it are included; files called by a computed name are read anew.
         """
         other = LoadedProgram(machine, self.channel, self._names.fetched)
         other.texts = self.texts[: self._loaded_count]
@@ -252,7 +252,7 @@ class LoadedProgram:
         return text
 
 
-#: A program: a file, a text, or one that is loaded for the same machine.
+#: A program: a file, a text, or one loaded for the same machine.
 AnyProgram = str | Path | NcText | LoadedProgram
 
 
@@ -264,7 +264,7 @@ def _load(
     collector: Collector,
     fetched: Mapping[str, int | None],
 ) -> LoadedProgram:
-    """Check a program with all that it calls; ``fetched``: axes whose names are known at once."""
+    """Check a program with all it calls; ``fetched``: axes whose names are known at once."""
     loaded = LoadedProgram(machine, channel, fetched)
     main = loaded.add(Source(name, lines), collector, "main")
     loaded.add_called(main, collector)
@@ -286,7 +286,7 @@ def load(
 ) -> LoadedProgram:
     """Read, parse and check a program with all files that it calls.
 
-    One that is loaded already comes along unchanged, with its findings.
+    A loaded program is taken over unchanged, with its findings.
 
     All findings go to ``diagnostics``. ``channel``: the index of its channel, from 0. Raises
     ``Failure`` if the program cannot be read, ``ProgramErrors`` if it has errors.
@@ -304,7 +304,7 @@ def load(
         lines = machine.file_access.read_lines(arguments.path("program", program))
     loaded = _load(machine, channel, name_of(program), lines, collector, {})
     fetched = loaded.late_names()
-    if fetched:  # a file that comes after the one that uses them fetches them
+    if fetched:  # a file fetches them that comes after the file that uses them
         collector = Collector()
         loaded = _load(machine, channel, name_of(program), lines, collector, fetched)
     loaded.finish(collector.diagnostics)

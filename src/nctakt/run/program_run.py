@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A run of programs on a controller, from its begin to its result, in parts of any length.
 
-In: programs, run options and a machine's loop of ticks. Out: ``ProgramRun``, which goes on up to a
-tick as often as it is asked to, and then closes with the ``Run``. Where it is cut never changes a
-result.
+In: programs, run options and a machine's loop of ticks. Out: ``ProgramRun``, which continues up to
+a tick any number of times, and then closes with the ``Run``. Where it is interrupted never changes
+a result.
 """
 
 from __future__ import annotations
@@ -55,10 +55,10 @@ PROGRESS_TICKS = 100_000
 
 
 class ProgramRun:
-    """A run that has begun; ``state`` is ``None`` until it is over.
+    """A started run; ``state`` is ``None`` until it is over.
 
-    ``programs``: number of the channel, from 1 -> its programs, one after another. ``options``: all
-    of ``Controller.run``, checked. Raises ``Failure`` as ``Controller.run``.
+    ``programs``: number of the channel, from 1 -> its programs, in order. ``options``: all of
+    ``Controller.run``, checked. Raises ``Failure`` as ``Controller.run``.
     """
 
     _notebook: NotebookProgress | None = None
@@ -118,7 +118,7 @@ class ProgramRun:
         self.state: RunState | None = None
 
     def _attach_plc(self) -> None:
-        """Let the PLC begin on the machine; set the values that are there before the first tick."""
+        """Start the PLC on the machine; set the values that apply before the first tick."""
         machine, options, plc = self._machine, self._options, self._plc
         if options["why"]:
             for one in parts_of(plc)[0]:
@@ -198,7 +198,7 @@ class ProgramRun:
         return feeder is not None and feeder.pause(pauses_before)
 
     def leave_names(self) -> None:
-        """Let the results so far keep their names: what they are taken from will be put back."""
+        """Let the results so far keep their names: their source will be restored."""
         self._loop.recording.leave_names()
 
     def begin_again(self, options: RunKeywords) -> None:
@@ -272,11 +272,11 @@ class ProgramRun:
 
     @property
     def scheduled_run(self) -> TickShares | None:
-        """What gives decoder, interpolation and PLC their time; ``None`` without a schedule."""
+        """The schedule that gives decoder, interpolation and PLC their time, if there is one."""
         return self._loop.scheduled_run
 
     def advance(self, end: int | None = None) -> bool:
-        """Go on up to tick ``end``, by default to the end of the run.
+        """Continue up to tick ``end``, by default to the end of the run.
 
         Returns whether a stop of the kernel has ended it before. Once ``state`` has a value the run
         is over.
@@ -386,7 +386,7 @@ class ProgramRun:
         self._loop.couple(None)
 
     def _cycles(self) -> tuple[CycleResult, ...]:
-        """Return the realtime cycles with what they and their branches have run in this run."""
+        """Return the realtime cycles with their and their branches' run-throughs in this run."""
         if not self._with_statistics:
             return ()
         registry = self._machine.registry
@@ -396,7 +396,7 @@ class ProgramRun:
         return self._statistics.cycles(runs, bodies)
 
     def _drawer(self) -> Callable[[], RunDrawer]:
-        """Return what makes the drawer of this run; the machine may run again before."""
+        """Return the maker of this run's drawer; the machine may run again before it is called."""
         machine = self._machine
         limits_jerk = machine.channels[0].queue.look_ahead.limits.has_jerk_limit
         return functools.partial(_drawer, machine, machine.files.copy(), limits_jerk)
@@ -452,14 +452,14 @@ class ProgramRun:
 
 
 def _drawer(machine: AssembledMachine, files: SourceFiles, limits_jerk: bool) -> RunDrawer:
-    """Return what draws runs of a machine; ``files``: the texts of its programs."""
+    """Return the drawer of a machine's runs; ``files``: the texts of its programs."""
     from nctakt.plots.drawer import Drawer  # noqa: PLC0415 - few runs are drawn
 
     return Drawer(machine.channel_axes, files.line_at, limits_jerk=limits_jerk)
 
 
 def _notebook_of(options: RunKeywords) -> NotebookProgress | None:
-    """Return what shows the progress of a run in a notebook, if no one else does."""
+    """Return the progress display of a run in a notebook, unless there is another."""
     is_shown = options["on_progress"] is None and not options["stays"]
     return notebook_progress("Run") if is_shown else None
 

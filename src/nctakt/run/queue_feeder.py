@@ -39,14 +39,13 @@ HIGH_WATER = 64
 
 
 class QueueFeeder:
-    """Feeds one program into its channel; ``report`` takes errors that stop it.
+    """Feeds one program into its channel; ``report`` receives errors that stop it.
 
-    Blocks of ``skip_levels`` are left out; ``marks_blocks``: events tell when each block was
-    decoded and when it is executed, and why the channel is flushed. ``start``: the
-    block where the program begins by block search. ``fatal_error``: the decoder's
-    error that has stopped the program. ``state``: the modal state of the decoder. ``condition``:
-    the ``#WAIT FOR`` that it evaluates tick by tick, 0: none; ``awaits_tools``: instead of one, the
-    answer of the tool manager.
+    Blocks of ``skip_levels`` are left out; ``marks_blocks``: there are events when each block is
+    decoded and executed, and for why the channel is flushed. ``start``: the block where the program
+    begins by block search. ``fatal_error``: the decoder's error that has stopped the program.
+    ``state``: the modal state of the decoder. ``condition``: the ``#WAIT FOR`` that it evaluates
+    tick by tick, 0: none; ``awaits_tools``: instead of one, the answer of the tool manager.
     """
 
     def __init__(
@@ -266,7 +265,7 @@ class QueueFeeder:
             self._channel.decoder_open = False
 
     def _await(self, command: commands.DecoderWait) -> None:
-        """Let the decoder wait for a signal, axes, or the next tick; the queue goes on."""
+        """Let the decoder wait for a signal, axes, or the next tick; the queue continues."""
         self._since = self._machine.kernel.tick
         if isinstance(command, commands.DecoderSignal):
             self._channel.signals.await_signal(

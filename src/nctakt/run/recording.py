@@ -120,13 +120,13 @@ class Recording:
         self._functions = unheard_functions.UnheardFunctions(self._machine)
 
     def leave_names(self) -> None:
-        """Let the events so far keep their names; the registry is going to have others."""
+        """Let the events so far keep their names; the registry is about to change."""
         self._events.names = self._machine.registry.with_own_files()
 
     def listen_anew(self, sinks: Sequence[Sink], signals: Sequence[str]) -> None:
-        """Let these sinks have what the run records from its begin on; no one has had any of it.
+        """Connect these sinks to the run's record from its start; nothing has been delivered yet.
 
-        The signals are those of ``open``. What listened before keeps its names.
+        The signals are those of ``open``. Earlier listeners keep their names.
         """
         self._events = EventDecoder(
             self._machine.configuration.cycle_time_us, self._machine.registry
@@ -146,7 +146,7 @@ class Recording:
         self._machine.record.records_answers = False
 
     def add(self, sink: Sink) -> None:
-        """Let a further listener have what is recorded from now on; it is not opened."""
+        """Connect a further listener from now on; it is not opened."""
         self._listen((*self._sinks, sink))
 
     def remove(self, sink: Sink) -> None:
@@ -154,7 +154,7 @@ class Recording:
         self._listen([known for known in self._sinks if known is not sink])
 
     def reduce_to(self, sink: Sink) -> None:
-        """Let no other listener have what is recorded from now on."""
+        """Disconnect all other listeners from now on."""
         self._listen([sink])
 
     def begin_step(self, events: EventList) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs one after another, each as on a new controller, without building one anew.
+"""Successive runs, each as on a new controller, without building one.
 
 In: a machine. Out: the result of each run. Between two runs the realtime part is put back to its
 snapshot of start-up, and programs are not read and checked again.
@@ -26,7 +26,7 @@ _Program = str | Path | NcText
 
 
 def _result(run: ProgramRun) -> Run:
-    """Go on to the end of a run and return its result; Ctrl-C ends it where it is."""
+    """Continue to the end of a run and return its result; Ctrl-C ends it where it is."""
     try:
         run.advance()
     except KeyboardInterrupt:
@@ -37,7 +37,7 @@ def _result(run: ProgramRun) -> Run:
 
 
 class OneController(Protocol):
-    """What a run needs of a controller."""
+    """The part of a controller that a run needs."""
 
     diagnostics: list[Diagnostic]
 
@@ -55,10 +55,10 @@ class OneController(Protocol):
 
 
 class ReusableController:
-    """Makes runs of one machine, each from start-up on: nothing lives on from run to run.
+    """Makes runs of one machine, each from start-up on: nothing is carried over from run to run.
 
-    A program is read and checked when it runs first; what changes in its files afterwards is not
-    seen. ``new`` returns a controller with a realtime part.
+    A program is read and checked when it first runs; later changes in its files are not seen.
+    ``new`` returns a controller with a realtime part.
     """
 
     def __init__(self, machine: Machine, new: Callable[[RealtimePart], OneController]) -> None:
@@ -127,7 +127,7 @@ class ReusableController:
         return None if beginning is None or run is None else (beginning, run)
 
     def _program(self, controller: OneController, program: _Program, channel: int) -> AnyProgram:
-        """Return a program as it was checked; one with errors as it is: its run reports them."""
+        """Return a program as checked; one with errors unchanged: its run reports them."""
         key = channel, program
         if key not in self._loaded:
             count = len(controller.diagnostics)

@@ -21,7 +21,7 @@ from nctakt.run.plcs.realtime_plc import is_structured
 KEPT = tuple(option for option in OPTIONS if "tape" in option.front_ends)
 _READ = tuple(option for option in KEPT if option in RUN_OPTIONS)
 
-#: The words that every tape has; options that came later have their default on older ones.
+#: The words that every tape has; later options have their default on older tapes.
 _FIRST = (
     "programs", "others", "machine", "root", "assignments", "ticks", "until", "after", "skip",
     "wait_for_start", "blocks", "stays", "rtconf", "load", "system", "confined",
@@ -34,8 +34,8 @@ _NOTHING_GIVEN = object()
 def words_of(tape: Tape, name: str) -> dict[str, Any]:
     """Return the words of the tape in the file ``name``, with tuples for lists.
 
-    A run that was broken off has as many ``ticks`` as it ran. Raises ``Failure`` (901070) for words
-    that are none of a run.
+    An interrupted run has as many ``ticks`` as it ran. Raises ``Failure`` (901070) for words that
+    do not belong to a run.
     """
     words = {}
     for option in KEPT:

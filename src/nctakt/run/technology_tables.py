@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the channel list says of M and H functions, as tables by their numbers for the tick."""
+"""Settings of the channel list for M and H functions, as tables by their numbers for the tick."""
 
 from __future__ import annotations
 

@@ -2,8 +2,8 @@
 """The loop between decoder, kernel and PLC: ticks run until one of the others is due.
 
 In: an assembled machine with its channels, the planned inputs, a scripted PLC, a schedule. Out: the
-ticks, with all that they record handed to the listeners. Where the loop is cut never changes what
-the ticks do.
+ticks, with their records passed to the listeners. Where the loop is interrupted never changes the
+ticks.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ TICKS_AT_ONCE = 100_000
 
 
 class TickShares(Protocol):
-    """What a schedule gives decoder, interpolation and PLC, tick by tick."""
+    """The time that a schedule gives decoder, interpolation and PLC, tick by tick."""
 
     schedule: RunSchedule
 
@@ -47,7 +47,7 @@ class TickShares(Protocol):
         """Note that a tick is done, with the PLC's call after it."""
 
     def findings(self) -> list[Diagnostic]:
-        """Return what went wrong in the schedule so far, each finding once."""
+        """Return the findings about the schedule so far, each once."""
 
 
 class TickLoop:
@@ -56,7 +56,7 @@ class TickLoop:
     ``plc``: a scripted PLC; ``has_plc``: something acknowledges technology functions, be it that
     script or a tape of one. ``scheduled_run``: the limited times of decoder, interpolation and PLC
     under a schedule. ``ends_deadlock``: ``advance`` returns with ``is_deadlocked`` when all
-    programs wait for each other's signals, and no one outside can do anything about it.
+    programs wait for each other's signals, and nobody outside can help.
     """
 
     def __init__(
@@ -95,7 +95,7 @@ class TickLoop:
             channel.budget = shares.budget(index)
 
     def attach(self, plc: AnyPlc | None) -> None:
-        """Let this PLC begin anew in the tick if it runs there, and no other one; then ``connect``.
+        """Restart only this PLC in the tick, if it runs there; then ``connect``.
 
         Its variables are known from now on.
         """
@@ -124,7 +124,7 @@ class TickLoop:
             channel.channel.hli.acknowledges_itself = not self.has_plc
 
     def couple(self, coupled: Coupled | None) -> None:
-        """Let this simulation go on with the ticks from the next one on, and no other one."""
+        """Couple only this simulation to the ticks from the next one on."""
         before, self._coupled = self._coupled, None
         if before is not None:
             before.close()
@@ -133,7 +133,7 @@ class TickLoop:
             coupled.begin(self.machine)
 
     def _step_coupled(self, due: int) -> int:
-        """Let what is coupled have its step if it is due; return up to where ticks may run."""
+        """Step the coupled simulation if it is due; return how far ticks may run."""
         coupled = self._coupled
         if coupled is None:
             return due
@@ -144,7 +144,7 @@ class TickLoop:
     def advance(self, end: int) -> bool:
         """Run up to tick ``end``, or until the decoder, an input, the PLC or a pause is due.
 
-        Returns whether one of the kernel's stops has ended it.
+        Returns whether a stop of the kernel has ended it.
         """
         kernel = self._kernel
         due_input = self.machine.inputs.apply_due()
@@ -177,8 +177,8 @@ class TickLoop:
     def run_alone(self, ticks: int) -> int | None:
         """Run ticks that wait for nothing but the decoder; return why the kernel has ended them.
 
-        ``None``, and no tick, where an input, a PLC or a schedule may be due in them. ``settle``
-        has to follow, unless all of them are done and nothing was recorded (``is_settled``).
+        ``None``, and no tick, if an input, a PLC or a schedule may be due in them. ``settle`` must
+        follow, unless all of them are done and nothing was recorded (``is_settled``).
         """
         if self._player is not None or self.scheduled_run is not None or self.ends_deadlock:
             return None
@@ -192,7 +192,7 @@ class TickLoop:
         return kernel.run(ticks if ticks < TICKS_AT_ONCE else TICKS_AT_ONCE)
 
     def settle(self, reason: int) -> None:
-        """Hand on what the kernel has recorded, and do what it has returned for."""
+        """Pass on the kernel's records, and do what it has returned for."""
         for plc in self._realtime_plcs:
             plc.record_messages()
         self.recording.drain()

@@ -33,7 +33,7 @@ GROUP = 65_536
 
 
 def load_pyarrow(module: str = "") -> Any:
-    """Return pyarrow or one of its modules; raises ``Failure`` (901311) where it is missing."""
+    """Return pyarrow or one of its modules; raises ``Failure`` (901311) if it is missing."""
     try:
         return importlib.import_module(f"pyarrow.{module}" if module else "pyarrow")
     except ImportError as error:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Events of some ticks, decoded when they are looked at, and not before.
 
-In: event rows as the record gives them. Out: all events as a sequence; those of some kinds; each
-event once, with how often it was repeated. Long runs have millions of rows, which few listeners
-want to see one by one.
+In: event rows of the record. Out: all events as a sequence; those of some kinds; each event once,
+with how often it was repeated. Long runs have millions of rows, which few listeners need one by
+one.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ class EventChunk(Sequence[Event]):
 
     @property
     def data(self) -> bytes:
-        """The rows as they were recorded."""
+        """The rows as recorded."""
         return self._data
 
     def with_data(self, data: bytes) -> EventChunk:
@@ -104,7 +104,7 @@ class EventChunk(Sequence[Event]):
         return EventChunk(self._decoder, b"".join(pieces))
 
     def joined(self, others: Sequence[EventChunk]) -> EventChunk | None:
-        """Return it with the rows that follow, ``None`` where others decode some of them."""
+        """Return it with the rows that follow, ``None`` if others decode some of them."""
         if any(other._decoder is not self._decoder for other in others):
             return None
         return self.with_data(b"".join([self._data, *(other.data for other in others)]))
@@ -137,9 +137,8 @@ class EventChunk(Sequence[Event]):
     def repetitions(self) -> list[tuple[Event, int, int]]:
         """Return each event once, with its number of occurrences and the tick of the last one.
 
-        Firings, writes and functions count as the same where cycle, place and what they name are
-        the same; each event of another kind counts once. They are in the order of their first
-        occurrence.
+        Firings, writes and functions count as the same if cycle, place and names are the same; each
+        event of another kind counts once. They are in the order of their first occurrence.
         """
         if not self._data:
             return []
@@ -169,7 +168,8 @@ class EventChunk(Sequence[Event]):
 def latest_of_channels(events: Sequence[Event], column: int) -> list[tuple[Event, float]]:
     """Return the last event of each channel with one of its columns (``rows.EVENT_B`` …).
 
-    The others are not decoded. Events that do not come as rows have no columns: none of them.
+    The others are not decoded. Events that do not come as rows have no columns, and none are
+    returned.
     """
     if not isinstance(events, EventChunk):
         return []
@@ -180,17 +180,17 @@ def latest_of_channels(events: Sequence[Event], column: int) -> list[tuple[Event
 
 
 def of_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:
-    """Return the events of a chunk that are of these kinds of rows; others as they are."""
+    """Return the events of a chunk that are of these kinds of rows; other events unchanged."""
     return events.of_kinds(kinds) if isinstance(events, EventChunk) else events
 
 
 def since_tick(events: Sequence[Event], tick: int) -> Sequence[Event]:
-    """Return the rows of a chunk from a tick on; events that are no chunk as they are."""
+    """Return the rows of a chunk from a tick on; events that are not a chunk unchanged."""
     return events.since(tick) if isinstance(events, EventChunk) else events
 
 
 def without_kinds(events: Sequence[Event], kinds: Collection[int]) -> Sequence[Event]:
-    """Return the events of a chunk that are of none of these kinds of rows; others as they are."""
+    """Return the events of a chunk that are of none of these kinds; other events unchanged."""
     if not isinstance(events, EventChunk):
         return events
     if not events.has_any(kinds):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Events of a tick: the realtime part's event rows -> ``Event`` objects with text.
 
-In: event rows of the realtime part (``kernel/rows.py``) and ``EventNames``, the names behind their
+In: event rows of the realtime part (``kernel/rows.py``) and ``EventNames``, the names for their
 numbers. Out: events in the order of their occurrence.
 """
 
@@ -98,7 +98,7 @@ class Event:
 
 
 class EventNames(Protocol):
-    """The names behind the numbers in event rows; valid for as long as events are read."""
+    """The names for the numbers in event rows; valid for as long as events are read."""
 
     def cycle(self, serial: int) -> str:
         """Return the programmed ID of the cycle with this serial number, or ``#1`` without one."""
@@ -345,12 +345,12 @@ class EventDecoder:
 
 
 def _plain(word: str) -> Maker:
-    """Return what gives an event of a cycle without particulars."""
+    """Return a decoder for events of a cycle without details."""
     return lambda decoder, serial, _a, _b, _c: (word, decoder.names.cycle(serial))
 
 
 def _answered(word: str) -> Maker:
-    """Return what gives an answer to a technology function, with the time of its output."""
+    """Return a decoder for answers to technology functions, with the time of the output."""
 
     def make(
         decoder: EventDecoder, _serial: int, function: float, sequence: float, tick: float

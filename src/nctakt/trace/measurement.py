@@ -28,7 +28,7 @@ from nctakt.trace.texts import by_tick, join_events
 _GROUP = 65_536
 #: Bytes of the finished file that are copied at once.
 _PIECE = 1 << 20
-#: Where the header block has the address of the history, and a history its next one and its time.
+#: Where the header block has the address of the history, and a history its successor and its time.
 _HISTORY, _NEXT, _TIME = 96, 24, 40
 _TIME_BYTES = 8
 
@@ -105,7 +105,7 @@ class Mf4Sink:
         return ticks * self._header.cycle_time_us / 1e6
 
     def close(self) -> None:
-        """Write what is left, and the file."""
+        """Write the rest, and the file."""
         measured, self._measured = self._measured, None
         if measured is None:
             return

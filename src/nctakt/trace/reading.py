@@ -34,8 +34,8 @@ _UNMARKED = {"n": "\n", "r": "\r"}
 def read_trace(path: str | Path) -> Trace:
     """Read a trace file in the format of its suffix and return the trace.
 
-    Raises ``Failure`` for another suffix (900506), a file that cannot be read (900503) and one that
-    is not a trace (900508).
+    Raises ``Failure`` for another suffix (900506), a file that cannot be read (900503) and a file
+    that is not a trace (900508).
     """
     path = Path(path)
     if path.suffix.lower() not in SUFFIXES:

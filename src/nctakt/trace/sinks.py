@@ -2,8 +2,8 @@
 """Sinks, which receive a trace while it is recorded: their interface, and two file formats.
 
 In: the header once, then for chunks of consecutive ticks first their events and then their rows
-(float64, row after row). Out: text in a file, chunk by chunk, in constant memory; what has been
-written stays readable when the run breaks off. ``nctakt.trace.reading`` reads both formats back.
+(float64, row after row). Out: text in a file, chunk by chunk, in constant memory; the written part
+stays readable if the run is interrupted. ``nctakt.trace.reading`` reads both formats back.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class Sink(Protocol):
 class RowSink(Sink, Protocol):
     """Receives signals as well: ``events`` and ``rows`` in turn.
 
-    All events of a tick have come when its row comes. A run without one records no signals.
+    All events of a tick have come when its row comes. A run without rows records no signals.
     """
 
     def rows(self, first_tick: int, rows: memoryview[float], width: int) -> None:
@@ -91,7 +91,7 @@ class RowSink(Sink, Protocol):
 
 
 class ExtentSink(Sink, Protocol):
-    """Receives, where rows are reduced, what is left of them."""
+    """Receives the remaining values if rows are reduced."""
 
     def extent(self, first_tick: int, count: int, values: memoryview[float]) -> None:
         """Receive the lowest values of the signals in some ticks, then the highest ones.
@@ -120,8 +120,9 @@ def file_sink(file: Path | OutputFile) -> CsvSink | JsonlSink:
 class _FileSink(abc.ABC):
     """Writes pieces of text to ``file``, a path or an open file.
 
-    A path gets its file when the trace is closed; until then it is beside it (``OutputFile``).
-    Raises ``Failure`` (900507) when the path cannot be opened or the file takes no more.
+    A path gets its file when the trace is closed; until then the file is next to it
+    (``OutputFile``). Raises ``Failure`` (900507) when the path cannot be opened or the file cannot
+    grow.
     """
 
     def __init__(self, file: Path | OutputFile | TextIO) -> None:

@@ -51,7 +51,7 @@ def _column_text(column: list[float], integral: bool, missing: str) -> list[str]
 
 
 def _finite(texts: list[str], column: list[float], missing: str) -> list[str]:
-    """Return the texts with ``missing`` for values that are not finite; their sum tells of any."""
+    """Return the texts with ``missing`` for values that are not finite; their sum shows any."""
     total = sum(column)
     if total - total == 0.0:
         return texts

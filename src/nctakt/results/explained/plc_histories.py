@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a PLC in Structured Text has changed, by which statement, and what led to it.
+"""Changes made by a PLC in Structured Text, by which statement, and what led to them.
 
 Made by ``plc/st_reasons.py``, shown by ``plc_text.py``. Ticks count from the controller's start.
 """
@@ -19,8 +19,8 @@ FactKind = Literal["condition", "operand", "selector", "pass", "result", "call"]
 class Fact:
     """Something that led to a change: a value that the code saw, or a call.
 
-    ``value``: empty for calls and results. ``inside``: of a call that has returned, what led to its
-    result.
+    ``value``: empty for calls and results. ``inside``: for a call that has returned, the facts that
+    led to its result.
     """
 
     kind: FactKind
@@ -34,8 +34,8 @@ class Fact:
 class PlcChange:
     """A change of a variable; without ``span`` no statement made it, but the CNC or an input.
 
-    ``before``: empty where no one has looked before. ``statement``: its text. ``facts``: what led
-    to it, from the task's program to the statement; ``is_cut``: some are missing.
+    ``before``: empty if it was not known. ``statement``: its text. ``facts``: what led to it, from
+    the task's program to the statement; ``is_cut``: some are missing.
     """
 
     tick: int

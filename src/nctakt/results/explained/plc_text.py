@@ -2,7 +2,7 @@
 """Why a PLC in Structured Text has given variables their values, as text.
 
 In: histories of variables. Out: lines: the variable; each change with its statement; below it what
-led to it, from the task's program on, each condition with the values that it saw.
+led to it, from the task's program on, each condition with the values that it compared.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class _Writer:
     def state(self, one: PlcHistory, tick: int) -> Iterator[str]:
         """Yield why a variable had its value in a tick."""
         words, change = self._words, one.change_at(tick)
-        if one.missed:  # what gave the value may be among them
+        if one.missed:  # the change that gave the value may be among them
             yield words.get(_MISSED, count=one.missed)
         elif change is not None:
             yield words.get(_VALUE, value=change.value)

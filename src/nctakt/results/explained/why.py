@@ -49,11 +49,11 @@ class WhyReport:
     ticks: int
     cycles: tuple[CycleHistory, ...]
     left_out: int = 0
-    #: What a PLC in Structured Text has changed.
+    #: Changes made by a PLC in Structured Text.
     plc: Sequence[PlcHistory] = ()
 
     def with_plc(self, changes: Sequence[PlcHistory]) -> WhyReport:
-        """Return the report with what a PLC has changed."""
+        """Return the report with the changes of a PLC."""
         before = self.plc
         return replace(self, plc=PlcHistories(lambda: (*before, *changes)))
 
@@ -70,7 +70,7 @@ class WhyReport:
         return replace(self, cycles=(), left_out=0, plc=found)
 
     def select_plc_line(self, file: str, line: int) -> WhyReport:
-        """Return only what a statement of the PLC in a line has written; nothing is no mistake."""
+        """Return only the writes of a statement of the PLC in a line; there may be none."""
 
         def is_it(span: Span | None) -> bool:
             return span is not None and (span.file, span.line) == (file, line)
@@ -103,7 +103,7 @@ class WhyReport:
         return replace(self, cycles=cycles, plc=self._named_in(cycles))
 
     def _named_in(self, cycles: Sequence[CycleHistory]) -> tuple[PlcHistory, ...]:
-        """Return what the PLC has changed of what conditions compare."""
+        """Return the PLC's changes of values that conditions compare."""
         texts = [cycle.branches[index].text.upper() for cycle in cycles for index in cycle.shown]
         return tuple(
             one
@@ -149,7 +149,7 @@ class WhyReport:
         return render_report(self.cycles, self.left_out, self.last_tick, words) + plc
 
     def _shown_plc(self) -> Sequence[PlcHistory]:
-        """Return what is asked for: a variable, else what the PLC has commanded."""
+        """Return the requested history: of a variable, else of the PLC's commands."""
         if not self.cycles and len(self.plc) == 1:
             return self.plc
         return tuple(one for one in self.plc if one.is_interface)

@@ -106,8 +106,8 @@ def render_report(
 def render_answer(cycles: Sequence[CycleHistory], tick: int, words: Words) -> str:
     """Return in a few lines whether selected branches ran in a tick, why, and how often so far.
 
-    Of several cycles the one that ran in the tick answers, otherwise the newest. Where it has
-    ended, its last tick is asked.
+    If there are several cycles, the one that ran in the tick answers, otherwise the newest. If it
+    has ended, its last tick counts.
     """
     ran = [cycle for cycle in cycles if cycle.runs.holds(tick)]
     begun = [cycle for cycle in cycles if cycle.life and cycle.life[0].tick <= tick]

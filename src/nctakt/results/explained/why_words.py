@@ -110,7 +110,7 @@ class Words:
         return self.get(_TICK, tick=tick, time=self.time(tick))
 
     def times(self, times: Times) -> str:
-        """Return the ticks of all series, of many series the first and the last ones."""
+        """Return the ticks of all series; if there are many, the first and last ones."""
         if times.ticks == 1 and times.series:
             return self.tick(times.series[0].first_tick)
         shown = [self._series(series) for series in times.series]

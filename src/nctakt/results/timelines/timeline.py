@@ -2,8 +2,8 @@
 """A run over time as data: tracks of slices in microseconds.
 
 Built by ``timeline_events.py`` and ``timeline_branches.py``, drawn by the pictures and written by
-the traces for other viewers. Tick n begins at n times the cycle time; what is so in one tick lasts
-until the next one begins.
+the traces for other viewers. Tick n begins at n times the cycle time; a state of one tick lasts
+until the next begins.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Slice:
 
 @dataclass(frozen=True, slots=True)
 class Track:
-    """The slices of one thing in the order of their begin; ``group``: the cycle of a reaction.
+    """The slices of one subject, ordered by start; ``group``: the cycle of a reaction.
 
     ``text``: the source line of a condition or reaction. ``left_out``: older slices that were not
     kept. ``why_not``: why a condition was never true or a reaction never ran, which then has no

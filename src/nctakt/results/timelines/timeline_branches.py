@@ -2,8 +2,8 @@
 """The histories of conditions -> tracks: when a condition was true, when a body ran.
 
 In: ``WhyReport``. Out: for each branch of a realtime cycle a track of its condition and one of its
-reaction, each slice with the compared values. Instances of a cycle with one name share their
-tracks, as do the definitions of one place without a name.
+reaction, each slice with the compared values. Instances of a cycle with the same name share their
+tracks, and so do unnamed definitions at one place.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.results.timelines.timeline import Slice, Track, TrackKind
 
 @dataclass(slots=True)
 class _Branch:
-    """What the instances of one branch did."""
+    """The history of all instances of one branch."""
 
     group: str
     span: Span
@@ -91,7 +91,7 @@ def _track(
 
 
 def _evaluated(branch: BranchHistory, why: WhyReport) -> Iterator[tuple[int, int]]:
-    """Yield when the condition was evaluated, as far as it is kept with which truth."""
+    """Yield when the condition was evaluated, with its truth as far as it is kept."""
     condition = branch.condition
     first_tick = condition.changes[0].tick if condition.changes_left_out else why.first_tick
     for series in branch.evaluated.series:

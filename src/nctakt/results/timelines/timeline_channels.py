@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Signals and exchanged axes of a run -> a track for each channel: its program, what it waits for,
-what it sends and gives.
+"""Signals and exchanged axes of a run -> a track for each channel: its program, its waits, the
+signals it sends and axes it gives.
 
-Without any of these there are none.
+Without any of these there are no tracks.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ class ChannelTracks:
         self._begun[label] = at_us
 
     def tracks(self, end_us: int) -> Iterator[Track]:
-        """Yield the tracks; what is open lasts to the end of the run."""
+        """Yield the tracks; open slices last to the end of the run."""
         for label, number in tuple(self._waiting):
             self._close(label, number, end_us, is_open=True)
             channel = label.removesuffix(_DECODER).strip()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The events of a run -> its timeline.
 
-In: events, the histories of its conditions if they were recorded. Out: ``Timeline``: blocks,
-waits, cycles, reactions, functions until their acknowledgement, motions of axes, what is reported.
+In: events, the histories of its conditions if they were recorded. Out: ``Timeline``: blocks, waits,
+cycles, reactions, functions until their acknowledgement, motions of axes, reports.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nctakt.results.timelines.timeline_branches import branch_tracks
 from nctakt.results.timelines.timeline_channels import ChannelTracks
 from nctakt.trace.events import Event
 
-#: Events that say at one moment what they say: kind of the event -> kind of its track.
+#: Events of a single moment: kind of the event -> kind of its track.
 _MOMENTS: dict[str, TrackKind] = {
     "message": "message",
     "error": "error",
@@ -155,13 +155,13 @@ class _Builder:
         self._open[kind, label] = _Open(event.time_us, name, event.span, text)
 
     def _close(self, kind: TrackKind, label: str, time_us: int, *, is_open: bool = False) -> None:
-        """End the open slice of a track; one without length is dropped."""
+        """End the open slice of a track; a slice without length is dropped."""
         item = self._open.pop((kind, label), None)
         if item is not None and time_us > item.begin_us:
             self._add(kind, label, _ended(item, time_us, is_open=is_open))
 
     def _live(self, event: Event) -> None:
-        """Go on to the next state of a cycle; one from before the run was active."""
+        """Continue with the next state of a cycle; a cycle from before the run was active."""
         name = event.cycle
         if event.kind == "created" and "#" in name:
             self._labels[name] = self._groups.setdefault(event.span, name)
@@ -176,11 +176,11 @@ class _Builder:
             self._living[name] = _Open(event.time_us, state, event.span, self._text(event.span))
 
     def _label(self, cycle: str) -> str:
-        """Return the name of a cycle; of one without ID that of the first one of its span."""
+        """Return the name of a cycle; without ID, that of the first cycle of its span."""
         return self._labels.get(cycle, cycle)
 
     def _fire(self, event: Event) -> None:
-        """Add a firing; one in the tick after the last one prolongs it."""
+        """Add a firing; a firing in the tick after the last one prolongs it."""
         group = self._label(event.cycle)
         label = f"{group}: {event.text.split()[-1]}"
         key: tuple[TrackKind, str] = ("reaction", label)
@@ -243,7 +243,7 @@ class _Builder:
         self._add(kind, event.prefix, item)
 
     def finish(self) -> None:
-        """End at the end of the run what is open."""
+        """Close open slices at the end of the run."""
         for key in tuple(self._open):
             self._close(*key, self._end_us, is_open=True)
         for name, item in self._living.items():
@@ -289,7 +289,7 @@ def _ended(item: _Open, end_us: int, *, is_open: bool = False) -> Slice:
 
 
 def _branch(group: str, span: Span | None) -> tuple[str, str, int, int] | None:
-    """Return what tells a branch from others."""
+    """Return the key that distinguishes a branch from others."""
     return None if span is None else (group, span.file, span.line, span.column)
 
 

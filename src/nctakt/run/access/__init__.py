@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What reaches a run from outside, by names: inputs, values, the interface, tapes."""
+"""Access to a run from outside, by names: inputs, values, the interface, tapes."""

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Values of a machine, bound by name once: then a read is a load, a write what the next tick takes.
+"""Values of a machine, bound by name once: then a read is a load, a write an input of a tick.
 
-In: where a value lies, what may be written into it. Out: ``BoundValue``, read and written as often
-as one likes without its name being looked up again; ``BoundValues``, several of them as the
-attributes of a view. What is written is posted to the kernel, whose next tick latches it (RC-002),
-and noted for the tape.
+In: the place of a value, and the values it may have. Out: ``BoundValue``, read and written any
+number of times without looking its name up again; ``BoundValues``, several of them as the
+attributes of a view. Writes are posted to the kernel, whose next tick latches them (RC-002), and
+noted for the tape.
 """
 
 from __future__ import annotations
@@ -34,10 +34,10 @@ class InputNotes:
 class BoundValue:
     """A value of a machine by its name: ``value`` is the present one.
 
-    ``access`` (``VariableAccess``) reads and writes what is no plain number.
+    ``access`` (``VariableAccess``) reads and writes values that are not plain numbers.
 
-    A value that is set counts from the next tick on, and is returned at once. Raises ``Failure``
-    for one that cannot be set, and for a value that it cannot hold.
+    A new value counts from the next tick on, but is returned at once. Raises ``Failure`` if the
+    value cannot be set, and for a value out of its range.
 
     >>> controller = Controller()
     >>> position = controller.bind("V.RTA.ACS.ACT_POS.X")
@@ -79,7 +79,7 @@ class BoundValue:
 
     @property
     def value(self) -> float | bool | str:
-        """The present value; one that was set is returned before a tick has latched it."""
+        """The present value; a new value is returned even before a tick has latched it."""
         if self.is_text:
             return str(self.access.text_of(self.name))
         number = self.kernel.present(self.cell)

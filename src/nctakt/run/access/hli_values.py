@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The values of an axis or a channel by the names of the HLI, bound once and always the present
-ones.
+"""The present values of an axis or a channel by the names of the HLI, bound once.
 
 In: the cells of a machine. Out: ``hli.axis("X").command``, also as ``hli.axis("X")["command"]``;
 ``dict(hli.axis("X"))`` keeps the values of a moment.
@@ -81,7 +80,7 @@ class AxisValues(HliValues):
     names = AXIS_NAMES
     aliases = AXIS_ALIASES
 
-    if TYPE_CHECKING:  # what editors complete; tests hold it to the names
+    if TYPE_CHECKING:  # for completion in editors; tests compare it with the names
         command: float
         command_position: float
         actual: float

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a PLC has written into the image of the HLI, by names, so that it can go on a tape.
+"""A PLC's writes into the image of the HLI, by names, so that they can go on a tape.
 
-In: the layout of a machine's image, its bytes. Out: names and bytes, as hexadecimal digits, of what
-the PLC has changed since the image was published; and such bytes put into an image again:
+In: the layout of a machine's image, its bytes. Out: names and bytes, as hexadecimal digits, of the
+PLC's changes since the image was published; and such bytes put back into an image:
 ``command[1].override``, ``spindle_command[1].ack_job``, ``V.E.DOOR``, ``CH2.V.E.DOOR``.
 """
 
@@ -44,7 +44,7 @@ class ImageInputs:
         self._offset = layout.command_offset
 
     def changes(self) -> list[tuple[str, str]]:
-        """Return the names and bytes of what the next tick will find changed."""
+        """Return the names and bytes of the changes that the next tick will find."""
         written, known = bytes(self._memory), bytes(self._published)
         if written == known:
             return []
@@ -56,7 +56,7 @@ class ImageInputs:
         return found
 
     def check(self, name: str, digits: str) -> bytes:
-        """Return the bytes of a value; raises ``ValueError`` for those of none of this image."""
+        """Return the bytes of a value; raises ``ValueError`` if this image has no such value."""
         area = self._areas.get(name)
         data = bytes.fromhex(digits)
         if area is None or len(data) != area.end - area.first:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What inputs are called on a tape; loads nothing, so that plain Python can still be chosen."""
+"""Names of inputs on a tape; loads nothing, so that plain Python can still be chosen."""
 
-#: What a written value is among the inputs; where those come from that the user's own code sets.
+#: The kind of a written value among the inputs; the source of inputs set by the user's code.
 WRITE, API = "write", "api"

@@ -2,10 +2,10 @@
 """All that reaches a run from outside, tick by tick.
 
 In: values of variables and of the operator's panel, acknowledgements of functions and spindle jobs,
-motions of single axes that a PLC requests, what a PLC in another process writes into the image of
-the HLI, programs that are selected; now, or planned for a tick (stimuli, a tape). Out: what the
-next tick latches (RC-002), in the order of arrival. A listener learns of all of them, some ticks
-later: they are all that a run needs to be repeated.
+motions of single axes requested by a PLC, writes of a PLC in another process into the image of the
+HLI, selected programs; now, or planned for a tick (stimuli, a tape). Out: the values latched by the
+next tick (RC-002), in the order of arrival. A listener gets all of them, some ticks later: nothing
+else is needed to repeat a run.
 """
 
 from __future__ import annotations
@@ -29,20 +29,20 @@ if TYPE_CHECKING:
     from nctakt.run.access.shared_image import SharedImage
     from nctakt.run.access.variable_access import VariableAccess
 
-#: The kinds of inputs, beside ``WRITE``.
+#: The kinds of inputs, besides ``WRITE``.
 ACKNOWLEDGE, ACKNOWLEDGE_SPINDLE, AXIS = "ack", "ack_spindle", "axis"
 IMAGE, SELECT = "image", "select"
-#: What a schedule on a real clock has decided: a channel had this many further commands decoded, a
+#: Decisions of a schedule on a real clock: a channel had this many further commands decoded, a
 #: thread was still busy when it was due, the tick was lost.
 DECODED, OVERFLOWED, LOST = "decoded", "overflowed", "lost"
 
-#: Where inputs come from, beside ``API``; ``HLI``: a PLC in another process, ``FMU``: a simulation
-#: beside the PLC, ``SCHEDULE``: a real clock.
+#: Sources of inputs, besides ``API``; ``HLI``: a PLC in another process, ``FMU``: a coupled
+#: simulation, ``SCHEDULE``: a real clock.
 STIMULI, PLC, HLI, FMU, SCHEDULE = "stimuli", "plc", "hli", "fmu", "schedule"
 
 #: The order of the sources within a tick, by the first word of their names: tape and stimuli, PLCs,
-#: what is coupled to them, the servers, persons; others come last. Of two that write one value the
-#: later one wins.
+#: simulations coupled to them, the servers, persons; others come last. If two write the same value,
+#: the later one wins.
 SOURCE_ORDER = (
     SCHEDULE,
     STIMULI,
@@ -87,9 +87,9 @@ def in_order(planned: Input) -> tuple[int, int]:
 _ranks = {source: rank for rank, source in enumerate(SOURCE_ORDER)}
 
 
-#: Inputs in the order of their arrival, in five cells each: tick, source, kind; name and value of
-#: what is written, else the values and nothing. A PLC writes in each tick, and lists of objects
-#: would be searched for garbage again and again.
+#: Inputs in the order of their arrival, in five cells each: tick, source, kind; name and value of a
+#: write, otherwise the values and nothing. A PLC writes in each tick, and the garbage collector
+#: would scan lists of objects again and again.
 Cells = list[Any]
 
 #: Takes inputs.
@@ -143,7 +143,7 @@ class Inputs:
     # --- the image of the HLI -------------------------------------------------------------------
 
     def attach(self, image: SharedImage) -> None:
-        """Note what a PLC in another process writes into this image, or put it there again."""
+        """Note the writes of a PLC in another process into this image, or repeat them."""
         self._image = weakref.ref(image)
 
     @property
@@ -152,7 +152,7 @@ class Inputs:
         return None if image is None or image.is_closed else image.inputs
 
     def _note_image(self) -> None:
-        """Note what the PLC has written since the latest tick, each change once."""
+        """Note the PLC's writes since the latest tick, each change once."""
         written, tick = self._image_inputs, self._kernel.tick
         changes = [] if written is None else written.changes()
         known = self._image_changes[1] if self._image_changes[0] == tick else []
@@ -169,7 +169,7 @@ class Inputs:
     # --- the listener ---------------------------------------------------------------------------
 
     def listen(self, listener: InputListener | None) -> None:
-        """Let this listener, or no one, learn of the inputs from now on."""
+        """Report the inputs to this listener, or to none, from now on."""
         self.hand_over()
         self._listener = listener
         self._notes.is_listening = listener is not None
@@ -183,7 +183,7 @@ class Inputs:
 
     @property
     def are_silent(self) -> bool:
-        """Whether nothing is planned and no one listens."""
+        """Whether nothing is planned and nobody listens."""
         return self._listener is None and not self._planned
 
     @property
@@ -202,10 +202,10 @@ class Inputs:
         self._planned = deque(sorted([*self._planned, *inputs], key=in_order))
 
     def check_all(self, inputs: Sequence[Input]) -> None:
-        """Raise ``Failure`` unless these can be applied one after another.
+        """Raise ``Failure`` unless these can be applied in turn.
 
-        They come after what is planned for their tick: a semaphore is checked with the data that
-        were written before it.
+        They come after the inputs planned for their tick: a semaphore is checked with the data
+        written before it.
         """
         names = [str(one.values[0]) for one in inputs if one.kind == WRITE and one.values]
         with self._access.draft(names):
@@ -219,7 +219,7 @@ class Inputs:
 
     def check(self, planned: Input) -> None:
         """Raise ``Failure`` for a name or a value that this machine does not take (901077)."""
-        # The kernel is there when there are inputs to check; words for a run come before it.
+        # The kernel exists when there are inputs to check; words for a run come before it.
         from nctakt.kernel.plc.technology_slots import SLOT_COUNT  # noqa: PLC0415
 
         match planned.kind, planned.values:

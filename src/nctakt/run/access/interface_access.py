@@ -2,8 +2,9 @@
 """The interface by the paths of the controller, for PLCs in Python and for clients.
 
 In: ``gpCh[0]^.bahn_mc_control.override.command_w`` and values in the units of the table, or ranges
-of bytes. Out: the present values, and what a write means: an operator's value, a program that is
-selected. A PLC in Python is announced on all channels and axes by itself, from its first write on.
+of bytes. Out: the present values, and the meaning of a write: an operator's value, a selected
+program. A PLC in Python is announced on all channels and axes automatically, from its first write
+on.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ from nctakt.run.access.zero_offset_access import ChannelOffsets, ZeroOffsetAcces
 
 _T = TypeVar("_T")
 
-#: Paths whose elements are kept; there are as many spellings of them as one likes.
+#: Maximum number of paths whose elements are kept; they can be spelled in any number of ways.
 _MAX_KEPT = 10_000
 
 #: The elementary types and the types of variables with the same range.
@@ -68,14 +69,14 @@ _TYPES: Mapping[str, str] = {
 }
 
 
-#: A range of bytes by name: ``gpCh[0]^:96+6``, whose value are their hexadecimal digits.
+#: A range of bytes by name: ``gpCh[0]^:96+6``; its value is their hexadecimal digits.
 _RANGE = re.compile(r"(gpPform|gpCh|gpAx)(?:\[(\d+)\])?\^:(\d+)\+(\d+)")
 
-#: What begins the names of control units that the HMI asks for something, and of bytes that have no
-#: effect and are only read back.
+#: Prefixes of the names of control units for requests of the HMI, and of bytes without effect that
+#: are only read back.
 ASK, KEPT = "ask ", "kept ^"
 
-#: What begins the names of channels that a client orders to work through a program file.
+#: Prefix of the names of channels that a client orders to run a program file.
 JOB = "job "
 
 #: Bytes without an effect that are kept at most, and the digits of each.
@@ -87,7 +88,7 @@ _MAX_FILE_NAME = 255
 
 
 class RunningMachine(Protocol):
-    """What the interface needs of a machine (``AssembledMachine``)."""
+    """The part of a machine that the interface needs (``AssembledMachine``)."""
 
     configuration: Machine
     cells: Any
@@ -102,13 +103,13 @@ class RunningMachine(Protocol):
         """Return the cells of all signals."""
 
     def read(self, name: str) -> Scalar:
-        """Return a value by its name; a written one before it is latched."""
+        """Return a value by its name; a written value even before it is latched."""
 
     def write(self, name: str, value: Scalar, source: str) -> None:
         """Write a value by its name."""
 
     def waiting_functions(self, channel: int) -> Sequence[Placed]:
-        """Return what waits for the PLC of a channel, each with its unit of the interface."""
+        """Return entries waiting for the PLC of a channel, each with its unit of the interface."""
 
     def lock_axis(self, index: int, is_locked: bool) -> None:
         """Take an axis its releases, or give them to it."""
@@ -131,7 +132,7 @@ class _Values(Mapping[str, Scalar]):
             number = name.removeprefix(ASKED).partition(".")[0]
             return cast("Scalar", self._machine.waiting_functions(int(number) - 1))
         if "HLI." in name:
-            return self._machine.read(name)  # what was written counts before it is latched
+            return self._machine.read(name)  # a written value counts before it is latched
         return float(self._machine.cells[self._signals[name].cell])
 
     def __iter__(self) -> Iterator[str]:
@@ -142,15 +143,15 @@ class _Values(Mapping[str, Scalar]):
 
 
 def range_name(pointer: str, offset: int, size: int) -> str:
-    """Return the name of a range of bytes behind a pointer such as ``gpCh[0]^``."""
+    """Return the name of a range of bytes that a pointer such as ``gpCh[0]^`` leads to."""
     return f"{pointer}:{offset}+{size}"
 
 
 class InterfaceAccess:
-    """The interface of a machine by paths and by ranges of bytes; one for all who play its PLC.
+    """The interface of a machine by paths and by ranges of bytes; shared by all who act as its PLC.
 
-    It is state of the run: what is written into it is an input like any other, and is on the
-    tape under the name that it was written by.
+    It is state of the run: a write into it is an input like any other, and is on the tape under the
+    name used for it.
     """
 
     def __init__(self, machine: RunningMachine, count: int) -> None:
@@ -165,7 +166,7 @@ class InterfaceAccess:
         self._is_draft = False
 
     def _announce(self) -> None:
-        """Let a PLC in Python be there on all channels and axes."""
+        """Announce a PLC in Python on all channels and axes."""
         for found in self._areas.values():
             for area in found:
                 area.announce()
@@ -173,7 +174,7 @@ class InterfaceAccess:
     # --- names ----------------------------------------------------------------------------------
 
     def read(self, name: str) -> Scalar:
-        """Return an element, a range of bytes, or what is kept; raises ``Failure``."""
+        """Return an element, a range of bytes, or a kept value; raises ``Failure``."""
         if name.startswith(KEPT):
             return self._kept.get(name, "")
         if name.startswith(JOB):
@@ -205,7 +206,7 @@ class InterfaceAccess:
 
     @contextmanager
     def draft(self) -> Iterator[None]:
-        """Let each write that is checked be known to the checks after it, up to the end."""
+        """Make each checked write known to the later checks, up to the end."""
         all_ = [area for found in self._areas.values() for area in found]
         kept = [bytes(area.memory) for area in all_]
         self._is_draft = True
@@ -219,7 +220,7 @@ class InterfaceAccess:
     def write(self, name: str, value: Scalar, source: str) -> None:
         """Write an element or a range of bytes, or ask a control unit; raises ``Failure``.
 
-        What it means counts from the next tick on. What has no effect is reported once, as a note.
+        Its effect counts from the next tick on. A write without effect is reported once, as a note.
         """
         if source.partition(" ")[0] == PLC:
             self._announce()
@@ -326,7 +327,7 @@ class InterfaceAccess:
         return found
 
     def get(self, path: str) -> Scalar:
-        """Return the present value of an element; raises ``Failure`` for what is none."""
+        """Return the present value of an element; raises ``Failure`` for anything else."""
         area, slot = self._find(path)
         if area.shape.hides(slot.offset, slot.type.size_bytes):
             raise Failure(diagnostic(PATH_NOT_SERVED, path=path))
@@ -334,7 +335,7 @@ class InterfaceAccess:
         value = slot.value_of(data)
         return value != 0 if slot.type.name == "BOOL" else value
 
-    # --- what it means --------------------------------------------------------------------------
+    # --- effects of writes ----------------------------------------------------------------------
 
     def _let_act(self, written: Written, source: str) -> None:
         for channel, program in written.programs:

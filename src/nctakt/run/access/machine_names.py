@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The names of a machine: its variables, signals and operator's values, and their cells.
 
-In: ``Machine``. Out: ``MachineNames``, worked out once for a machine that is loaded, however many
-controllers are made of it. What is in the cells belongs to each controller alone.
+In: ``Machine``. Out: ``MachineNames``, computed once for a loaded machine, however many controllers
+use it. The contents of the cells belong to each controller alone.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ class MachineNames:
         self._cell_names: dict[int, str] = {}
 
     def signals(self) -> Mapping[str, SignalCell]:
-        """Return all signals; ``CH2.BLOCK`` is one of the second channel."""
+        """Return all signals; ``CH2.BLOCK`` belongs to the second channel."""
         if not self._signals:
             channels = [
                 _signals_of(*own) for own in zip(self.layout.tables, self.panels, strict=True)
@@ -78,7 +78,7 @@ class MachineNames:
         return self._signals
 
     def name_of_cell(self, cell: int) -> str:
-        """Return the name of a cell; of a shared one, in the first channel that has it."""
+        """Return the name of a cell; of a shared cell, in the first channel that has it."""
         if not self._cell_names:
             for names, panel in reversed(list(zip(self.layout.tables, self.panels, strict=True))):
                 self._cell_names.update((index, name) for name, index, _ in names.values())

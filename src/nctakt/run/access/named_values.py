@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Values by names that are not the machine's own: of a PLC that runs in the tick, and of the
+"""Values by names that do not belong to the machine: of a PLC that runs in the tick, and of the
 interface by the controller's paths.
 """
 
@@ -13,7 +13,7 @@ from nctakt.base.diagnostics import Diagnostic, Text
 
 #: Programs and lists of a PLC that are named, at most.
 _MAX_SCOPES = 5
-#: What a remedy says of the variables of PLCs where there are none.
+#: Remedy for a variable of a PLC when there is no PLC.
 NO_SCOPES = Text("", "")
 
 
@@ -37,7 +37,7 @@ class NamedValues(Protocol):
         """Return whether a name is one of its variables."""
 
     def names(self, *, are_numbers: bool) -> Iterator[str]:
-        """Yield the paths of its own values, no element of an array; if so, only of numbers."""
+        """Yield the paths of its values, without elements of arrays; if so, only of numbers."""
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable."""
@@ -49,25 +49,25 @@ class NamedValues(Protocol):
         """Set a variable from its next cycle on."""
 
     def mistake(self, name: str) -> Diagnostic | None:
-        """Return what is wrong with the path of a part that one of its variables lacks, or of
-        what is no signal; ``None`` for any other name.
+        """Return the mistake in the path of a part that its variable does not have, or of something
+        that is not a signal; ``None`` for any other name.
         """
 
     def signal(self, name: str) -> SignalCell | None:
-        """Return where a variable is shown in each tick; ``None`` for what is no number."""
+        """Return where a variable is shown in each tick; ``None`` if it is not a number."""
 
 
 class InterfaceValues(Protocol):
     """Elements of the interface by the controller's paths, and ranges of its bytes."""
 
     def read(self, name: str) -> float | bool | str:
-        """Return what is there."""
+        """Return the value."""
 
     def check(self, name: str, value: float | bool | str) -> None:
         """Raise ``Failure`` for a name or value that ``write`` would not take now."""
 
     def draft(self) -> AbstractContextManager[None]:
-        """Let each write that is checked be known to the checks after it, up to the end."""
+        """Make each checked write known to the later checks, up to the end."""
 
     def write(self, name: str, value: float | bool | str, source: str) -> None:
         """Write, with effect from the next tick on."""
@@ -82,6 +82,6 @@ def scopes_text(named: NamedValues | None) -> Text:
 
 
 def _scopes(paths: Iterable[str]) -> str:
-    """Return what paths begin with, the first of them: ``MAIN, GVL``."""
+    """Return the first names that paths begin with: ``MAIN, GVL``."""
     found = list(dict.fromkeys(path.partition(".")[0] for path in paths if "." in path))
     return ", ".join((*found[:_MAX_SCOPES], *(["…"] if len(found) > _MAX_SCOPES else ())))

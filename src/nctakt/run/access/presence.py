@@ -11,7 +11,7 @@ from nctakt.kernel.st.technology import UnitBanks
 
 
 class Announced(NamedTuple):
-    """The tick whose end a PLC was there at first, and the element that says so."""
+    """The first tick at whose end a PLC was announced, and the element that announced it."""
 
     tick: int
     path: str
@@ -19,7 +19,7 @@ class Announced(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Presence:
-    """What a PLC in the tick may announce itself for.
+    """Areas for which a PLC in the tick may announce itself.
 
     ``areas``: the numbers of the areas by the root and index of their pointers.
     """
@@ -30,7 +30,7 @@ class Presence:
     def announced(self, channel: int, axis: int) -> Announced | None:
         """Return when it announced itself for the functions of an axis, or of a channel (-1).
 
-        ``None``: it has not yet. Without an area of the axis they are in that of the channel.
+        ``None``: not yet. Without an area of the axis, that of the channel counts.
         """
         area = self.areas.get(self._pointer(channel, axis))
         if area is None or self.banks.since[area] < -1:

@@ -3,8 +3,8 @@
 
 In: a running controller (``Controller.interface_image``). Out: its HLI in memory of this process or
 in named shared memory; the layout is that of ``nctakt.hli``. The V.E variables have one section for
-GLOBAL and one for each channel; V.CH is in none. Writes of the PLC count from the next tick on;
-results of a tick are in the image at its end (``kernel/plc/interface_image.py``).
+GLOBAL and one for each channel; V.CH is in none of them. Writes of the PLC count from the next tick
+on; results of a tick are in the image at its end (``kernel/plc/interface_image.py``).
 """
 
 from __future__ import annotations
@@ -80,11 +80,10 @@ class SharedImage:
     """The live image of a controller; also a context manager.
 
     ``memory``: all its bytes, at the offsets of ``layout``; ``external``: the bytes of the V.E
-    variables, of which ``section`` returns those of one scope; ``inputs``: what the PLC has written
-    since the latest tick. ``name``: the name of the shared
-    memory, ``None`` without. Closing releases the views and removes the shared memory; this happens
-    at the latest with the end of the controller, and by Python's resource tracker if the process is
-    killed.
+    variables, of which ``section`` returns those of one scope; ``inputs``: the PLC's writes since
+    the latest tick. ``name``: the name of the shared memory, ``None`` without. Closing releases the
+    views and removes the shared memory; this happens at the latest with the end of the controller,
+    and by Python's resource tracker if the process is killed.
     """
 
     def __init__(
@@ -146,7 +145,7 @@ class SharedImage:
         return int(struct.unpack_from("=Q", self.memory, offset)[0])
 
     def announce_lockstep(self) -> None:
-        """Tell the PLC that the CNC waits for it after each tick."""
+        """Inform the PLC that the CNC waits for it after each tick."""
         self._put_header_value("lockstep", 1)
 
     def hand_over(self) -> None:
@@ -174,7 +173,7 @@ class SharedImage:
         return self._resources.kernel is None
 
     def close(self) -> None:
-        """Detach the image from the controller; a closed one stays as it is.
+        """Detach the image from the controller; a closed image stays closed.
 
         Raises ``Failure`` (900348) while views of the shared memory exist: release them and close
         it again. From the first attempt on the shared memory cannot be opened any more.
@@ -208,7 +207,7 @@ class _Resources:
         self._shared = shared
 
     def close(self) -> None:
-        """Release what is still held; raises ``Failure`` (900348)."""
+        """Release everything still held; raises ``Failure`` (900348)."""
         if self.kernel is not None:
             struct.pack_into("=I", self._views[-1], entry(HEADER, "ready").offset, 0)
             self.kernel.image.detach()

@@ -36,7 +36,7 @@ from nctakt.trace.events import Event
 from nctakt.trace.sinks import TraceHeader
 from nctakt.trace.texts import by_tick, join_events
 
-#: The version of the format; no other one is read.
+#: The version of the format; no other is read.
 VERSION = 1
 
 #: The first characters of each tape.
@@ -49,7 +49,7 @@ _OWN_FOLDER = Path(__file__).parents[2]
 #: Bytes of a file that are read at a time.
 _CHUNK_BYTES = 1 << 20
 
-#: Head, end, and what comes after the last line end: nothing.
+#: Head, end, and the empty rest after the last line end.
 _MIN_LINES = 3
 
 
@@ -57,11 +57,11 @@ _MIN_LINES = 3
 class Tape:
     """A recorded run.
 
-    ``words`` are those of the command that it was started with, ``texts`` its programs that are no
-    files, by their names. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how
-    it ended. ``digests``: file -> as ``digest_of`` gives it. ``lists``: the texts of lists that
-    were not read as they are in their files, by the names of these. ``has_checksums``: not one
-    that grew until its process was ended (``session/growing_tape.py``).
+    ``words`` are those of the command that started it, ``texts`` its programs that are not files,
+    by name. ``checksums``: tick -> that of its events. ``ticks`` and ``state``: how it ended.
+    ``digests``: file -> as ``digest_of`` gives it. ``lists``: the texts of lists that differed from
+    their files, by the names of these. ``has_checksums``: false for one that grew until its process
+    was ended (``session/growing_tape.py``).
     """
 
     words: Mapping[str, Any]
@@ -79,7 +79,7 @@ class Tape:
 def digest_of(path: Path) -> str | None:
     """Return the SHA-256 of a regular file in hexadecimal digits, and its size in bytes.
 
-    ``None`` if it cannot be read, or is no regular file: reading a device may never end.
+    ``None`` if it cannot be read, or is not a regular file: reading a device may never end.
     """
     size = _size_of(path)
     if size is None:
@@ -96,7 +96,7 @@ def digest_of(path: Path) -> str | None:
 
 
 def _size_of(path: Path) -> int | None:
-    """Return the size of a regular file; ``None`` for what is none."""
+    """Return the size of a regular file; ``None`` for anything else."""
     try:
         state = path.stat()
     except OSError:
@@ -122,8 +122,8 @@ def path_of(name: str) -> Path:
 def changed_files(tape: Tape, access: FileAccess) -> list[str]:
     """Return the files of a tape that are not as they were when it was recorded.
 
-    Raises ``Failure`` (902024) where it names files that ``access`` does not admit: none is looked
-    at then. A file of another size than the tape states is not read.
+    Raises ``Failure`` (902024) if it names files that ``access`` does not admit: then none is
+    opened. A file of another size than the tape states is not read.
     """
     outside = [name for name in (*tape.digests, *tape.lists) if not access.admits(path_of(name))]
     if outside:
@@ -197,7 +197,7 @@ class TapeWriter:
         self.end(state, ticks, {name: digest_of(path) for name, path in files.items()})
 
     def end(self, state: str, ticks: int, digests: Mapping[str, str | None]) -> None:
-        """Write a last line; of several the last one counts."""
+        """Write a last line; if there are several, the last counts."""
         self._line({"end": state, "ticks": ticks, "files": digests})
 
 
@@ -265,7 +265,7 @@ def _is_texts(value: object) -> bool:
 
 
 class _Reader:
-    """Reads the lines of one tape; raises ``Failure`` with the place of what is wrong."""
+    """Reads the lines of one tape; raises ``Failure`` with the place of a mistake."""
 
     def __init__(self, name: str, lines: Sequence[str]) -> None:
         self._name = name
@@ -293,7 +293,7 @@ class _Reader:
         return head
 
     def add(self, number: int, inputs: list[Input], checksums: dict[int, int]) -> None:
-        """Add what a line between the first and the last one has."""
+        """Add the content of a line between the first and the last."""
         entry = self._object(number)
         if "end" in entry:
             return

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Inputs -> lines of a tape, and back.
 
-In: inputs one by one, or the JSON object of a line. Out: a line for each tick with inputs. Where
-the same variables get numbers in tick after tick, as a PLC does it, one line has many ticks:
+In: inputs one by one, or the JSON object of a line. Out: a line for each tick with inputs. If the
+same variables get numbers tick after tick, as from a PLC, one line has many ticks:
 
     {"tick":7,"each":[["plc","write","V.E.A"],["plc","write","V.E.B"]],"values":[0.0,5.5,1.0,5.5]}
 
-has what ``V.E.A`` and ``V.E.B`` were given in tick 7, then what they were given in tick 8.
+has the values given to ``V.E.A`` and ``V.E.B`` in tick 7, then those of tick 8.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from nctakt.run.access.inputs import (
     unpack,
 )
 
-#: Numbers that one line holds at most, and numbers whose texts are known.
+#: Maximum count of numbers in one line, and of numbers whose texts are cached.
 _MAX_NUMBERS = 4096
 
 #: The types of the values of each kind of input.
@@ -57,8 +57,8 @@ def to_json(value: object) -> str:
 class InputLines:
     """Writes inputs as lines; ``flush`` writes those that wait.
 
-    What waits is a stretch of ticks before ``_next_tick`` in which the same variables, ``_names``,
-    got numbers from the same ``_sources``.
+    The pending part is a stretch of ticks before ``_next_tick`` in which the same variables,
+    ``_names``, got numbers from the same ``_sources``.
     """
 
     def __init__(self, write: Callable[[str], Any]) -> None:
@@ -140,7 +140,7 @@ class InputLines:
 
 
 def inputs_of(entry: Mapping[str, Any]) -> list[Input] | str:
-    """Return the inputs of a line, or what is wrong with it."""
+    """Return the inputs of a line, or the mistake in it."""
     tick = entry.get("tick")
     if not isinstance(tick, int) or isinstance(tick, bool) or tick < 0:
         return "no tick"
@@ -158,7 +158,7 @@ def inputs_of(entry: Mapping[str, Any]) -> list[Input] | str:
 
 
 def _stretch(tick: int, heads: Any, values: Any) -> list[Input] | str:
-    """Return the inputs of a stretch of ticks, or what is wrong with it."""
+    """Return the inputs of a stretch of ticks, or the mistake in it."""
     if not isinstance(heads, list) or not heads or not isinstance(values, list):
         return "no stretch of inputs"
     if not values or len(values) % len(heads):

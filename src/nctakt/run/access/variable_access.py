@@ -47,7 +47,7 @@ from nctakt.run.access.named_values import (
 from nctakt.run.access.presence import Presence
 from nctakt.run.access.zero_offset_access import is_zero_offset
 
-#: Names that are kept bound; there are as many spellings of them as one likes.
+#: Maximum number of names kept bound; they can be spelled in any number of ways.
 _MAX_BOUND = 10_000
 
 
@@ -62,9 +62,9 @@ class Write:
 class VariableAccess:
     """The variables of all channels, with the writes that wait for the next tick.
 
-    ``CH2.V.E.X`` is that of the second channel; a name without a channel is one of the first.
-    ``panels`` are the operator's values of each channel, ``remarks`` further diagnostics about an
-    unknown name.
+    ``CH2.V.E.X`` belongs to the second channel; a name without a channel to the first. ``panels``
+    are the operator's values of each channel, ``remarks`` further diagnostics about an unknown
+    name.
     """
 
     def __init__(
@@ -162,13 +162,13 @@ class VariableAccess:
         return self.bind(name).value
 
     def text_of(self, name: str) -> str:
-        """Return the text of a character string; a written one before it is latched."""
+        """Return the text of a character string; a written text even before it is latched."""
         location, cell = self._find(name)
         cells = -(-location.size_bytes // CELL_BYTES)
         return strings.decode(self._kernel.present_bytes(cell, cells)[: location.size_bytes])
 
     def draft(self, names: Iterable[str]) -> AbstractContextManager[None]:
-        """Let the checks of what is written together know of each other."""
+        """Let the checks of values written together take each other into account."""
         if self.interface is None or not any(map(is_path, names)):
             return nullcontext()
         return self.interface().draft()
@@ -212,7 +212,7 @@ class VariableAccess:
     def _write_path(
         self, interface: InterfaceValues, name: str, value: float | bool | str, source: str
     ) -> None:
-        """Write an element of the interface: it is the input, and not what follows from it."""
+        """Write an element of the interface: it is the input, and not its consequences."""
         interface.check(name, value)
         self.notes.add(source, WRITE, name, value if isinstance(value, str) else float(value))
         is_listening, self.notes.is_listening = self.notes.is_listening, False
@@ -222,7 +222,7 @@ class VariableAccess:
             self.notes.is_listening = is_listening
 
     def write_checked(self, name: str, value: float | bool | str) -> None:
-        """Write what needs a look at its type; raises ``Failure`` as ``converted``."""
+        """Write a value that depends on its type; raises ``Failure`` as ``converted``."""
         write = self.converted(name, value)
         if isinstance(write.value, bytes):
             self._kernel.post_bytes(write.cell, write.value)
@@ -235,7 +235,7 @@ class VariableAccess:
 
 
 def is_path(name: str) -> bool:
-    """Return whether a name is one of the interface: a pointer has a caret, or a zero offset."""
+    """Return whether a name belongs to the interface: a pointer has a caret, or a zero offset."""
     return isinstance(name, str) and ("^" in name or ("[" in name and is_zero_offset(name)))
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Zero offsets by name, for HMIs and PLCs: ``V.G.NP[1].V.X``, with ``CH2.`` of channel 2.
 
-In: names, values in mm and degrees. Out: the offsets that the decoder works with. What is written
-counts when the decoder next selects the group (G54 is group 1), as if a program had assigned it.
+In: names, values in mm and degrees. Out: the offsets that the decoder works with. A write counts
+when the decoder next selects the group (G54 is group 1), as if a program had assigned it.
 """
 
 from __future__ import annotations

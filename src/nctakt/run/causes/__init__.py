@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Why a run waits, and what its errors mean."""
+"""Why a run waits, and the causes of its errors."""

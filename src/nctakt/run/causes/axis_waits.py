@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Programs that wait for axes of other channels: for whom, and which line would free them.
 
-In: the channels of a machine, and what its programs fetch and give (``AxisUse``). Out: texts for
-``deadlocks.py``, and before the first tick a warning for each axis that no one gives.
+In: the channels of a machine, and the axes that its programs fetch and give (``AxisUse``). Out:
+texts for ``deadlocks.py``, and before the first tick a warning for each axis that no program gives.
 """
 
 from __future__ import annotations
@@ -107,7 +107,7 @@ def _first_holder(machine: AssembledMachine, running: set[int], axis: int) -> in
 
 
 def _uses(programs: Sequence[LoadedProgram]) -> Iterator[tuple[int, AxisUse]]:
-    """Yield what the programs fetch and give, with the number of the channel."""
+    """Yield the axes that the programs fetch and give, with the number of the channel."""
     for program in programs:
         for text in program.texts:
             for use in text.exchanges:

@@ -2,7 +2,7 @@
 """The signals that conditions of realtime cycles read.
 
 In: loaded programs, by the number of their channel. Out: names of signals; a variable whose index
-is computed has none, as it can be another value in each tick.
+is computed has none, since it can be a different element in each tick.
 """
 
 from __future__ import annotations

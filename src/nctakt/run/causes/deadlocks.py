@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Programs that wait for each other: who for whom, since when, and what would free them.
+"""Programs that wait for each other: who for whom, since when, and what would release them.
 
-In: the channels of a machine, and what its programs send and give (``SignalUse``, ``AxisUse``).
-Out: diagnostics: a warning for a signal that no one sends, before the first tick; an error for each
-channel that waits forever. ``axis_waits.py`` has what concerns axes.
+In: the channels of a machine, and the signals and axes that its programs send and give
+(``SignalUse``, ``AxisUse``). Out: diagnostics: a warning for a signal that no program sends, before
+the first tick; an error for each channel that waits forever. Axes are in ``axis_waits.py``.
 """
 
 from __future__ import annotations
@@ -123,7 +123,7 @@ def _freed_by(
 
 
 def _uses(programs: Sequence[LoadedProgram]) -> Iterator[tuple[int, SignalUse]]:
-    """Yield what the programs send and wait for, with the number of the channel."""
+    """Yield the signals that the programs send and await, with the number of the channel."""
     for program in programs:
         for text in program.texts:
             for use in text.signals:

@@ -2,7 +2,7 @@
 """Motions that were given up because their realtime cycle has ended (RC-110).
 
 In: events of the realtime part, as they come. Out: a note for each place of a program whose motion
-has stopped before its target, as END_ACTION asks where nothing else is written.
+has stopped before its target because of the default of END_ACTION.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class EndedMotions:
                 yield from self._stop(int(a), c)
 
     def _give_up(self, event: Event, serial: int, axis: int, why: int) -> Iterator[Diagnostic]:
-        """Remember a motion that its cycle has given up; one that waits has no way to brake."""
+        """Remember a motion that its cycle has aborted; a waiting motion has nothing to brake."""
         how = _HOW.get(self._ends.get(serial, -1)) if event.tick == self._tick else None
         if how is None or self._machine.registry.is_abort_meant(serial):
             return
@@ -92,7 +92,7 @@ class EndedMotions:
             self._braking[axis] = _GivenUp(event, how, why == rows.WITH_CYCLE_ENDLESS)
 
     def _stop(self, axis: int, distance: float) -> Iterator[Diagnostic]:
-        """Tell where a motion has stopped that its cycle had given up."""
+        """Report where a motion aborted by its cycle has stopped."""
         given_up = self._braking.pop(axis, None)
         if given_up is None:
             return

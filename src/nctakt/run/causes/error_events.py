@@ -102,10 +102,10 @@ _INFINITE = Text("an infinite number", "eine unendliche Zahl")
 
 @dataclass(frozen=True, slots=True)
 class _Report:
-    """An error or warning of the realtime part, with what its values are made of.
+    """An error or warning of the realtime part, with the data for its values.
 
-    ``a``, ``b``: what the context of the cycle at fault keeps until the next tick. ``detail``:
-    what the execution of commands keeps.
+    ``a``, ``b``: values kept until the next tick by the context of the cycle at fault. ``detail``:
+    a value kept by the execution of commands.
     """
 
     event: Event
@@ -226,7 +226,7 @@ def _faulty_value(report: _Report) -> _Values:
     return {"value": number_text(report.a)}
 
 
-#: What the realtime part reports, each with what gives the values of its parameters.
+#: Messages of the realtime part, each with the function that returns the values of its parameters.
 _VALUES: dict[Message, Callable[[_Report], _Values]] = {
     CYCLE_OPERATION_WITHOUT_RESULT: _operation,
     CYCLE_VALUE_OUT_OF_RANGE: _assigned_value,

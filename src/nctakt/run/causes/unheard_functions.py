@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a PLC had no say in because it announced itself only later, or never (ST-763).
+"""Functions and motions that a PLC missed because it announced itself too late, or never (ST-763).
 
 In: events of the realtime part, as they come, and when PLCs in the tick announced themselves. Out:
 a note for each place of a program whose function or spindle job acknowledged itself before that, or
@@ -25,7 +25,7 @@ from nctakt.run.technology_tables import logical_axes
 from nctakt.trace.chunks import EventChunk
 from nctakt.trace.events import Event
 
-#: An axis begins a motion of its own.
+#: An axis begins an independent motion.
 _MOTIONS = (rows.EVENT_AXIS_BEGUN, rows.EVENT_AXIS_ENDLESS, rows.EVENT_AXIS_OSCILLATES)
 
 #: Events that are looked at: functions of programs, motions of single axes, jobs of spindles.
@@ -67,7 +67,7 @@ class UnheardFunctions:
         ]
 
     def add(self, events: EventChunk) -> None:
-        """Remember what no PLC was there for among these events."""
+        """Remember those of these events for which no PLC was announced."""
         kinds, subjects = events.column(rows.EVENT_KIND), events.column(rows.EVENT_A)
         functions = events.column(rows.EVENT_B)
         for number, kind in enumerate(kinds):
@@ -79,7 +79,7 @@ class UnheardFunctions:
                 self._motion(events[number], int(subjects[number]))
 
     def notes(self) -> Iterator[Diagnostic]:
-        """Yield a note for each of them whose PLC has announced itself since."""
+        """Yield a note for each event whose PLC has announced itself since."""
         for key, output in list(self._open.items()):
             announced = self._announced(output)
             if announced is not None:
@@ -147,7 +147,7 @@ class UnheardFunctions:
         return next((index for index, one in axes if one.logical_number == logical), -1)
 
     def _function(self, channel: int, code: int) -> TechnologyFunction | None:
-        """Return what the channel list says of a function; ``None``: nothing."""
+        """Return a function's entry in the channel list; ``None`` without one."""
         parameters = self._machine.assembled[channel].parameters
         letter, number = function_of(code)
         if letter == "T":
@@ -162,7 +162,7 @@ class UnheardFunctions:
         return min((one for one in found if one is not None), default=None)
 
     def _path(self, output: _Output) -> str:
-        """Return what would announce a PLC for the area of a function, empty: there is none."""
+        """Return the element that would announce a PLC for a function's area, empty without one."""
         presences = self._machine.access.presences
         found = (one.path(output.channel, output.axis) for one in presences)
         return next((one for one in found if one), "")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The reasons why a program waits, and what would free it.
+"""The reasons why a program waits, and what would release it.
 
 In: a channel of the realtime part (``kernel.tick.wait_reasons.WaitReasons.reason``), its living
 realtime cycles. Out: at the limit of a run a note or an error with the block, its line, the reason
@@ -46,7 +46,7 @@ _SPINDLE_OVERRIDE = Text(
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """What a program waits for, and what frees it (empty: it frees itself)."""
+    """The reason why a program waits, and its release (empty: it continues unaided)."""
 
     awaited: Text
     freed_by: Text
@@ -213,8 +213,7 @@ def wait_reasons(
 ) -> list[Diagnostic]:
     """Return a note for each program that is waiting for something at the limit.
 
-    With ``limit``, the one that counts where no one has set any, it is an error unless the program
-    goes on by itself.
+    With ``limit``, the default limit of a run, it is an error unless the program continues unaided.
     """
     reasons = [
         _wait_reason(machine, index, channel, limit)
@@ -245,7 +244,7 @@ def _wait_reason(
 
 
 def awaited(machine: AssembledMachine, index: int, channel: ChannelRun) -> Text | None:
-    """Return what a channel's program waits for, ``None`` if it is at work."""
+    """Return why a channel's program waits, ``None`` if it is working."""
     word, source, detail = _found(machine, index, channel)
     span = machine.files.span(source)
     file = "" if span is None else span.file
@@ -267,7 +266,7 @@ def _found(machine: AssembledMachine, index: int, channel: ChannelRun) -> tuple[
 
 
 def _reason(machine: AssembledMachine, index: int, word: str, detail: int, file: str) -> Reason:
-    """Return the reason with the names of what it concerns, for a reader who looks at ``file``."""
+    """Return the reason with its names, for a reader who looks at ``file``."""
     reason = _REASONS[word]
     name = _name(machine, index, word, detail)
     values: dict[str, object] = {"name": name, "hli": f"{_prefix(machine, index)}HLI."}
@@ -287,7 +286,7 @@ def _reason(machine: AssembledMachine, index: int, word: str, detail: int, file:
 
 
 def _override_of_axis(machine: AssembledMachine, index: int, axis: str) -> float:
-    """Return the override of an axis in percent, 100 of one that the channel does not have now."""
+    """Return the override of an axis in percent, 100 if the channel does not have it now."""
     try:
         return float(machine.read(f"{_prefix(machine, index)}V.RTA.OVERRIDE.VEL.TOTAL.{axis}"))
     except Failure:
@@ -328,7 +327,7 @@ class _Write:
 def _held_by_cycle(
     machine: AssembledMachine, index: int, variable: str, file: str
 ) -> tuple[Text, Text]:
-    """Return where a cycle sets an override to 0, and what would free it; empty if none does."""
+    """Return where a cycle sets an override to 0, and the release; empty if none does."""
     write = _last_write(machine, index, variable)
     if write is None:
         return Text("", ""), Text("", "")
@@ -364,7 +363,7 @@ def cycle_that_writes(
 
 
 def _last_write(machine: AssembledMachine, index: int, variable: str) -> _Write | None:
-    """Return the last write to a variable in the last tick: the last one counts (RC-305)."""
+    """Return the last write to a variable in the last tick, which counts (RC-305)."""
     found = None
     tick = machine.kernel.tick
     for cycle in machine.channels[index].manager.loaded:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is coupled to the ticks of a run beside its PLC: a simulation with a step of its own."""
+"""A simulation with its own step, coupled to the ticks of a run in addition to its PLC."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 class Coupled(Protocol):
     """A simulation that reads the machine each n ticks and gives it values from outside.
 
-    What it writes counts from the next tick on (RC-002).
+    Its writes count from the next tick on (RC-002).
     """
 
     def begin(self, machine: AssembledMachine) -> None:
@@ -23,7 +23,7 @@ class Coupled(Protocol):
         """The tick before which it is due."""
 
     def step(self) -> None:
-        """Go on up to the machine's next tick; raises ``Failure``."""
+        """Continue up to the machine's next tick; raises ``Failure``."""
 
     def close(self) -> None:
-        """Give up what it holds for the run."""
+        """Release everything it holds for the run."""

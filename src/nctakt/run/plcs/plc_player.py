@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A PLC in Python in the loop of ticks: called when it is due, and in no other tick.
 
-In: the PLC, a machine. Out: ticks, with the PLC's call after each of them, or after those alone
-that bring what it has declared to wait for. Its calls come after whatever else Python does for the
-same tick.
+In: the PLC, a machine. Out: ticks, with the PLC's call after each of them, or only after those with
+an event that it has declared to wait for. Its calls come after everything else that Python does for
+the same tick.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from nctakt.run.plcs.plc_view import AnyPlc, Declaration
     from nctakt.run.realtime.assembly import AssembledMachine
 
-#: Ticks at most until the listener of inputs gets what a PLC has written in them.
+#: Maximum number of ticks until the listener of inputs gets the PLC's writes in them.
 _TICKS_OF_NOTES = 1_000
 
 
 class PlcPlayer:
-    """A PLC on the channels of a machine; its calls raise what it raises."""
+    """A PLC on the channels of a machine; its calls pass its exceptions on."""
 
     def __init__(self, plc: AnyPlc, machine: AssembledMachine) -> None:
         machine.kernel.calls.stop()
@@ -39,7 +39,7 @@ class PlcPlayer:
         """Return how many of these ticks may run until the listener of inputs has its turn."""
         inputs = self._machine.inputs
         if inputs.has_image:
-            return 1  # what another process writes into it is noted tick by tick
+            return 1  # writes of another process are noted tick by tick
         return min(ticks, _TICKS_OF_NOTES) if inputs.is_heard else ticks
 
     def run(self, ticks: int) -> int:
@@ -67,7 +67,7 @@ class PlcPlayer:
         self._plc.cycle(self._view)
 
     def _follow(self) -> None:
-        """Let the realtime part look for what the PLC waits for now."""
+        """Let the realtime part watch for the events that the PLC waits for now."""
         declared = self._watched.declaration(self._view)
         if declared is not self._declaration:
             self._declaration = declared
@@ -85,10 +85,10 @@ class PlcPlayer:
         self._kernel.calls.answer_count = 0
 
     def _guarded(self, function: Callable[..., Any], *words: object) -> Any:
-        """Call a function in which the PLC works; raises ``WatchedPlc.failure`` of what it does."""
+        """Call a function of the PLC; its exceptions become ``WatchedPlc.failure``."""
         try:
             return function(*words)
-        except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+        except (Exception, SystemExit) as error:  # the user's code may raise anything
             failure = self._watched.failure(error, self._view)
             if failure is error:
                 raise

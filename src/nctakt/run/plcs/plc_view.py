@@ -45,13 +45,13 @@ class AnyPlc(Protocol):
         """Read inputs and set outputs through the interface image; called after each tick."""
 
 
-#: A PLC as Python gives it: an object, or a class that makes one.
+#: A PLC in Python: an object, or a class that makes one.
 GivenPlc: TypeAlias = AnyPlc | type[AnyPlc]
 
 
 @dataclass(frozen=True, slots=True)
 class Declaration:
-    """What a PLC waits for, so that no tick calls it in which nothing of it has come.
+    """The events that a PLC waits for, so that it is not called in ticks without any.
 
     ``call`` is due when a function or a job appears, one of ``whens`` becomes true, or the tick
     ``next_call`` has been run; then functions are acknowledged after their ``delays``.
@@ -70,7 +70,7 @@ class WatchedPlc:
         """Raise ``Failure`` if the PLC waits for names that the machine does not have."""
 
     def notes(self) -> Sequence[Diagnostic]:
-        """Return what is worth knowing about it before a run."""
+        """Return notes about it before a run."""
         return ()
 
     def unused_handlers(self, hli: PlcView) -> Sequence[Diagnostic]:
@@ -78,20 +78,20 @@ class WatchedPlc:
         return ()
 
     def declaration(self, hli: PlcView) -> Declaration | None:
-        """Return what it waits for; ``None`` if it is called after each tick."""
+        """Return the events that it waits for; ``None`` if it is called after each tick."""
         return None
 
     def each_call(self) -> Callable[[PlcView], object] | None:
-        """Return what is called after each tick instead of ``cycle``, if there is such a thing."""
+        """Return the function called after each tick instead of ``cycle``, if there is one."""
         return None
 
     def failure(self, error: BaseException, hli: PlcView) -> BaseException:
-        """Return what is raised instead of an exception of the PLC's."""
+        """Return the exception to raise instead of an exception of the PLC."""
         return error
 
 
 class PlcView(OperatorPanel):
-    """The PLC's side of one channel; ``of_channel(2)`` is that of the second one.
+    """The PLC's side of one channel; ``of_channel(2)`` is that of the second.
 
     The operator's values (``OperatorPanel``) are attributes, too; elements of the interface have
     the controller's paths as their keys. Raises ``Failure`` for an unknown attribute and suggests
@@ -329,7 +329,7 @@ class PlcView(OperatorPanel):
         (self._bound.get(name) or self.variable(name)).write(value, PLC)
 
     def _is_structured(self, name: str) -> bool:
-        """Return whether a name is a variable of a PLC in Structured Text that runs beside."""
+        """Return whether a name is a variable of a PLC in Structured Text in the same run."""
         named = self._machine.access.named
         return named is not None and isinstance(name, str) and named.knows(name)
 
@@ -355,10 +355,10 @@ class PlcView(OperatorPanel):
 #: Sets an attribute without a check of its name.
 _set = object.__setattr__
 
-#: Names that a view keeps bound; there are as many spellings of them as one likes.
+#: Maximum number of names kept bound by a view; they can be spelled in any number of ways.
 _MAX_BOUND = 10_000
 
-#: What sets the attributes that a PLC may set.
+#: Setters of the attributes that a PLC may set.
 _SETTERS = {name: vars(OperatorPanel)[name].fset for name in SETTABLE}
 
 

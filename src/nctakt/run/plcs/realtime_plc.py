@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""PLCs that run in the realtime part: what a run knows of them, and groups of PLCs."""
+"""PLCs that run in the realtime part, as seen by a run, and groups of PLCs."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def is_structured(path: str | Path | None) -> bool:
 
 
 class RealtimePlc(WatchedPlc):
-    """A PLC whose tasks run in the tick; it acknowledges only what it has announced itself."""
+    """A PLC whose tasks run in the tick; it acknowledges only in areas announced."""
 
     def cycle(self, hli: PlcView) -> None:
         """Do nothing: its tasks run in the tick."""
@@ -53,22 +53,22 @@ class RealtimePlc(WatchedPlc):
         raise NotImplementedError
 
     def side(self) -> PlcSide:
-        """Return what runs in the tick, once it is attached."""
+        """Return the part that runs in the tick, once it is attached."""
         raise NotImplementedError
 
     def explain(self) -> None:
-        """Count its branches and note what it changes from the next ``attach`` on, if it can."""
+        """Count its branches and note its changes from the next ``attach`` on, if it can."""
         self.count_branches()
 
     def count_branches(self) -> None:
-        """Count what its branches do from the next ``attach`` on, if it can."""
+        """Count the runs of its branches from the next ``attach`` on, if it can."""
 
     def changes(self) -> Sequence[PlcHistory]:
-        """Return what it has changed since it was attached, and why, if that is noted."""
+        """Return its changes since it was attached, and why, if that is noted."""
         return ()
 
     def coverage(self) -> Coverage | None:
-        """Return which branches have run since it was attached; ``None`` if nothing counts them."""
+        """Return which branches have run since it was attached; ``None`` if not counted."""
         return None
 
     def data(self) -> memoryview:
@@ -84,19 +84,19 @@ class RealtimePlc(WatchedPlc):
         """Record the texts that its code has reported in the latest tick as events, if it can."""
 
     def news(self) -> Sequence[Diagnostic]:
-        """Return what has stopped it since the last call."""
+        """Return the faults that have stopped it since the last call."""
         raise NotImplementedError
 
     def end(self) -> Sequence[Diagnostic]:
-        """Let it do what it does after its last cycle; return the fault in that."""
+        """Run its actions after its last cycle; return a fault in them."""
         raise NotImplementedError
 
 
 class PlcGroup(WatchedPlc):
     """Several PLCs of one machine, in the order of their tasks in a tick.
 
-    All of them but one run in the tick; the other one may be a PLC in Python. Raises ``Failure``
-    for a second one in Python (902761).
+    All but one of them run in the tick; that one may be a PLC in Python. Raises ``Failure`` for a
+    second one in Python (902761).
 
     >>> both = PlcGroup([PlcGroup([])])
     >>> len(both.realtime), both.called
@@ -140,9 +140,9 @@ class PlcGroup(WatchedPlc):
 
 
 def plc_object(plc: GivenPlc | Sequence[GivenPlc] | None) -> AnyPlc | None:
-    """Return the PLC, of a class a new one, of several a group.
+    """Return the PLC: for a class a new object, for several PLCs a group.
 
-    Raises ``Failure`` for what is none (901186), and for a second PLC in Python (902761).
+    Raises ``Failure`` for anything else (901186), and for a second PLC in Python (902761).
     """
     if isinstance(plc, Sequence) and not isinstance(plc, str):
         plcs = [found for one in plc if (found := plc_object(one)) is not None]
@@ -164,7 +164,7 @@ def _needs_nothing(plc: type[AnyPlc]) -> bool:
 
 
 def has_called_plc(plc: AnyPlc | None) -> bool:
-    """Return whether Python calls a PLC, so that a tape has what it does."""
+    """Return whether Python calls a PLC, so that a tape has its actions."""
     return parts_of(plc)[1] is not None
 
 
@@ -188,7 +188,7 @@ def memories_of(plc: AnyPlc | None) -> list[memoryview]:
 
 
 def side_of(plcs: Sequence[RealtimePlc]) -> PlcSide:
-    """Return what runs in the tick for these PLCs, once they are attached."""
+    """Return the parts of these PLCs that run in the tick, once they are attached."""
     if not plcs:
         return PlcSide()
     first, *others = plcs
@@ -196,7 +196,7 @@ def side_of(plcs: Sequence[RealtimePlc]) -> PlcSide:
 
 
 def distinct_names(projects: Sequence[str]) -> list[str]:
-    """Return the names by which several projects are told apart."""
+    """Return the names that distinguish several projects."""
     found: list[str] = []
     for name in projects:
         taken = {one.lower() for one in found}
@@ -208,8 +208,8 @@ def distinct_names(projects: Sequence[str]) -> list[str]:
 class NamedGroup:
     """The variables of several PLCs by their paths, with or without the project before them.
 
-    Without a project the first one that knows a path has it. Of several projects of one name the
-    second one is ``NAME_2``.
+    Without a project, a path belongs to the first PLC that knows it. The second of several projects
+    of one name is ``NAME_2``.
     """
 
     def __init__(self, parts: Sequence[NamedValues], projects: Sequence[str]) -> None:
@@ -256,12 +256,12 @@ class NamedGroup:
         part.write(path, value)
 
     def mistake(self, name: str) -> Diagnostic | None:
-        """Return what is wrong with the path of a part that there is not, or of no signal."""
+        """Return the mistake in the path of a missing part, or of one that is not a signal."""
         own = [name, *(name[len(one) + 1 :] for one in self._projects)]
         asked = ((part, path) for part in self._parts for path in own if path)
         return next(filter(None, (part.mistake(path) for part, path in asked)), None)
 
     def signal(self, name: str) -> SignalCell | None:
-        """Return where a variable is shown in each tick; ``None`` for what is no number."""
+        """Return where a variable is shown in each tick; ``None`` if it is not a number."""
         part, path = self._of(name)
         return part.signal(path)

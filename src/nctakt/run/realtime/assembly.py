@@ -341,7 +341,7 @@ class AssembledMachine:
         return InterfaceAccess(self, len(self.channels))
 
     def waiting_functions(self, channel: int) -> list[Placed]:
-        """Return what waits for the PLC of a channel, each with its unit of the interface."""
+        """Return entries waiting for the PLC of a channel, each with its unit of the interface."""
         part, parameters = self.channels[channel], self.assembled[channel].parameters
         cycle_time_us = self.configuration.cycle_time_us
         spindles = part.context.spindles
@@ -373,13 +373,14 @@ class AssembledMachine:
     def signals(self) -> Mapping[str, SignalCell]:
         """Return all signals by their names.
 
-        ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix one of the first.
+        ``CH2.BLOCK`` is a signal of the second channel, a name without a prefix belongs to the
+        first.
         """
         signals, named = self._names.signals(), self.access.named_signals
         return {**signals, **named} if named else signals
 
     def show_named(self, names: Sequence[str]) -> None:
-        """Let those of the names that are variables of a PLC in the tick be signals."""
+        """Make those names signals that are variables of a PLC in the tick."""
         self.access.named_signals = {}
         named = self.access.named
         for name in names if named is not None else ():
@@ -388,7 +389,7 @@ class AssembledMachine:
                 self.access.named_signals[name] = found
 
     def free_signal_cell(self) -> int | None:
-        """Return a cell for a signal that the machine does not have itself, if one is left."""
+        """Return a cell for a signal that the machine does not have itself, if one is free."""
         used = len(self.access.named_signals)
         return self.layout.size + used if used < NAMED_SIGNALS else None
 

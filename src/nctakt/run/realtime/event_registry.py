@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The names behind the numbers in events: cycles, variables, axes, texts, programs."""
+"""The names for the numbers in events: cycles, variables, axes, texts, programs."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class PlcSources(Protocol):
 
 
 class EventRegistry:
-    """The names behind the numbers in events, valid for the life of the controller.
+    """The names for the numbers in events, valid for the life of the controller.
 
     ``on_cycle`` is called with the name and the definition of each realtime cycle.
     """
@@ -75,7 +75,7 @@ class EventRegistry:
         self._plc_bases: list[int] = []
 
     def add_plc(self, sources: PlcSources) -> int:
-        """Keep the texts of a PLC in the tick; return what its positions are moved by in events."""
+        """Keep the texts of a PLC in the tick; return the offset of its positions in events."""
         for known, base in zip(self._plcs, self._plc_bases, strict=True):
             if known is sources:
                 return base
@@ -85,7 +85,7 @@ class EventRegistry:
         return base
 
     def with_own_files(self) -> EventRegistry:
-        """Return the same names in another object, for when this one gets others."""
+        """Return the same names in another object, for use when this one changes."""
         other = copy.copy(self)
         other._files = self._files.copy()
         return other
@@ -126,7 +126,7 @@ class EventRegistry:
         return self._paths[number]
 
     def modal(self, number: int) -> InForce | None:
-        """Return what is in force in a channel, ``None`` before its first block."""
+        """Return the functions in force in a channel, ``None`` before its first block."""
         return self._modal[number]
 
     def program(self, number: int) -> str:
@@ -138,7 +138,7 @@ class EventRegistry:
         return self._threads[number]
 
     def span(self, source: int) -> Span | None:
-        """Return the span of a source id; a negative one is that of a statement of the PLC."""
+        """Return the span of a source id; a negative id belongs to a statement of the PLC."""
         if source >= 0:
             return self._files.span(source)
         index = bisect_left(self._plc_bases, -source) - 1
@@ -168,7 +168,7 @@ class EventRegistry:
         return tuple(cycles)
 
     def is_abort_meant(self, serial: int) -> bool:
-        """Return whether a cycle's definition says what becomes of its motions (END_ACTION)."""
+        """Return whether a cycle's definition decides about its motions (END_ACTION)."""
         return serial in self._meant_aborts
 
     # --- registration ---------------------------------------------------------------------------
@@ -245,7 +245,7 @@ class EventRegistry:
         return self._path_numbers[path]
 
     def add_modal(self, in_force: InForce) -> int:
-        """Register what is in force and return its number, the same each time."""
+        """Register functions in force and return their number, the same each time."""
         if in_force not in self._modal_numbers:
             self._modal_numbers[in_force] = len(self._modal)
             self._modal.append(in_force)

@@ -47,13 +47,13 @@ DEFAULT_DIAGNOSIS_LEVEL = 3.0
 
 
 class RealtimePart:
-    """Memory, axes, channels and kernel of one machine, as they are at start-up.
+    """Memory, axes, channels and kernel of one machine, in their state at start-up.
 
-    ``kept_cycles``: cycles of earlier runs on it, where one run follows another; ``conditions``:
-    those that PLCs of earlier runs wait for, by their texts. ``listed_limits``:
-    the limits of each channel's axes with which its programs start. ``path_axes`` and ``spindles``:
-    those of the machine by logical number. ``gear_steps``: of each channel's spindles.
-    ``has_history``: whether the paths get the memory of backward motion (P-STUP-00033).
+    ``kept_cycles``: cycles of earlier runs on it, if runs follow each other; ``conditions``: those
+    that PLCs of earlier runs wait for, by their texts. ``listed_limits``: the limits of each
+    channel's axes with which its programs start. ``path_axes`` and ``spindles``: those of the
+    machine by logical number. ``gear_steps``: of each channel's spindles. ``has_history``: whether
+    the paths get the memory of backward motion (P-STUP-00033).
     """
 
     def __init__(self, configuration: Machine, layout: Layout, *, has_history: bool = True) -> None:
@@ -150,7 +150,7 @@ class RealtimePart:
 
 
 def _set_functions(channel: Channel, own: ChannelConfiguration) -> None:
-    """Tell a channel which axis each of its functions is for, and how far they look ahead."""
+    """Set the axis of each function of a channel, and how far ahead functions are output."""
     parameters = own.parameters
     for section in (channel.hli.program, channel.hli.realtime):
         section.set_areas(

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Realtime parts of machines, used by one run after another.
+"""Realtime parts of machines, reused from run to run.
 
-In: a machine. Out: a realtime part as at start-up: a new one, or one that a run has given back,
-put back to its snapshot. Only the machines used last keep theirs.
+In: a machine. Out: a realtime part in its start-up state: a new one, or one returned by a run and
+restored to its snapshot. Only the machines used last keep theirs.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from nctakt.run.access.machine_names import names_of_machine
 from nctakt.run.realtime.realtime_part import RealtimePart
 from nctakt.run.realtime.snapshot import Snapshot
 
-#: Machines whose realtime parts are kept, of some eight megabytes each.
+#: Number of machines whose realtime parts are kept, some eight megabytes each.
 MACHINES = 16
 
 
 class LentPart:
-    """A realtime part for one run; no one else has it until it is given back."""
+    """A realtime part lent exclusively to one run until it is returned."""
 
     def __init__(self, part: RealtimePart, shelf: list[LentPart]) -> None:
         self.part = part
@@ -33,7 +33,7 @@ class LentPart:
         self._start_up.put_back()
 
     def give_back(self) -> None:
-        """Give it back; what its run has made must not be read from it any more."""
+        """Return it; the results of its run must not be read from it any more."""
         self._shelf.append(self)
 
 
@@ -44,8 +44,8 @@ class RealtimeParts:
         self._shelves: OrderedDict[int, tuple[Machine, list[LentPart]]] = OrderedDict()
 
     def lend(self, machine: Machine) -> LentPart:
-        """Return a realtime part of a machine as it is at start-up."""
-        key = id(machine)  # the machine is kept, so that no other one gets its id
+        """Return a realtime part of a machine in its start-up state."""
+        key = id(machine)  # the machine is kept, so that no other gets its id
         shelves = self._shelves
         shelf = shelves.setdefault(key, (machine, []))[1]
         shelves.move_to_end(key)

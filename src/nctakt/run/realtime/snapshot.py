@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A snapshot of a realtime part: what its ticks change, kept, and put back in place.
+"""A snapshot of a realtime part: everything that its ticks change, kept and restored in place.
 
 In: a realtime part between two calls of ``run``, with the record emptied. Out: ``Snapshot``, which
-puts all objects and arrays back as they were, so that the ticks from there on are the same again.
-Putting back takes a hundredth of the time that building the part anew takes.
+restores all objects and arrays, so that the ticks from there on are the same again. Restoring takes
+a hundredth of the time needed to build the part anew.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Snapshot:
             self._used.append((used, bytes(used)))
 
     def put_back(self) -> None:
-        """Put everything back as it was when the snapshot was taken."""
+        """Restore everything to the state of the snapshot."""
         self._objects.put_back()
         self._arrays.put_back()
         for used, kept_rows in self._used:
@@ -90,7 +90,7 @@ def _buffers_of(part: object) -> Iterator[bytearray]:
 
 
 def _buffer_of(array: Any) -> bytearray:
-    """Return the memory of an array; a compiled one is a view of the view that it was made of."""
+    """Return the memory of an array; a compiled array is a view of the view it was made from."""
     buffer = getattr(array, "base", array).obj
     if not isinstance(buffer, bytearray):
         raise ValueError("an array has its memory elsewhere")

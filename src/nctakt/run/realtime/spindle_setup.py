@@ -73,7 +73,7 @@ def gear_steps(configuration: Machine, index: int) -> dict[int, SpindleGears]:
 def follow_executed(gears: Mapping[int, SpindleGears], spindles: Spindles) -> None:
     """Let the decoder begin a program with the gear steps and tools that the spindles have.
 
-    A reset takes what an earlier program has not come to.
+    A reset drops what an earlier program has not reached.
     """
     for column, one in gears.items():
         one.active = spindles.limits.gear_step(column)
@@ -81,7 +81,7 @@ def follow_executed(gears: Mapping[int, SpindleGears], spindles: Spindles) -> No
 
 
 def at_start_up(gears: Mapping[int, SpindleGears]) -> dict[int, SpindleGears]:
-    """Return gear steps as they are at start-up, for another run."""
+    """Return gear steps in their start-up state, for another run."""
     return {
         column: SpindleGears(one.steps, one.active, one.checks_tool)
         for column, one in gears.items()
@@ -107,7 +107,7 @@ def all_names(configuration: Machine) -> list[str]:
 
 
 def _axis_of(configuration: Machine, spindle: Spindle) -> int:
-    """Return the number in the machine of a spindle's axis; -1 for one that the PLC turns."""
+    """Return the number in the machine of a spindle's axis; -1 if the PLC turns it."""
     for number, axis in enumerate(configuration.axes):
         if axis.logical_number == spindle.logical_number and not spindle.plc_controlled:
             return number

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What waits for the PLC of a channel: M, H and T functions, and jobs of the spindles it turns.
+"""Entries that wait for the PLC of a channel: M, H and T functions, and jobs of its spindles.
 
 In: the realtime part of a channel, its configuration. Out: entries as a PLC in Python meets them,
 and where the interface of the controller shows them.

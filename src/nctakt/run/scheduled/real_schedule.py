@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A run whose decoder, interpolation and PLC have their time on a real clock (``serve --rtconf``).
 
-In: a machine, a schedule, a PLC's script. Out: ticks at the NC interrupts of this thread, commands
-of the decoders as many as their threads had time for, calls of the PLC in its own thread. All that
-the clock has decided is an input: from tick t on, n further commands were there. So a tape of such
+In: a machine, a schedule, a PLC's script. Out: ticks at the NC interrupts of this thread, as many
+commands of the decoders as their threads had time for, calls of the PLC in its own thread. Each
+decision of the clock is an input: from tick t on, n further commands were there. So a tape of such
 a run replays to the same bytes (``recorded_schedule.py``).
 """
 
@@ -89,14 +89,14 @@ class RealSchedule:
         self._threads = ScheduleThreads(self._plan, roles.interpolators[0], steps)
 
     def _steps(self) -> Iterator[tuple[int, Step]]:
-        """Yield what a step of each thread does."""
+        """Yield the action of each thread's step."""
         for threads, channels in self._roles.decoders:
             yield threads[0], self._decoder_step(channels)
         if self._plc is not None and self._roles.plc is not None:
             yield self._roles.plc, self._call_plc
 
     def _limits(self, steps: dict[int, Step]) -> Iterator[Diagnostic]:
-        """Yield what of the list cannot be kept here."""
+        """Yield the settings of the list that cannot be kept here."""
         tasks = self.schedule.model.tasks
         played = {*steps, self._roles.interpolators[0]}
         decoders = (i for threads, _ in self._roles.decoders for i in threads)
@@ -116,7 +116,7 @@ class RealSchedule:
     # --- jobs -----------------------------------------------------------------------------------
 
     def _decoder_step(self, channels: Sequence[int]) -> Step:
-        """Return the step of a decoder: one command of the next of its channels that has work."""
+        """Return the step of a decoder: one command of its next channel that has work."""
 
         def step() -> bool:
             try:
@@ -150,11 +150,11 @@ class RealSchedule:
     # --- ticks ----------------------------------------------------------------------------------
 
     def budget(self, channel: int) -> StepBudget:
-        """Return what the decoder of a channel may give; channels count from 0."""
+        """Return the decoder's budget of a channel; channels count from 0."""
         return self._budgets[channel]
 
     def restart(self) -> None:
-        """Begin anew after a pause: what was due in it is not lost."""
+        """Restart after a pause: ticks due during it are not lost."""
         self._threads.restart()
 
     def prepare(self, runs: Sequence[ChannelRun], *, has_plc: bool) -> Share:
@@ -185,7 +185,7 @@ class RealSchedule:
         return self._share
 
     def _prepare_process(self) -> None:
-        """Let other threads hand the interpreter over soon, and garbage not be searched for."""
+        """Make other threads release the interpreter soon, and disable garbage collection."""
         self._switch_s = sys.getswitchinterval()
         sys.setswitchinterval(_SWITCH_S)
         gc.freeze()
@@ -202,7 +202,7 @@ class RealSchedule:
         self._threads.finish()
 
     def close(self) -> None:
-        """End the threads; put back what they have changed of the process."""
+        """End the threads; undo their changes to the process."""
         self._threads.close()
         if self._switch_s:
             sys.setswitchinterval(self._switch_s)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run under a schedule on a real clock, repeated: a tape says what the clock has decided.
+"""A run under a schedule on a real clock, repeated: a tape has the decisions of the clock.
 
 In: the inputs of a tape: how many commands the decoders had given by a tick, which threads were
 still busy when they were due, which ticks were lost. Out: the shares of the threads in each tick,
@@ -44,11 +44,11 @@ class RecordedSchedule:
         self._due.append((kind, values))
 
     def budget(self, channel: int) -> StepBudget:
-        """Return what the decoder of a channel may give; channels count from 0."""
+        """Return the decoder's budget of a channel; channels count from 0."""
         return self._budgets[channel]
 
     def prepare(self, runs: Sequence[ChannelRun], *, has_plc: bool) -> Share:
-        """Repeat what the threads did before the next tick."""
+        """Repeat the threads' actions before the next tick."""
         if self._tick == self._machine.kernel.tick:
             return self._share
         self._tick = self._machine.kernel.tick
@@ -69,7 +69,7 @@ class RecordedSchedule:
         """Do nothing: no clock measures the tick."""
 
     def findings(self) -> list[Diagnostic]:
-        """Return nothing: the recorded run has reported what went wrong."""
+        """Return nothing: the recorded run has reported the problems."""
         return []
 
 
@@ -89,7 +89,7 @@ def decode(run: ChannelRun, budget: StepBudget, steps: int) -> int:
 
 
 def settle(runs: Sequence[ChannelRun], budgets: Sequence[StepBudget], *, has_plc: bool) -> None:
-    """Do what does not depend on a clock: load cycles that waited for a slot."""
+    """Do the work that does not depend on a clock: load cycles that waited for a slot."""
     for run, budget in zip(runs, budgets, strict=True):
         budget.grant(0)
         run.decode()

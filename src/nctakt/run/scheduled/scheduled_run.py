@@ -116,7 +116,7 @@ class ScheduledRun:
         """Do nothing: no clock measures the tick."""
 
     def findings(self) -> list[Diagnostic]:
-        """Return what went wrong in the schedule so far, each finding once."""
+        """Return the findings about the schedule so far, each once."""
         findings = [*self._overflow_errors(), *self._simulated_findings()]
         new = [finding for finding in findings if finding.text("en") not in self._reported]
         self._reported.update(finding.text("en") for finding in new)
@@ -143,7 +143,7 @@ class ScheduledRun:
 
 
 def follow_schedule(machine: AssembledMachine, schedule: RunSchedule) -> None:
-    """Let a machine's ticks follow a schedule from the first one on."""
+    """Make a machine's ticks follow a schedule from the first one on."""
     machine.registry.name_threads([task.name for task in schedule.model.tasks])
     for channel in machine.channels:
         channel.is_paced = True

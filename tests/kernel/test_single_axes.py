@@ -274,7 +274,7 @@ def test_the_error_of_an_axis_without_a_channel(tmp_path: Path) -> None:
     rig.run(20_200)
     assert rig.told[-1][1] == "axis Z failed"
     assert (rig.state(), rig.single.fault_of(Z)) == (ERROR_STOP, 1702)
-    assert rig.single.fault_count == 0
+    assert rig.single.faults.open_count == 0
     assert not rig.channel.executor.is_stopped
     assert rig.absolute(0.0) == 60213
     rig.single.clear(Z)

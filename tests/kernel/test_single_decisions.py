@@ -220,10 +220,10 @@ def test_an_event_that_was_taken_is_none_of_this_tick() -> None:
 def test_the_fault_of_an_axis_is_taken_once() -> None:
     """Its channel reports it; the PLC still reads it (``fault_of``)."""
     axes = SingleAxes(Axes(bytearray(8 * cells.AXIS_CELLS), 0, 1), Record(bytearray(80)), 1000)
-    axes.fault[0] = 1702
-    axes.fault_count = 1
-    assert [axes.take_fault(0), axes.take_fault(0)] == [1702, 0]
-    assert (axes.fault_count, axes.fault_of(0)) == (0, 1702)
+    axes.faults.message[0] = 1702
+    axes.faults.open_count = 1
+    assert [axes.faults.take(0), axes.faults.take(0)] == [1702, 0]
+    assert (axes.faults.open_count, axes.fault_of(0)) == (0, 1702)
 
 
 def test_a_position_of_a_spindle_is_below_360_degrees() -> None:
@@ -327,7 +327,7 @@ def test_a_distance_counts_from_where_its_motion_begins(mode: int, message: int)
     """From the commanded position where it takes over, from the goal where it waits (RC-409)."""
     rig = Rig()
     axes = rig.machine.single_axes
-    high = axes.high[0]
+    high = axes.limits.high[0]
     assert axes.absolute(0, high - 10.0, 100.0, codes.PRESENT, codes.ABORTING, 1) == 0
     rig.run(2)
     assert (axes.relative(0, high - 20.0, 100.0, mode, 1) != 0) == bool(message)

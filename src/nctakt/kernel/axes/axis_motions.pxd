@@ -4,34 +4,59 @@ cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport arithmetic
 from nctakt.kernel.axes.axes cimport Axes
+from nctakt.kernel.axes.axis_plans cimport AxisPlans, MotionLimits
 from nctakt.kernel.axes.homing cimport Homing
 from nctakt.kernel.base.record cimport Record
-from nctakt.kernel.axes.trajectory cimport Trajectories
+
+@cython.final
+cdef class WaitingMotions:
+    cdef long long[::1] kind
+    cdef long long[::1] owner
+    cdef long long[::1] serial
+    cdef long long[::1] source
+    cdef double[::1] value
+    cdef double[::1] speed_v
+    cdef long long[::1] direction
+    cdef long long[::1] held
+    cdef long long[::1] swings
+
+@cython.final
+cdef class Oscillations:
+    cdef long long[::1] left
+    cdef long long[::1] stage
+    cdef long long[::1] pausing
+    cdef long long[::1] first_pause
+    cdef long long[::1] second_pause
+    cdef double[::1] first_d
+    cdef double[::1] second_d
+    cdef double[::1] stroke_d
+
+    cdef void end(self, Py_ssize_t axis) noexcept nogil
+
+@cython.final
+cdef class AxisFaults:
+    cdef readonly Py_ssize_t open_count
+    cdef Py_ssize_t reported_count
+    cdef Py_ssize_t failed_count
+    cdef Py_ssize_t ring_size
+    cdef long long[::1] message
+    cdef long long[::1] failed
+
+    cdef void enter(self, Py_ssize_t axis, int message, long long channel) noexcept nogil
+    cdef void note(self, Py_ssize_t axis) noexcept nogil
+    @cython.locals(message=int)
+    cdef int take(self, Py_ssize_t axis) noexcept nogil
 
 cdef class AxisMotions:
     cdef Axes axes
     cdef Record record
-    cdef readonly Py_ssize_t count
-    cdef double cycle_time_us
-    cdef double forgiven_t
-    cdef Trajectories plans
+    cdef MotionLimits limits
+    cdef AxisPlans plans
     cdef Homing homing
+    cdef WaitingMotions waiting
+    cdef Oscillations oscillations
+    cdef readonly AxisFaults faults
     cdef readonly Py_ssize_t active_count
-    cdef readonly Py_ssize_t fault_count
-    cdef Py_ssize_t reported_count
-    cdef Py_ssize_t requested_axis
-    cdef bint has_exchanged
-    cdef long long source
-    cdef long long serial
-    cdef long long[::1] enabled
-    cdef double[::1] low
-    cdef double[::1] high
-    cdef double[::1] listed_low
-    cdef double[::1] listed_high
-    cdef long long[::1] is_homing
-    cdef double[::1] limit_v
-    cdef double[::1] limit_a
-    cdef double[::1] limit_j
     cdef long long[::1] kind
     cdef long long[::1] held
     cdef long long[::1] owner
@@ -41,36 +66,8 @@ cdef class AxisMotions:
     cdef double[::1] end
     cdef double[::1] commanded_v
     cdef double[::1] direction
-    cdef long long[::1] next_kind
-    cdef long long[::1] next_owner
-    cdef long long[::1] next_serial
-    cdef long long[::1] next_source
-    cdef double[::1] next_value
-    cdef double[::1] next_v
-    cdef long long[::1] next_direction
-    cdef long long[::1] next_held
-    cdef long long[::1] next_swings
-    cdef double[::1] speed
-    cdef double[::1] acceleration
-    cdef double[::1] last_direction
-    cdef double[::1] planned_v
-    cdef double[::1] start_d
-    cdef long long[::1] ticks
-    cdef long long[::1] fault
-    cdef long long[::1] failed
     cdef long long[::1] arrived
     cdef long long[::1] in_channel
-    cdef long long[::1] closed
-    cdef long long[::1] swings
-    cdef long long[::1] swing_way
-    cdef long long[::1] pausing
-    cdef long long[::1] first_pause
-    cdef long long[::1] second_pause
-    cdef double[::1] first_d
-    cdef double[::1] second_d
-    cdef double[::1] stroke_d
-    cdef Py_ssize_t failed_count
-    cdef Py_ssize_t ring_size
 
     cdef int is_beyond(self, Py_ssize_t axis, double target) noexcept nogil
     @cython.locals(message=int)
@@ -83,7 +80,7 @@ cdef class AxisMotions:
         kind=int, source=cython.longlong, serial=cython.longlong, first_d=double, second_d=double
     )
     cdef void record_begin(self, Py_ssize_t axis) noexcept nogil
-    @cython.locals(full_d=double, brake_d=double, turns=double)
+    @cython.locals(full_d=double, turns=double)
     cdef double turn(self, Py_ssize_t axis, double distance_d) noexcept nogil
     @cython.locals(full_d=double)
     cdef double in_range(self, Py_ssize_t axis, double position) noexcept nogil
@@ -103,7 +100,7 @@ cdef class AxisMotions:
     @cython.locals(k=Py_ssize_t, axis=Py_ssize_t)
     cdef void watch_slaves(self) noexcept nogil
     cdef void stop_askew(self, Py_ssize_t axis) noexcept nogil
-    @cython.locals(top_v=double, now_t=double, over_t=double)
+    @cython.locals(top_v=double)
     cdef void step_axis(self, Py_ssize_t axis) noexcept nogil
     cdef void plan(self, Py_ssize_t axis, double top_v) noexcept nogil
     @cython.locals(position=double)
@@ -111,5 +108,3 @@ cdef class AxisMotions:
     cdef int turn_round(self, Py_ssize_t axis) noexcept nogil
     @cython.locals(is_there=cython.bint)
     cdef void finish_swing(self, Py_ssize_t axis) noexcept nogil
-    @cython.locals(message=int)
-    cdef int take_fault(self, Py_ssize_t axis) noexcept nogil

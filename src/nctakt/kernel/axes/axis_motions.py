@@ -3,7 +3,7 @@
 
 Each axis has at most one present motion and one waiting motion. ``begin`` only stores the command;
 ``step``, once a tick after the cycles and the paths, plans from the present state
-(``trajectory.py``) wherever the motion or its speed limit has changed, and puts the axes where the
+(``axis_plans.py``) wherever the motion or its speed limit has changed, and puts the axes where the
 plan has them. So a new target, an override, a hold and its end carry speed and acceleration on
 without a step.
 
@@ -15,11 +15,86 @@ from __future__ import annotations
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.axes.axis_plans import AxisPlans, MotionLimits
 from nctakt.kernel.axes.homing import Homing
-from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
+
+
+class WaitingMotions:
+    """The motion of each axis that begins after its present one; kind ``codes.IDLE``: none."""
+
+    def __init__(self, count: int) -> None:
+        self.kind = memoryview(bytearray(8 * count)).cast("q")
+        self.owner = memoryview(bytearray(8 * count)).cast("q")
+        self.serial = memoryview(bytearray(8 * count)).cast("q")
+        self.source = memoryview(bytearray(8 * count)).cast("q")
+        self.value = memoryview(bytearray(8 * count)).cast("d")
+        self.speed_v = memoryview(bytearray(8 * count)).cast("d")
+        self.direction = memoryview(bytearray(8 * count)).cast("q")
+        self.held = memoryview(bytearray(8 * count)).cast("q")
+        self.swings = memoryview(bytearray(8 * count)).cast("q")
+
+
+class Oscillations:
+    """What oscillating axes have besides their present motion.
+
+    ``left``: how often an axis will still reach its second position, -1 without an end, 0 if it
+    does not oscillate. ``stage``: ``codes.APPROACH`` …. ``pausing``: ticks that it waits before it
+    continues.
+    """
+
+    def __init__(self, count: int) -> None:
+        self.left = memoryview(bytearray(8 * count)).cast("q")
+        self.stage = memoryview(bytearray(8 * count)).cast("q")
+        self.pausing = memoryview(bytearray(8 * count)).cast("q")
+        self.first_pause = memoryview(bytearray(8 * count)).cast("q")
+        self.second_pause = memoryview(bytearray(8 * count)).cast("q")
+        self.first_d = memoryview(bytearray(8 * count)).cast("d")
+        self.second_d = memoryview(bytearray(8 * count)).cast("d")
+        self.stroke_d = memoryview(bytearray(8 * count)).cast("d")
+
+    def end(self, axis: int) -> None:
+        """End the oscillation of an axis, if it has one."""
+        self.left[axis] = 0
+        self.pausing[axis] = 0
+
+
+class AxisFaults:
+    """The errors that axes are in.
+
+    ``message``: of an axis, with a minus once its channel has reported it, 0 without an error.
+    ``open_count``: errors that are still to be reported; ``failed``: the axes of the last errors.
+    """
+
+    def __init__(self, count: int) -> None:
+        self.open_count = 0
+        self.reported_count = 0
+        self.failed_count = 0
+        self.ring_size = count
+        self.message = memoryview(bytearray(8 * count)).cast("q")
+        self.failed = memoryview(bytearray(8 * count)).cast("q")
+
+    def enter(self, axis: int, message: int, channel: int) -> None:
+        """Let an axis be in an error, which ``channel`` has to report; 0: none."""
+        self.message[axis] = message if channel else 0 - message
+        if channel:
+            self.open_count += 1
+
+    def note(self, axis: int) -> None:
+        """Note that an axis has failed in its motion."""
+        self.failed[self.failed_count % self.ring_size] = axis
+        self.failed_count += 1
+
+    def take(self, axis: int) -> int:
+        """Take the error of an axis that its channel has not reported yet; 0 without one."""
+        if self.message[axis] > 0:
+            self.open_count -= 1
+            message = self.message[axis]
+            self.message[axis] = 0 - message
+            return message
+        return 0
 
 
 class AxisMotions:
@@ -29,41 +104,14 @@ class AxisMotions:
         count = axes.count
         self.axes = axes
         self.record = record
-        self.count = count
-        self.cycle_time_us = cycle_time_us
-        self.forgiven_t = -1e-12 * cycle_time_us
-        self.plans = Trajectories(count)
+        self.limits = MotionLimits(count)
+        self.plans = AxisPlans(self.limits, count, cycle_time_us)
         self.homing = Homing(axes)
+        self.waiting = WaitingMotions(count)
+        self.oscillations = Oscillations(count)
+        self.faults = AxisFaults(count)
         self.active_count = 0
-        self.fault_count = 0
-        self.reported_count = 0
-        self.requested_axis = 0
-        self.has_exchanged = False
-        self.source = 0
-        self.serial = 0
-        self.failed_count = 0
-        self.ring_size = count
-        self.allocate_limits(count)
-        self.allocate_motions(count)
-        self.allocate_swings(count)
-        for axis in range(count):
-            self.last_direction[axis] = 1.0
-            self.axes.show_state(axis, codes.STANDSTILL)
-
-    def allocate_limits(self, count: int) -> None:
-        """Allocate the values of the axis lists."""
-        self.enabled = memoryview(bytearray(8 * count)).cast("q")
-        self.low = memoryview(bytearray(8 * count)).cast("d")
-        self.high = memoryview(bytearray(8 * count)).cast("d")
-        self.listed_low = memoryview(bytearray(8 * count)).cast("d")
-        self.listed_high = memoryview(bytearray(8 * count)).cast("d")
-        self.is_homing = memoryview(bytearray(8 * count)).cast("q")
-        self.limit_v = memoryview(bytearray(8 * count)).cast("d")
-        self.limit_a = memoryview(bytearray(8 * count)).cast("d")
-        self.limit_j = memoryview(bytearray(8 * count)).cast("d")
-
-    def allocate_motions(self, count: int) -> None:
-        """Allocate the present motions, the waiting ones and the states of the axes."""
+        # The present motions.
         self.kind = memoryview(bytearray(8 * count)).cast("q")
         self.held = memoryview(bytearray(8 * count)).cast("q")
         self.owner = memoryview(bytearray(8 * count)).cast("q")
@@ -73,45 +121,11 @@ class AxisMotions:
         self.end = memoryview(bytearray(8 * count)).cast("d")
         self.commanded_v = memoryview(bytearray(8 * count)).cast("d")
         self.direction = memoryview(bytearray(8 * count)).cast("d")
-        # The waiting motion.
-        self.next_kind = memoryview(bytearray(8 * count)).cast("q")
-        self.next_owner = memoryview(bytearray(8 * count)).cast("q")
-        self.next_serial = memoryview(bytearray(8 * count)).cast("q")
-        self.next_source = memoryview(bytearray(8 * count)).cast("q")
-        self.next_value = memoryview(bytearray(8 * count)).cast("d")
-        self.next_v = memoryview(bytearray(8 * count)).cast("d")
-        self.next_direction = memoryview(bytearray(8 * count)).cast("q")
-        self.next_held = memoryview(bytearray(8 * count)).cast("q")
-        self.next_swings = memoryview(bytearray(8 * count)).cast("q")
-        # State of now, and the plan's start.
-        self.speed = memoryview(bytearray(8 * count)).cast("d")
-        self.acceleration = memoryview(bytearray(8 * count)).cast("d")
-        self.last_direction = memoryview(bytearray(8 * count)).cast("d")
-        self.planned_v = memoryview(bytearray(8 * count)).cast("d")
-        self.start_d = memoryview(bytearray(8 * count)).cast("d")
-        self.ticks = memoryview(bytearray(8 * count)).cast("q")
-        self.fault = memoryview(bytearray(8 * count)).cast("q")
-        self.failed = memoryview(bytearray(8 * count)).cast("q")
         self.arrived = memoryview(bytearray(8 * count)).cast("q")
-        # Whether a channel has the axis, and whether that channel is in a reset.
+        # Which channel has the axis, from 1.
         self.in_channel = memoryview(bytearray(8 * count)).cast("q")
-        self.closed = memoryview(bytearray(8 * count)).cast("q")
-
-    def allocate_swings(self, count: int) -> None:
-        """Allocate the arrays that oscillating axes need besides their present motion.
-
-        ``swings``: how often an axis will still reach its second position, -1 without an end, 0 if
-        it does not oscillate. ``swing_way``: ``codes.APPROACH`` …. ``pausing``: ticks that it waits
-        before it continues.
-        """
-        self.swings = memoryview(bytearray(8 * count)).cast("q")
-        self.swing_way = memoryview(bytearray(8 * count)).cast("q")
-        self.pausing = memoryview(bytearray(8 * count)).cast("q")
-        self.first_pause = memoryview(bytearray(8 * count)).cast("q")
-        self.second_pause = memoryview(bytearray(8 * count)).cast("q")
-        self.first_d = memoryview(bytearray(8 * count)).cast("d")
-        self.second_d = memoryview(bytearray(8 * count)).cast("d")
-        self.stroke_d = memoryview(bytearray(8 * count)).cast("d")
+        for axis in range(count):
+            self.axes.show_state(axis, codes.STANDSTILL)
 
     def configure(
         self,
@@ -128,31 +142,35 @@ class AxisMotions:
 
         ``is_enabled``: cycles and the PLC may move it (P-AXIS-00457).
         """
-        check_index(axis, self.count, "axis")
-        self.enabled[axis] = is_enabled
-        self.low[axis] = self.listed_low[axis] = low
-        self.high[axis] = self.listed_high[axis] = high
-        self.limit_v[axis] = speed
-        self.limit_a[axis] = acceleration
-        self.limit_j[axis] = jerk
+        check_index(axis, self.axes.count, "axis")
+        self.limits.is_enabled[axis] = is_enabled
+        self.limits.listed_low[axis] = low
+        self.limits.listed_high[axis] = high
+        self.limits.put_back(axis)
+        self.limits.max_v[axis] = speed
+        self.limits.max_a[axis] = acceleration
+        self.limits.max_j[axis] = jerk
 
     def is_beyond(self, axis: int, target: float) -> int:
         """Return 60158 for a target above the software limits, 60159 for one below them, else 0."""
-        if self.is_homing[axis]:
+        if self.homing.running[axis]:
             return 0
-        if self.axes.modulo_range[axis] > 0.0 or self.low[axis] <= target <= self.high[axis]:
+        if (
+            self.axes.modulo_range[axis] > 0.0
+            or self.limits.low[axis] <= target <= self.limits.high[axis]
+        ):
             return 0
-        return 60159 if target < self.low[axis] else 60158
+        return 60159 if target < self.limits.low[axis] else 60158
 
     def is_shift_beyond(self, axis: int, shift: float) -> int:
         """Return as ``is_beyond`` of the place of an axis and its targets, shifted; else 0."""
         message = self.is_beyond(axis, self.axes.command[axis] + shift)
         if message == 0 and self.kind[axis] == codes.TO_POSITION:
             message = self.is_beyond(axis, self.goal[axis] + shift)
-            if message == 0 and self.swings[axis]:
-                message = self.is_beyond(axis, self.first_d[axis] + shift)
-            if message == 0 and self.swings[axis]:
-                message = self.is_beyond(axis, self.second_d[axis] + shift)
+            if message == 0 and self.oscillations.left[axis]:
+                message = self.is_beyond(axis, self.oscillations.first_d[axis] + shift)
+            if message == 0 and self.oscillations.left[axis]:
+                message = self.is_beyond(axis, self.oscillations.second_d[axis] + shift)
         return message
 
     def move_origin(self, axis: int, shift: float) -> None:
@@ -161,11 +179,11 @@ class AxisMotions:
             self.axes.refer(axis, self.in_range(axis, self.axes.command[axis] + shift))
             return
         self.axes.refer(axis, self.axes.command[axis] + shift)
-        self.start_d[axis] += shift
-        self.first_d[axis] += shift
-        self.second_d[axis] += shift
+        self.plans.start_d[axis] += shift
+        self.oscillations.first_d[axis] += shift
+        self.oscillations.second_d[axis] += shift
         if self.kind[axis] == codes.ENDLESS:
-            self.planned_v[axis] = -1.0  # the limit is at another distance now
+            self.plans.planned_v[axis] = -1.0  # the limit is at another distance now
         else:
             self.goal[axis] += shift
             self.end[axis] = self.in_range(axis, self.end[axis] + shift)
@@ -173,9 +191,11 @@ class AxisMotions:
 
     def is_at_speed(self, axis: int) -> int:
         """Return whether an endless motion has reached its speed."""
-        if self.kind[axis] != codes.ENDLESS or self.planned_v[axis] <= 0.0:
+        if self.kind[axis] != codes.ENDLESS or self.plans.planned_v[axis] <= 0.0:
             return 0
-        return 1 if self.speed[axis] == self.direction[axis] * self.planned_v[axis] else 0
+        return (
+            1 if self.plans.speed[axis] == self.direction[axis] * self.plans.planned_v[axis] else 0
+        )
 
     def event(self, kind: int, axis: int, value: float) -> None:
         """Record the outcome of the present motion."""
@@ -185,24 +205,26 @@ class AxisMotions:
 
     def begin(self, axis: int) -> None:
         """Make the waiting motion the present one; it is planned in the next step."""
-        kind = self.next_kind[axis]
+        kind = self.waiting.kind[axis]
         position = self.axes.command[axis]
-        self.next_kind[axis] = codes.IDLE
-        self.direction[axis] = self.next_direction[axis]
-        if self.next_direction[axis] == codes.PRESENT:
-            self.direction[axis] = self.last_direction[axis]
-        self.swings[axis] = self.next_swings[axis] if kind == codes.OSCILLATION else 0
-        self.pausing[axis] = 0
+        self.waiting.kind[axis] = codes.IDLE
+        self.direction[axis] = self.waiting.direction[axis]
+        if self.waiting.direction[axis] == codes.PRESENT:
+            self.direction[axis] = self.plans.last_direction[axis]
+        self.oscillations.left[axis] = self.waiting.swings[axis] if kind == codes.OSCILLATION else 0
+        self.oscillations.pausing[axis] = 0
         if kind == codes.ENDLESS:
-            self.goal[axis] = self.high[axis] if self.direction[axis] > 0.0 else self.low[axis]
+            self.goal[axis] = (
+                self.limits.high[axis] if self.direction[axis] > 0.0 else self.limits.low[axis]
+            )
             self.end[axis] = self.goal[axis]
         elif kind == codes.BY_DISTANCE:
-            self.goal[axis] = position + self.next_value[axis]
+            self.goal[axis] = position + self.waiting.value[axis]
             self.end[axis] = self.in_range(axis, self.goal[axis])
             kind = codes.TO_POSITION
         else:
-            self.end[axis] = self.in_range(axis, self.next_value[axis])
-            self.goal[axis] = self.next_value[axis]
+            self.end[axis] = self.in_range(axis, self.waiting.value[axis])
+            self.goal[axis] = self.waiting.value[axis]
             if self.axes.modulo_range[axis] > 0.0:
                 self.goal[axis] = position + self.turn(axis, self.end[axis] - position)
             kind = codes.TO_POSITION
@@ -210,12 +232,12 @@ class AxisMotions:
             self.active_count += 1
             self.axes.independent[axis] = 1
         self.kind[axis] = kind
-        self.held[axis] = self.next_held[axis]
-        self.owner[axis] = self.next_owner[axis]
-        self.serials[axis] = self.next_serial[axis]
-        self.sources[axis] = self.next_source[axis]
-        self.commanded_v[axis] = self.next_v[axis]
-        self.planned_v[axis] = -1.0
+        self.held[axis] = self.waiting.held[axis]
+        self.owner[axis] = self.waiting.owner[axis]
+        self.serials[axis] = self.waiting.serial[axis]
+        self.sources[axis] = self.waiting.source[axis]
+        self.commanded_v[axis] = self.waiting.speed_v[axis]
+        self.plans.planned_v[axis] = -1.0
         self.axes.target[axis] = self.goal[axis] if kind == codes.TO_POSITION else position
         self.axes.has_moved = True
         self.axes.show_state(
@@ -223,7 +245,7 @@ class AxisMotions:
         )
         self.record_begin(axis)
         if kind == codes.TO_POSITION and self.is_beyond(axis, self.goal[axis]):
-            self.fail(axis, 1702 if self.goal[axis] > self.high[axis] else 1703)
+            self.fail(axis, 1702 if self.goal[axis] > self.limits.high[axis] else 1703)
         elif self.held[axis]:
             self.axes.show_state(axis, codes.STANDSTILL)
             self.event(rows.EVENT_AXIS_CHANGED, axis, rows.MOTION_HELD)
@@ -233,8 +255,8 @@ class AxisMotions:
         source, serial = self.sources[axis], self.serials[axis]
         if self.kind[axis] == codes.ENDLESS:
             self.event(rows.EVENT_AXIS_ENDLESS, axis, self.direction[axis])
-        elif self.swings[axis]:
-            first_d, second_d = self.first_d[axis], self.second_d[axis]
+        elif self.oscillations.left[axis]:
+            first_d, second_d = self.oscillations.first_d[axis], self.oscillations.second_d[axis]
             kind = rows.EVENT_AXIS_OSCILLATES
             self.record.event(kind, source, serial, axis, first_d, second_d)
         else:
@@ -246,12 +268,9 @@ class AxisMotions:
         In a given direction the axis never comes back: its braking distance is already used up.
         """
         full_d = self.axes.modulo_range[axis]
-        if self.next_direction[axis] == codes.SHORTEST:
+        if self.waiting.direction[axis] == codes.SHORTEST:
             return distance_d - full_d * arithmetic.ceiling(distance_d / full_d - 0.5)
-        brake_d = self.plans.stopping_d(
-            self.speed[axis], self.acceleration[axis], self.limit_a[axis], self.limit_j[axis]
-        )
-        turns = (distance_d - brake_d) / full_d
+        turns = (distance_d - self.plans.brake_d(axis)) / full_d
         if self.direction[axis] > 0.0:
             return distance_d - full_d * arithmetic.floor(turns)
         return distance_d - full_d * arithmetic.ceiling(turns)
@@ -265,17 +284,17 @@ class AxisMotions:
 
     def drop(self, axis: int) -> None:
         """Give up the waiting and the present motion, and record both."""
-        self.is_homing[axis] = 0
-        if self.next_kind[axis]:
+        self.homing.running[axis] = 0
+        if self.waiting.kind[axis]:
             self.drop_next(axis, rows.NOT_WITH_CYCLE)
         if codes.IDLE < self.kind[axis] < codes.BRAKING:
             self.drop_present(axis, rows.NOT_WITH_CYCLE)
 
     def drop_next(self, axis: int, why: int) -> None:
         """Give up the waiting motion."""
-        source, serial = self.next_source[axis], self.next_serial[axis]
+        source, serial = self.waiting.source[axis], self.waiting.serial[axis]
         self.record.event(rows.EVENT_AXIS_ENDED, source, serial, axis, rows.MOTION_ABORTED, why)
-        self.next_kind[axis] = codes.IDLE
+        self.waiting.kind[axis] = codes.IDLE
 
     def drop_present(self, axis: int, why: int) -> None:
         """Record that the present motion is dropped; its owner may command another."""
@@ -293,8 +312,7 @@ class AxisMotions:
         """Brake to a standstill; the motion itself has been given up."""
         self.kind[axis] = codes.BRAKING
         self.held[axis] = 0
-        self.swings[axis] = 0
-        self.pausing[axis] = 0
+        self.oscillations.end(axis)
         self.axes.show_state(axis, codes.STOPPING)
 
     def come_to_standstill(self, axis: int) -> None:
@@ -302,34 +320,29 @@ class AxisMotions:
         self.kind[axis] = codes.IDLE
         self.axes.independent[axis] = 0
         self.held[axis] = 0
-        self.swings[axis] = 0
-        self.pausing[axis] = 0
-        self.is_homing[axis] = 0
+        self.oscillations.end(axis)
+        self.homing.running[axis] = 0
         self.owner[axis] = 0
         self.active_count -= 1
-        self.speed[axis] = 0.0
-        self.acceleration[axis] = 0.0
+        self.plans.come_to_rest(axis)
         self.axes.target[axis] = self.axes.command[axis]
         self.axes.has_moved = True
-        if self.next_kind[axis]:
+        if self.waiting.kind[axis]:
             self.begin(axis)
         else:
-            self.axes.show_state(axis, codes.ERROR_STOP if self.fault[axis] else codes.STANDSTILL)
+            self.axes.show_state(
+                axis, codes.ERROR_STOP if self.faults.message[axis] else codes.STANDSTILL
+            )
 
     def fail(self, axis: int, message: int) -> None:
         """End the motion with the error ``message``, and drop the one that waits."""
         self.record.event(rows.EVENT_ERROR, self.sources[axis], self.serials[axis], message, axis)
-        if self.next_kind[axis]:
+        if self.waiting.kind[axis]:
             self.drop_next(axis, rows.NOT_WITH_CYCLE)
         self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_FAILED)
         self.brake(axis)
-        self.fault[axis] = message
-        if self.in_channel[axis]:
-            self.fault_count += 1
-        else:
-            self.fault[axis] = 0 - message
-        self.failed[self.failed_count % self.ring_size] = axis
-        self.failed_count += 1
+        self.faults.enter(axis, message, self.in_channel[axis])
+        self.faults.note(axis)
 
     # --- the tick -------------------------------------------------------------------------------
 
@@ -337,7 +350,7 @@ class AxisMotions:
         """Advance all axes in independent motion by a tick."""
         if self.active_count == 0:
             return
-        for axis in range(self.count):
+        for axis in range(self.axes.count):
             if self.kind[axis]:
                 self.step_axis(axis)
 
@@ -352,7 +365,7 @@ class AxisMotions:
             return
         for k in range(self.axes.couplings.count):
             axis = self.axes.couplings.master[k]
-            if self.fault[axis] == 0 and self.axes.is_askew(k):
+            if self.faults.message[axis] == 0 and self.axes.is_askew(k):
                 self.stop_askew(axis)
 
     def stop_askew(self, axis: int) -> None:
@@ -361,72 +374,44 @@ class AxisMotions:
             self.fail(axis, 901879)
             return
         self.record.event(rows.EVENT_ERROR, 0, 0, 901879, axis)
-        self.fault[axis] = 901879 if self.in_channel[axis] else -901879
-        if self.in_channel[axis]:
-            self.fault_count += 1
+        self.faults.enter(axis, 901879, self.in_channel[axis])
 
     def step_axis(self, axis: int) -> None:
         """Advance one axis by a tick; plan anew where its limit has changed."""
-        if self.pausing[axis] > 0:
-            self.pausing[axis] -= 1
+        if self.oscillations.pausing[axis] > 0:
+            self.oscillations.pausing[axis] -= 1
             return
         top_v = 0.0
         if self.kind[axis] != codes.BRAKING and not self.held[axis]:
             top_v = self.commanded_v[axis] * self.axes.independent_pct[axis] / 100.0
             top_v *= self.axes.plc_factor[axis]
-            top_v = min(top_v, self.limit_v[axis])
-        if top_v != self.planned_v[axis]:
+            top_v = min(top_v, self.limits.max_v[axis])
+        if top_v != self.plans.planned_v[axis]:
             self.plan(axis, top_v)
-        self.ticks[axis] += 1
-        now_t = self.ticks[axis] * self.cycle_time_us / 1e6
-        over_t = now_t - self.plans.duration_t(axis)
         self.axes.has_moved = True
-        if over_t >= self.forgiven_t and self.arrive(axis, top_v):
+        if self.plans.count_tick(axis) and self.arrive(axis, top_v):
             return
-        self.plans.evaluate(axis, now_t)
-        self.axes.command[axis] = self.start_d[axis] + self.plans.distance_d
-        self.speed[axis] = self.plans.speed_v
-        self.acceleration[axis] = self.plans.acceleration_a
-        if self.speed[axis] != 0.0:
-            self.last_direction[axis] = 1.0 if self.speed[axis] > 0.0 else -1.0
+        self.axes.command[axis] = self.plans.advance(axis)
         if self.kind[axis] == codes.ENDLESS:
             self.axes.target[axis] = self.axes.command[axis]
-            if self.next_kind[axis] and not self.next_held[axis] and self.is_at_speed(axis):
+            if self.waiting.kind[axis] and not self.waiting.held[axis] and self.is_at_speed(axis):
                 self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
                 self.begin(axis)
 
     def plan(self, axis: int, top_v: float) -> None:
         """Plan the rest of the motion from the present state, at most with ``top_v``."""
-        self.planned_v[axis] = top_v
-        self.ticks[axis] = 0
-        self.start_d[axis] = self.axes.command[axis]
+        self.plans.begin(axis, self.axes.command[axis], top_v)
         if top_v == 0.0 or (
             self.kind[axis] == codes.ENDLESS and not arithmetic.is_finite(self.goal[axis])
         ):
-            self.plans.plan_speed(
-                axis,
-                top_v * self.direction[axis],
-                self.speed[axis],
-                self.acceleration[axis],
-                self.limit_a[axis],
-                self.limit_j[axis],
-            )
-            return
-        self.plans.plan_distance(
-            axis,
-            self.goal[axis] - self.start_d[axis],
-            self.speed[axis],
-            self.acceleration[axis],
-            top_v,
-            self.limit_a[axis],
-            self.limit_j[axis],
-        )
+            self.plans.plan_speed(axis, top_v * self.direction[axis])
+        else:
+            self.plans.plan_distance(axis, self.goal[axis])
 
     def arrive(self, axis: int, top_v: float) -> int:
         """Finish a plan that is over; return 1 if the motion has ended with it."""
         if self.kind[axis] == codes.BRAKING:
-            self.plans.evaluate(axis, self.plans.duration_t(axis))
-            position = self.start_d[axis] + self.plans.distance_d
+            position = self.plans.end_position(axis)
             self.axes.command[axis] = self.in_range(axis, position)
             self.record.event(
                 rows.EVENT_AXIS_CHANGED,
@@ -447,12 +432,12 @@ class AxisMotions:
         self.axes.command[axis] = self.end[axis]
         if self.kind[axis] == codes.ENDLESS:
             self.fail(axis, 1702 if self.direction[axis] > 0.0 else 1703)
-        elif self.swings[axis] and self.turn_round(axis):
+        elif self.oscillations.left[axis] and self.turn_round(axis):
             return 1
         else:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]
-            if self.is_homing[axis] == codes.HOMED_BY_PLC:
+            if self.homing.running[axis] == codes.HOMED_BY_PLC:
                 self.homing.finish(axis)
         self.come_to_standstill(axis)
         return 1
@@ -462,48 +447,41 @@ class AxisMotions:
 
         Another motion that waits ends the oscillation here.
         """
-        if self.swing_way[axis] == codes.FORTH:
-            if self.next_kind[axis] and not self.next_held[axis]:
+        if self.oscillations.stage[axis] == codes.FORTH:
+            if self.waiting.kind[axis] and not self.waiting.held[axis]:
                 return 0
-            if self.swings[axis] > 0:
-                self.swings[axis] -= 1
-            if self.swings[axis] == 0:
+            if self.oscillations.left[axis] > 0:
+                self.oscillations.left[axis] -= 1
+            if self.oscillations.left[axis] == 0:
                 return 0
-            self.goal[axis] = self.axes.command[axis] - self.stroke_d[axis]
-            self.end[axis] = self.first_d[axis]
-            self.pausing[axis] = self.second_pause[axis]
-            self.swing_way[axis] = codes.BACK
+            self.goal[axis] = self.axes.command[axis] - self.oscillations.stroke_d[axis]
+            self.end[axis] = self.oscillations.first_d[axis]
+            self.oscillations.pausing[axis] = self.oscillations.second_pause[axis]
+            self.oscillations.stage[axis] = codes.BACK
         else:
-            self.goal[axis] = self.axes.command[axis] + self.stroke_d[axis]
-            self.end[axis] = self.second_d[axis]
-            self.pausing[axis] = self.first_pause[axis]
-            self.swing_way[axis] = codes.FORTH
-        self.speed[axis] = 0.0
-        self.acceleration[axis] = 0.0
-        self.planned_v[axis] = -1.0
+            self.goal[axis] = self.axes.command[axis] + self.oscillations.stroke_d[axis]
+            self.end[axis] = self.oscillations.second_d[axis]
+            self.oscillations.pausing[axis] = self.oscillations.first_pause[axis]
+            self.oscillations.stage[axis] = codes.FORTH
+        self.plans.come_to_rest(axis)
+        self.plans.planned_v[axis] = -1.0
         self.axes.target[axis] = self.goal[axis]
         return 1
 
     def finish_swing(self, axis: int) -> None:
         """Let an oscillating axis stop when it comes to its second position, or there at once."""
-        if self.swings[axis] == 0:
+        if self.oscillations.left[axis] == 0:
             return
-        is_there = self.axes.command[axis] == self.second_d[axis] and self.speed[axis] == 0.0
-        if is_there and self.swing_way[axis] == codes.BACK:
+        is_there = (
+            self.axes.command[axis] == self.oscillations.second_d[axis]
+            and self.plans.speed[axis] == 0.0
+        )
+        if is_there and self.oscillations.stage[axis] == codes.BACK:
             self.event(rows.EVENT_AXIS_ENDED, axis, rows.MOTION_DONE)
             self.arrived[axis] = self.owner[axis]
             self.come_to_standstill(axis)
         else:
-            self.swings[axis] = 1
-
-    def take_fault(self, axis: int) -> int:
-        """Take the error of an axis that its channel has not reported yet; 0 without one."""
-        if self.fault[axis] > 0:
-            self.fault_count -= 1
-            message = self.fault[axis]
-            self.fault[axis] = 0 - message
-            return message
-        return 0
+            self.oscillations.left[axis] = 1
 
     # --- Python's side --------------------------------------------------------------------------
 
@@ -517,7 +495,7 @@ class AxisMotions:
 
     def keep_reference(self, axis: int, position: float) -> None:
         """Note that a program homes an axis, with this position at its reference point."""
-        check_index(axis, self.count, "axis")
+        check_index(axis, self.axes.count, "axis")
         self.homing.keep(axis, position)
 
     def reference_of(self, axis: int) -> float | None:
@@ -526,9 +504,10 @@ class AxisMotions:
 
     def limits_of(self, axis: int) -> tuple[float, float]:
         """Return the software limits of an axis in force, in mm or degrees."""
-        return (self.low[axis], self.high[axis])
+        return (self.limits.low[axis], self.limits.high[axis])
 
     def next_failed(self) -> int:
         """Axis of the next error event that was not asked for yet."""
-        self.reported_count += 1
-        return self.failed[(self.reported_count - 1) % self.ring_size]
+        faults = self.faults
+        faults.reported_count += 1
+        return faults.failed[(faults.reported_count - 1) % faults.ring_size]

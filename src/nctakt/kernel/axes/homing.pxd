@@ -6,6 +6,7 @@ from nctakt.kernel.axes.axes cimport Axes
 @cython.final
 cdef class Homing:
     cdef Axes axes
+    cdef long long[::1] running
     cdef long long[::1] is_allowed
     cdef double[::1] distance
     cdef double[::1] speed

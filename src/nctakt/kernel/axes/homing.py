@@ -15,12 +15,14 @@ from nctakt.kernel.base.bounds import check_index
 class Homing:
     """``distance``: signed, to where the axis comes to rest, ``overrun`` beyond the zero pulse.
 
-    ``position``: of the list, at the zero pulse; ``ordered``: of the homing that runs.
+    ``position``: of the list, at the zero pulse; ``ordered``: of the homing that runs, which
+    ``running`` (``codes.HOMED_BY_PROGRAM`` …, 0: none) has ordered.
     """
 
     def __init__(self, axes: Axes) -> None:
         count = axes.count
         self.axes = axes
+        self.running = memoryview(bytearray(8 * count)).cast("q")
         self.is_allowed = memoryview(bytearray(8 * count)).cast("q")
         self.distance = memoryview(bytearray(8 * count)).cast("d")
         self.speed = memoryview(bytearray(8 * count)).cast("d")

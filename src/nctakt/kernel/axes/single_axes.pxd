@@ -3,10 +3,18 @@
 cimport cython
 from nctakt.kernel cimport cells, codes, rows
 from nctakt.kernel.base cimport bounds
+from nctakt.kernel.axes.axes cimport Axes
 from nctakt.kernel.axes.axis_motions cimport AxisMotions
+from nctakt.kernel.base.record cimport Record
 
 @cython.final
 cdef class SingleAxes(AxisMotions):
+    cdef long long source
+    cdef long long serial
+    cdef Py_ssize_t requested_axis
+    cdef bint has_exchanged
+    cdef long long[::1] closed
+
     cdef bint is_command(
         self, Py_ssize_t axis, double value, double speed_v, long long mode, long long direction,
         long long owner

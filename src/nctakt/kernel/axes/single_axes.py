@@ -10,15 +10,28 @@ it; then nothing changes.
 from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
+from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.base import bounds
+from nctakt.kernel.base.record import Record
 
 #: The highest number that an owner can have.
 MAX_OWNER = (1 << 62) - 1
 
 
 class SingleAxes(AxisMotions):
-    """All axes of the machine, as far as they move independently."""
+    """All axes of the machine, as far as they move independently.
+
+    ``source`` and ``serial`` say who gives the next commands; ``closed``: the axis is in a reset.
+    """
+
+    def __init__(self, axes: Axes, record: Record, cycle_time_us: int) -> None:
+        super().__init__(axes, record, cycle_time_us)
+        self.source = 0
+        self.serial = 0
+        self.requested_axis = 0
+        self.has_exchanged = False
+        self.closed = memoryview(bytearray(8 * axes.count)).cast("q")
 
     # --- commands -------------------------------------------------------------------------------
 
@@ -72,7 +85,7 @@ class SingleAxes(AxisMotions):
 
         P-AXIS-00457 counts for realtime cycles and the PLC only: programs own their axes.
         """
-        if not self.enabled[axis] and owner != codes.PROGRAM_OWNER:
+        if not self.limits.is_enabled[axis] and owner != codes.PROGRAM_OWNER:
             return 50966
         if self.has_exchanged and self.is_foreign(axis, owner):
             return 50899
@@ -82,9 +95,9 @@ class SingleAxes(AxisMotions):
             return 21481
         if self.axes.on_path[axis]:
             return 50603
-        if self.fault[axis]:
+        if self.faults.message[axis]:
             return 60213
-        return 1704 if mode == codes.BUFFERED and self.next_kind[axis] else 0
+        return 1704 if mode == codes.BUFFERED and self.waiting.kind[axis] else 0
 
     def is_foreign(self, axis: int, owner: int) -> int:
         """Return whether a cycle commands an axis that its channel does not have (any more)."""
@@ -106,14 +119,14 @@ class SingleAxes(AxisMotions):
         """Store a motion: after the present one (BUFFERED), or in its place."""
         if mode == codes.ABORTING:
             self.drop(axis)
-        self.next_kind[axis] = kind
-        self.next_owner[axis] = owner
-        self.next_serial[axis] = self.serial
-        self.next_source[axis] = self.source
-        self.next_value[axis] = value
-        self.next_v[axis] = speed_v
-        self.next_direction[axis] = direction
-        self.next_held[axis] = 0
+        self.waiting.kind[axis] = kind
+        self.waiting.owner[axis] = owner
+        self.waiting.serial[axis] = self.serial
+        self.waiting.source[axis] = self.source
+        self.waiting.value[axis] = value
+        self.waiting.speed_v[axis] = speed_v
+        self.waiting.direction[axis] = direction
+        self.waiting.held[axis] = 0
         if mode == codes.ABORTING or self.kind[axis] == codes.IDLE:
             self.begin(axis)
 
@@ -129,8 +142,8 @@ class SingleAxes(AxisMotions):
         if kind == rows.END_OSCILLATION:
             return self.end_oscillation(axis, queue, row)
         if kind == rows.SOFTWARE_LIMITS:
-            self.low[axis] = queue[row + rows.LIMIT_LOW]
-            self.high[axis] = queue[row + rows.LIMIT_HIGH]
+            self.limits.low[axis] = queue[row + rows.LIMIT_LOW]
+            self.limits.high[axis] = queue[row + rows.LIMIT_HIGH]
             return 0
         if self.closed[axis]:
             return 900810
@@ -141,7 +154,7 @@ class SingleAxes(AxisMotions):
             self.homing.keep(axis, self.homing.position[axis])
             return 0
         self.order(int(queue[row + rows.SOURCE]), 0)
-        self.is_homing[axis] = codes.HOMED_BY_PROGRAM
+        self.homing.running[axis] = codes.HOMED_BY_PROGRAM
         distance = queue[row + rows.HOMING_DISTANCE]
         speed_v = queue[row + rows.HOMING_SPEED]
         self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.BUFFERED, 0)
@@ -157,7 +170,7 @@ class SingleAxes(AxisMotions):
         if self.kind[axis] != codes.IDLE:
             return 902860
         self.homing.ordered[axis] = self.homing.position[axis] if is_listed else position
-        self.is_homing[axis] = codes.HOMED_BY_PLC
+        self.homing.running[axis] = codes.HOMED_BY_PLC
         distance, speed_v = self.homing.distance[axis], self.homing.speed[axis]
         self.put(axis, codes.BY_DISTANCE, distance, speed_v, codes.PRESENT, codes.BUFFERED, owner)
         return 0
@@ -199,22 +212,26 @@ class SingleAxes(AxisMotions):
         if message:
             return message
         self.order(int(queue[row + rows.SOURCE]), 0)
-        self.first_d[axis] = queue[row + rows.SWING_FIRST]
-        self.second_d[axis] = queue[row + rows.SWING_SECOND]
-        self.stroke_d[axis] = queue[row + rows.SWING_STROKE]
-        self.first_pause[axis] = int(queue[row + rows.SWING_FIRST_TICKS])
-        self.second_pause[axis] = int(queue[row + rows.SWING_SECOND_TICKS])
-        self.next_swings[axis] = int(queue[row + rows.SWING_COUNT])
-        self.swing_way[axis] = codes.APPROACH
+        self.oscillations.first_d[axis] = queue[row + rows.SWING_FIRST]
+        self.oscillations.second_d[axis] = queue[row + rows.SWING_SECOND]
+        self.oscillations.stroke_d[axis] = queue[row + rows.SWING_STROKE]
+        self.oscillations.first_pause[axis] = int(queue[row + rows.SWING_FIRST_TICKS])
+        self.oscillations.second_pause[axis] = int(queue[row + rows.SWING_SECOND_TICKS])
+        self.waiting.swings[axis] = int(queue[row + rows.SWING_COUNT])
+        self.oscillations.stage[axis] = codes.APPROACH
         speed_v = queue[row + rows.SWING_SPEED]
-        first_d, kind, owner = self.first_d[axis], codes.OSCILLATION, codes.PROGRAM_OWNER
+        first_d, kind, owner = (
+            self.oscillations.first_d[axis],
+            codes.OSCILLATION,
+            codes.PROGRAM_OWNER,
+        )
         self.put(axis, kind, first_d, speed_v, codes.SHORTEST, codes.ABORTING, owner)
         return 0
 
     def end_oscillation(self, axis: int, queue: memoryview[float], row: int) -> int:
         """End the oscillation of an axis (OSC OFF); nothing happens if there is none."""
         how = int(queue[row + rows.ENDED_HOW])
-        if self.swings[axis] == 0:
+        if self.oscillations.left[axis] == 0:
             return 0
         if how == codes.FINISHES:
             self.finish_swing(axis)
@@ -222,7 +239,7 @@ class SingleAxes(AxisMotions):
         if how == codes.HALTS:
             return self.stop(axis, codes.PROGRAM_OWNER)
         self.order(int(queue[row + rows.SOURCE]), 0)
-        speed_v, target_d = queue[row + rows.ENDED_SPEED], self.second_d[axis]
+        speed_v, target_d = queue[row + rows.ENDED_SPEED], self.oscillations.second_d[axis]
         direction = codes.SHORTEST
         return self.move_to(axis, target_d, speed_v, codes.ABORTING, direction, codes.PROGRAM_OWNER)
 
@@ -235,9 +252,9 @@ class SingleAxes(AxisMotions):
         """
         if self.active_count == 0:
             return
-        for axis in range(self.count):
-            if self.next_kind[axis] and self.next_owner[axis] == owner:
-                self.next_held[axis] = 1
+        for axis in range(self.axes.count):
+            if self.waiting.kind[axis] and self.waiting.owner[axis] == owner:
+                self.waiting.held[axis] = 1
             if (
                 self.owner[axis] == owner
                 and codes.IDLE < self.kind[axis] < codes.BRAKING
@@ -251,12 +268,12 @@ class SingleAxes(AxisMotions):
         """Continue the held motions of an owner from the present state."""
         if self.active_count == 0:
             return
-        for axis in range(self.count):
-            if self.next_owner[axis] == owner:
-                self.next_held[axis] = 0
+        for axis in range(self.axes.count):
+            if self.waiting.owner[axis] == owner:
+                self.waiting.held[axis] = 0
             if self.owner[axis] == owner and self.held[axis]:
                 self.held[axis] = 0
-                self.planned_v[axis] = -1.0
+                self.plans.planned_v[axis] = -1.0
                 is_endless = self.kind[axis] == codes.ENDLESS
                 self.axes.show_state(
                     axis, codes.CONTINUOUS_MOTION if is_endless else codes.DISCRETE_MOTION
@@ -270,8 +287,8 @@ class SingleAxes(AxisMotions):
         """
         if self.active_count == 0:
             return
-        for axis in range(self.count):
-            if self.next_kind[axis] and self.next_owner[axis] == owner:
+        for axis in range(self.axes.count):
+            if self.waiting.kind[axis] and self.waiting.owner[axis] == owner:
                 self.drop_next(axis, rows.WITH_CYCLE_WAITING if with_cycle else rows.NOT_WITH_CYCLE)
             if self.owner[axis] == owner and codes.IDLE < self.kind[axis] < codes.BRAKING:
                 why = rows.NOT_WITH_CYCLE
@@ -286,19 +303,19 @@ class SingleAxes(AxisMotions):
         if not continues:
             self.abort(owner, 1)
             return
-        for axis in range(self.count):
+        for axis in range(self.axes.count):
             if self.owner[axis] == owner:
                 self.owner[axis] = 0
-            if self.next_owner[axis] == owner:
-                self.next_owner[axis] = 0
+            if self.waiting.owner[axis] == owner:
+                self.waiting.owner[axis] = 0
 
     def open_count(self, owner: int) -> int:
         """Number of open motions of an owner, the waiting ones included (RC-408)."""
         count = 0
-        for axis in range(self.count):
+        for axis in range(self.axes.count):
             if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
                 count += 1
-            if self.next_kind[axis] and self.next_owner[axis] == owner:
+            if self.waiting.kind[axis] and self.waiting.owner[axis] == owner:
                 count += 1
         return count
 
@@ -307,14 +324,14 @@ class SingleAxes(AxisMotions):
         count = 0
         if codes.IDLE < self.kind[axis] < codes.BRAKING and self.owner[axis] == owner:
             count += 1
-        if self.next_kind[axis] and self.next_owner[axis] == owner:
+        if self.waiting.kind[axis] and self.waiting.owner[axis] == owner:
             count += 1
         return count
 
     def finish_swings(self, members: memoryview[int], count: int) -> None:
         """End the oscillations of these axes at their second positions."""
         for i in range(count):
-            if members[i] < self.count:
+            if members[i] < self.axes.count:
                 self.finish_swing(members[i])
 
     def finish_requested(self, queue: memoryview[float], row: int) -> None:
@@ -325,7 +342,7 @@ class SingleAxes(AxisMotions):
     def all_free(self, members: memoryview[int], count: int) -> int:
         """Return whether none of these axes moves independently."""
         for i in range(count):
-            if members[i] < self.count and not self.is_free(members[i]):
+            if members[i] < self.axes.count and not self.is_free(members[i]):
                 return 0
         return 1
 
@@ -333,7 +350,7 @@ class SingleAxes(AxisMotions):
         """Take the errors of all these axes (``take_fault``); return the last one's message."""
         last_message = 0
         for i in range(count):
-            message = self.take_fault(members[i]) if members[i] < self.count else 0
+            message = self.faults.take(members[i]) if members[i] < self.axes.count else 0
             if message:
                 last_message = message
         return last_message
@@ -357,7 +374,7 @@ class SingleAxes(AxisMotions):
 
     def assign_to_channel(self, axis: int, channel: int = 1) -> None:
         """Assign this axis to a channel, from 1, which gets its errors and resets it; 0: none."""
-        bounds.check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.axes.count, "axis")
         bounds.check_range(channel, 0, codes.MAX_SIGNAL_CHANNEL, "channel")
         self.in_channel[axis] = channel
 
@@ -371,8 +388,7 @@ class SingleAxes(AxisMotions):
         Until ``reopen`` it takes no command, else the reset might never end.
         """
         self.closed[axis] = 1
-        self.low[axis] = self.listed_low[axis]
-        self.high[axis] = self.listed_high[axis]
+        self.limits.put_back(axis)
         self.give_up(axis)
         self.clear_fault(axis)
 
@@ -383,11 +399,11 @@ class SingleAxes(AxisMotions):
 
     def clear_fault(self, axis: int) -> int:
         """Leave ErrorStop (PLCopen's MC_Reset); return 0, or the message that refuses it."""
-        if not self.enabled[axis]:
+        if not self.limits.is_enabled[axis]:
             return 50966
-        if self.fault[axis]:
-            self.take_fault(axis)
-            self.fault[axis] = 0
+        if self.faults.message[axis]:
+            self.faults.take(axis)
+            self.faults.message[axis] = 0
             self.axes.show_state(axis, codes.STOPPING if self.kind[axis] else codes.STANDSTILL)
         return 0
 
@@ -401,7 +417,7 @@ class SingleAxes(AxisMotions):
         """Return whether the axis is at rest: without a motion, or held."""
         if self.kind[axis] == codes.IDLE:
             return 1
-        return 1 if self.held[axis] and self.speed[axis] == 0.0 else 0
+        return 1 if self.held[axis] and self.plans.speed[axis] == 0.0 else 0
 
     def is_held(self, axis: int) -> int:
         """Return whether a motion of the axis is held."""
@@ -419,18 +435,18 @@ class SingleAxes(AxisMotions):
         if self.kind[axis] == codes.IDLE:
             return 0
         if self.held[axis]:
-            return 0 if self.speed[axis] == 0.0 else 1
-        if self.planned_v[axis] == 0.0:
+            return 0 if self.plans.speed[axis] == 0.0 else 1
+        if self.plans.planned_v[axis] == 0.0:
             return 0
-        if self.next_kind[axis] and not self.next_held[axis]:
+        if self.waiting.kind[axis] and not self.waiting.held[axis]:
             return 1
-        if self.swings[axis] < 0:
+        if self.oscillations.left[axis] < 0:
             return 0
         return 1 if self.kind[axis] == codes.TO_POSITION else 0
 
     def event_bound(self, commands: int) -> int:
         """Return the highest number of events in a tick with ``commands`` commands."""
-        return 6 * self.count + 4 * commands * self.active_count
+        return 6 * self.axes.count + 4 * commands * self.active_count
 
     # --- Python's side, between two ticks -------------------------------------------------------
 
@@ -439,7 +455,7 @@ class SingleAxes(AxisMotions):
     ) -> bool:
         """Return whether all numbers of a command of an axis are in their ranges."""
         return (
-            0 <= axis < self.count
+            0 <= axis < self.axes.count
             and value - value == 0.0
             and speed_v - speed_v == 0.0
             and codes.ABORTING <= mode <= codes.BUFFERED
@@ -456,7 +472,7 @@ class SingleAxes(AxisMotions):
         except (OverflowError, TypeError, ValueError):  # no number of 64 bits
             is_right = False
         if not is_right:
-            bounds.check_index(axis, self.count, "axis")
+            bounds.check_index(axis, self.axes.count, "axis")
             bounds.check_finite(value, "position or distance")
             bounds.check_finite(speed_v, "speed")
             bounds.check_range(mode, codes.ABORTING, codes.BUFFERED, "buffer mode")
@@ -499,33 +515,33 @@ class SingleAxes(AxisMotions):
 
     def clear(self, axis: int) -> None:
         """Reset one axis and let it take commands at once."""
-        bounds.check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.axes.count, "axis")
         self.reset(axis)
         self.reopen(axis)
 
     def state_of(self, axis: int) -> tuple[int, float, float]:
         """PLCopen state, speed per s and acceleration per s² of an axis."""
-        bounds.check_index(axis, self.count, "axis")
-        return self.state(axis), self.speed[axis], self.acceleration[axis]
+        bounds.check_index(axis, self.axes.count, "axis")
+        return self.state(axis), self.plans.speed[axis], self.plans.acceleration[axis]
 
     def present_owner(self, axis: int) -> int:
         """Owner of the present motion, 0 without one."""
-        bounds.check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.axes.count, "axis")
         return self.owner[axis]
 
     def arrived_owner(self, axis: int) -> int:
         """Owner of the motion that came to its target last."""
-        bounds.check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.axes.count, "axis")
         return self.arrived[axis]
 
     def fault_of(self, axis: int) -> int:
         """Message of the error that the axis is in, 0 without one."""
-        bounds.check_index(axis, self.count, "axis")
-        return abs(self.fault[axis])
+        bounds.check_index(axis, self.axes.count, "axis")
+        return abs(self.faults.message[axis])
 
     def at_speed(self, axis: int) -> bool:
         """Return whether an endless motion has reached its speed."""
-        bounds.check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.axes.count, "axis")
         return bool(self.is_at_speed(axis))
 
     def opened(self, owner: int) -> int:
@@ -535,9 +551,9 @@ class SingleAxes(AxisMotions):
 
     def moves(self, axis: int) -> bool:
         """Return whether the axis has an independent motion, even if held."""
-        bounds.check_index(axis, self.count, "axis")
+        bounds.check_index(axis, self.axes.count, "axis")
         return not self.is_free(axis)
 
     def ending_count(self) -> int:
         """Number of axes that will come to rest unaided: a run waits for them (RC-006)."""
-        return sum(self.is_ending(axis) for axis in range(self.count))
+        return sum(self.is_ending(axis) for axis in range(self.axes.count))

@@ -125,7 +125,7 @@ class Connection(Outside):
         actual_v = self.single_axes.axes.distance(axis, before, actual) * self.ticks_per_s
         before = self.notes[at + kinds.NOTED_COMMAND]
         command_v = self.single_axes.axes.distance(axis, before, command) * self.ticks_per_s
-        limit_v = 1.01 * self.single_axes.limit_v[axis]
+        limit_v = 1.01 * self.single_axes.limits.max_v[axis]
         if command_v != 0.0 and self.single_axes.state(axis) == codes.STANDSTILL:
             actual_v = 0.0
             command_v = 0.0
@@ -201,14 +201,14 @@ class Connection(Outside):
         if what == kinds.AXIS_AT_SPEED:
             return self.single_axes.is_at_speed(axis)
         if what == kinds.AXIS_FAULT:
-            fault = self.single_axes.fault[axis]
+            fault = self.single_axes.faults.message[axis]
             return fault if fault >= 0 else 0 - fault
         if what == kinds.AXIS_STATE:
             return self.single_axes.state(axis)
         if what == kinds.AXIS_SHOWN_STATE:
             return self.shown_state(axis)
         if what == kinds.AXIS_HOMES:
-            return 1 if self.single_axes.is_homing[axis] else 0
+            return 1 if self.single_axes.homing.running[axis] else 0
         if what == kinds.AXIS_IS_HOMED:
             return self.single_axes.homing.is_homed[axis]
         return self.is_powered[axis]
@@ -234,11 +234,11 @@ class Connection(Outside):
     def limit(self, what: int, axis: int) -> float:
         """Return a limit of the axis' independent motions, in mm or degrees, and the same per s."""
         if what == kinds.AXIS_HIGH:
-            return self.single_axes.high[axis]
+            return self.single_axes.limits.high[axis]
         if what == kinds.AXIS_LOW:
-            return self.single_axes.low[axis]
+            return self.single_axes.limits.low[axis]
         if what == kinds.AXIS_SPEED_LIMIT:
-            return self.single_axes.limit_v[axis]
+            return self.single_axes.limits.max_v[axis]
         if what == kinds.AXIS_ACCELERATION_LIMIT:
-            return self.single_axes.limit_a[axis]
-        return self.single_axes.limit_j[axis]
+            return self.single_axes.limits.max_a[axis]
+        return self.single_axes.limits.max_j[axis]

@@ -408,7 +408,7 @@ class Channel:
                     self.answer_waiting()
             if self.executor.is_resetting:
                 self.end_reset()
-        if self.context.single_axes.fault_count > 0:
+        if self.context.single_axes.faults.open_count > 0:
             self.report_axes()
         if self.c_axis.is_active:
             self.c_axis.follow()

@@ -44,6 +44,7 @@ from nctakt.messages.files import BYTE_ORDER_MARK
 from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.linter import GlobalCycles, never_deleted
 from nctakt.nc.source import Source
+from nctakt.plc.python.stubs import ProjectLibraries, libraries_of
 from nctakt.project.machine_choice import MachineChoice, choose_machine
 from nctakt.project.project_file import find_project
 from nctakt.run.program_loader import NcText
@@ -374,8 +375,8 @@ class _Checker:
     def _plc(self, project: PlcInput) -> None:
         """Check a project of a PLC, or loose files of one."""
         collector = Collector()
-        folders = self._libraries(project.paths[0])
-        programs = inspect_paths(project.paths, self._read, collector, folders=folders)
+        own = self._libraries(project.paths[0])
+        programs = inspect_paths(project.paths, self._read, collector, own.read)
         machine = self._machine_of_plc(project.paths[0])
         for program in programs:
             if machine is not None:
@@ -408,15 +409,15 @@ class _Checker:
                 )
         return None
 
-    def _libraries(self, path: Path) -> tuple[Path, ...]:
-        """Return the folders with sources of a PLC's libraries, as its project file names them."""
+    def _libraries(self, path: Path) -> ProjectLibraries:
+        """Return the libraries of a PLC, as its project file names them."""
         try:
             project = find_project(path, self._access)
         except Failure as failure:
             for found in failure.diagnostics:
                 self._keep("" if found.span is None else found.span.file, [found])
-            return ()
-        return () if project is None else project.libraries
+            return ProjectLibraries()
+        return libraries_of(project)
 
     # --- programs --------------------------------------------------------------------------------
 

@@ -9,13 +9,8 @@ diagnostic with a traceback of the user's files only.
 
 from __future__ import annotations
 
-import contextlib
-import importlib.util
-import sys
-import traceback
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from importlib.abc import SourceLoader
 from importlib.machinery import ModuleSpec
 from pathlib import Path
 from types import CodeType, ModuleType
@@ -23,25 +18,26 @@ from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.plc import (
     PLC_CLASS_AMBIGUOUS,
     PLC_CLASS_MISSING,
     PLC_FAILED,
-    PLC_LOAD_FAILED,
     UNKNOWN_PLC_NAME,
 )
 from nctakt.plc.error import PlcError
+from nctakt.plc.python.user_modules import (
+    load_error,
+    load_module,
+    reason_and_traceback,
+    refused_in,
+)
 from nctakt.run.plcs.plc_view import AnyPlc, Declaration, WatchedPlc
 from nctakt.run.plcs.realtime_plc import plc_object
 from nctakt.st.files.suffixes import PLC_SUFFIXES
 
 if TYPE_CHECKING:
     from nctakt.run.plcs.plc_view import PlcView
-
-
-_OUR_FOLDER = Path(__file__).parent.parent
 
 
 def load_plc(path: str | Path) -> AnyPlc:
@@ -89,7 +85,7 @@ class PlcFile:
     def plc(self) -> _LoadedPlc:
         """Return a new PLC, of a module of its own: nothing stays of those before."""
         path = self._path
-        module, self._loaded = _load_module(path, self._loaded)
+        module, self._loaded = load_module(path, self._loaded)
         candidates = _candidates(module)
         if not candidates:
             raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)), *_misspelt(module))
@@ -110,7 +106,7 @@ class PlcFile:
         try:
             plc = kind()
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
-            raise _load_error(error, path) from error
+            raise load_error(error, path) from error
         return _LoadedPlc(plc, path)
 
 
@@ -156,11 +152,11 @@ class _LoadedPlc(WatchedPlc):
 
         What was refused in no line of the user's has its own place.
         """
-        reason, text = _reason_and_traceback(error, self._path)
-        if not text and _refused(error):
-            return PlcError(*map(self._as_named, _refused(error)))
+        reason, text = reason_and_traceback(error, self._path)
+        if not text and refused_in(error):
+            return PlcError(*map(self._as_named, refused_in(error)))
         message = diagnostic(PLC_FAILED, tick=hli.tick, reason=reason, traceback=text)
-        return PlcError(message, *_refused(error))
+        return PlcError(message, *refused_in(error))
 
     def unused_handlers(self, hli: PlcView) -> list[Diagnostic]:
         """Return the diagnostics of its class, with the file's name as the user wrote it."""
@@ -180,60 +176,6 @@ class _LoadedPlc(WatchedPlc):
             self._cycle(hli)
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
             raise self.failure(error, hli) from error
-
-
-def _load_module(
-    path: Path, loaded: tuple[ModuleSpec, CodeType] | None
-) -> tuple[ModuleType, tuple[ModuleSpec, CodeType]]:
-    """Return the user's file as a new module, and what it was made of: ``loaded`` the next time.
-
-    While the module is loaded it can import files beside it.
-    """
-    name = f"nctakt_plc_{path.stem}"
-    code = None
-    if loaded is None:
-        try:
-            FileAccess().read_bytes(path)  # the import would read an endless file without end
-        except Failure as failure:
-            raise PlcError(*failure.diagnostics) from failure
-        spec = importlib.util.spec_from_file_location(name, path)
-    else:
-        spec, code = loaded
-    if spec is None or not isinstance(spec.loader, SourceLoader):  # not named .py
-        raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)))
-    module = importlib.util.module_from_spec(spec)
-    before = sys.modules.get(name)
-    sys.modules[name] = module  # data classes look their own module up
-    try:
-        with imports_beside(path):
-            code = code or spec.loader.get_code(name)
-            if code is None:
-                raise ImportError(name)
-            exec(code, module.__dict__)
-    except (Exception, SystemExit) as error:  # the user's code may raise what it likes
-        raise _load_error(error, path) from error
-    finally:
-        _restore(name, before)
-    return module, (spec, code)
-
-
-@contextlib.contextmanager
-def imports_beside(path: Path) -> Iterator[None]:
-    """Let a user's file import the files beside it while it is loaded."""
-    folder = str(path.parent.resolve())
-    sys.path.insert(0, folder)
-    try:
-        yield
-    finally:
-        sys.path.remove(folder)
-
-
-def _restore(name: str, before: ModuleType | None) -> None:
-    """Leave ``sys.modules`` as it was, so that two controllers can load files of one name."""
-    if before is None:
-        del sys.modules[name]
-    else:
-        sys.modules[name] = before
 
 
 def _candidates(module: ModuleType) -> list[type[AnyPlc]]:
@@ -262,38 +204,3 @@ def _misspelt(module: ModuleType) -> Iterator[Diagnostic]:
             near = nearest_member(kind)
             if near:
                 yield diagnostic(UNKNOWN_PLC_NAME, owner=name, name="cycle", nearest=near)
-
-
-def _load_error(error: BaseException, path: Path) -> PlcError:
-    reason, text = _reason_and_traceback(error, path)
-    return PlcError(diagnostic(PLC_LOAD_FAILED, reason=reason, traceback=text), *_refused(error))
-
-
-def _refused(error: BaseException) -> tuple[Diagnostic, ...]:
-    """Return the diagnostics of a request of the PLC that nctakt has refused."""
-    return error.diagnostics if isinstance(error, Failure) else ()
-
-
-def _is_users(file: Path, plc: Path) -> bool:
-    """Return whether a file is the PLC's or lies beside it, and so is the user's."""
-    parents = file.absolute().parents
-    installed = any(parent.name == "site-packages" for parent in parents)
-    return plc.absolute().parent in parents and _OUR_FOLDER not in parents and not installed
-
-
-def _reason_and_traceback(error: BaseException, path: Path) -> tuple[str, str]:
-    """Return the exception on one line, and its traceback through the user's files."""
-    frames = traceback.extract_tb(error.__traceback__)
-    files = (str(path), str(path.absolute()))
-    first = next((i for i, frame in enumerate(frames) if frame.filename in files), len(frames))
-    shown = [frame for frame in frames[first:] if _is_users(Path(frame.filename), path)]
-    # without the marks below a line: each version of Python puts others there
-    lines = traceback.format_list(
-        [traceback.FrameSummary(one.filename, one.lineno, one.name, line=one.line) for one in shown]
-    )
-    reason = traceback.format_exception_only(error)[-1].strip()
-    if isinstance(error, SyntaxError):  # its position is in its text, not in a frame
-        lines = traceback.format_exception_only(error)[:-1]
-    if isinstance(error, Failure):  # a refused request
-        reason = error.diagnostics[0].headline()
-    return reason, "".join(lines).rstrip()

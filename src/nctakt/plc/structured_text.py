@@ -7,9 +7,9 @@ translated anew for each run, so that each run begins with its initial values.
 
 from __future__ import annotations
 
-import math
 import re
 import struct
+from collections.abc import Callable as CallableFunction
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -50,13 +50,15 @@ from nctakt.messages.plcs.plc_code import (
 )
 from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
+from nctakt.plc.python.blocks import PythonBlock, PythonBlocks, WriteVariable, python_blocks
+from nctakt.plc.python.stubs import libraries_of
 from nctakt.plc.recursion import allow_depth
 from nctakt.plc.st_coverage import Counts, coverage_of
 from nctakt.plc.st_interface import StInterface, connect, lay_out, names_of
 from nctakt.plc.st_reasons import StReasons
 from nctakt.project.project_file import Project, find_project
 from nctakt.run.access.named_values import SignalCell
-from nctakt.run.plcs.plc_view import AnyPlc
+from nctakt.run.plcs.plc_view import AnyPlc, PlcView
 from nctakt.run.plcs.realtime_plc import PlcGroup, RealtimePlc, is_structured, parts_of
 from nctakt.st.inspection import inspect_paths
 from nctakt.st.program import Program, Task
@@ -169,16 +171,20 @@ def inspected(
     """
     collector, access = Collector(), FileAccess()
     project = find_project(Path(path), access)
-    folders = () if project is None else project.libraries
+    files: list[str] = []
 
     def read(file: Path) -> bytes | None:
+        files.append(file.as_posix())
         try:
             return access.read_bytes(file)
         except Failure as failure:
             collector.diagnostics += failure.diagnostics
             return None
 
-    programs = inspect_paths([Path(path), *others], read, collector, folders=folders)
+    own = libraries_of(project)
+    programs = inspect_paths([Path(path), *others], read, collector, own.read)
+    for program in programs:
+        program.read_files = files
     errors = [one for one in collector.diagnostics if one.severity is Severity.ERROR]
     if errors:
         raise PlcError(*errors)
@@ -203,6 +209,7 @@ def plc_of(
     named = {} if project is None else project.axes
     plc = StructuredPlc(program, findings, {**named, **(axes or {})})
     plc.instruction_ns = 0 if project is None else project.instruction_ns
+    plc.blocks = None if project is None else python_blocks(program, project)
     refused = [_refusal(program, one.node.start, one.what) for one in plc.translated.refused]
     if refused:
         raise PlcError(*refused)
@@ -231,6 +238,9 @@ class StructuredPlc(RealtimePlc):
         self.axes = axes or {}
         #: How long an elementary instruction takes in ns; 0: cycles take no time (ST-830).
         self.instruction_ns = 0
+        #: The blocks that Python carries out, if there are any.
+        self.blocks: PythonBlocks | None = None
+        self._block_calls: Sequence[PythonBlock] | None = None
         self._overrun_tasks: set[int] = set()
         self._findings = findings
         self.translated: Translation = translate(program)
@@ -292,6 +302,7 @@ class StructuredPlc(RealtimePlc):
             self._tasks.watch_messages(counted.address)
         self._machine = machine
         self._has_ended = False
+        self._block_calls = None
         self._first_tick = kernel.tick
         context.begin(0)
         self.translated.start.execute(context)
@@ -302,6 +313,21 @@ class StructuredPlc(RealtimePlc):
             tick = kernel.tick
             self._reasons = StReasons(self.program, self._rows, context, names, tick_ns, tick)
         return self
+
+    def blocks_in_python(self, write: WriteVariable) -> CallableFunction[[PlcView], None] | None:
+        """Return the calls of the objects for its blocks; a fault of the PLC ends them (ST-560)."""
+        if self.blocks is None:
+            return None
+        if self._block_calls is None:
+            self._block_calls = self.blocks.begin()
+        calls = self._block_calls
+
+        def call(hli: PlcView) -> None:
+            if not self.context.fault:
+                for one in calls:
+                    one.after_tick(self, hli, write)
+
+        return call
 
     def count_branches(self) -> None:
         """Count what its branches do from the next ``attach`` on."""
@@ -348,8 +374,8 @@ class StructuredPlc(RealtimePlc):
 
     @property
     def files(self) -> Sequence[str]:
-        """The files that it was read from."""
-        return self.program.files
+        """The files that it was read from, those of libraries and stubs among them."""
+        return self.program.read_files
 
     def span_of(self, start: int) -> Span | None:
         """Return where a statement is, by its number in events."""
@@ -645,7 +671,7 @@ class StructuredPlc(RealtimePlc):
             except OverflowError:
                 raise Failure(refused) from None
         low, high = getattr(sought, "low", 0), getattr(sought, "high", (1 << 8 * sought.size) - 1)
-        if not math.isfinite(value) or value != int(value) or not low <= value <= high:
+        if not low <= value <= high or value != int(value):
             raise Failure(refused)
         return struct.pack("<q", as_word(int(value)))[: sought.size]
 
@@ -663,6 +689,11 @@ class StructuredPlc(RealtimePlc):
         if not isinstance(literal.value, int | float) or not (is_same or kinds_of_both <= NUMBERS):
             raise Failure(refused)
         return literal.value
+
+    def holds(self, name: str, value: float | bool | str) -> bool:
+        """Return whether a variable has a value; raises as ``check``."""
+        data, variable = self.check(name, value), find_variable(self.program, name)
+        return variable is not None and self.context.peek(variable.address, len(data)) == data
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from the next cycle on."""

@@ -18,6 +18,9 @@ with a table ``tool.nctakt``, in that folder or above. Paths in it are relative 
     axes = {"MAIN.axLoader" = "A"}    # the axis that a variable of the type AXIS_REF means
     instruction_time = 20             # ns of an elementary instruction of Structured Text
 
+    [plc.stubs]                       # classes that stand in for blocks of libraries
+    FB_EcCoESdoRead = "stubs.py:SdoRead"
+
     [fmu]                             # a simulation model beside the PLC, or fmu = "plant.fmu"
     file = "plant.fmu"
     every = "2 ms"                    # its communication step
@@ -57,7 +60,7 @@ from nctakt.run.options import accepted_by, refused
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
-_PLC_KEYS = ("file", "libraries", "axes", "instruction_time")
+_PLC_KEYS = ("file", "libraries", "axes", "instruction_time", "stubs")
 _FMU_KEYS = ("file", "every", "inputs", "outputs", "start", "isolate", "limit")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
 _POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
@@ -66,6 +69,9 @@ _TEXT = Text("a text", "ein Text")
 _TEXTS = Text("a list of texts", "eine Liste von Texten")
 _LANGUAGE = Text("a language", "eine Sprache")
 _AXES = Text("a table of names of axes", "eine Tabelle mit Namen von Achsen")
+_STUB = Text("a file and a class", "eine Datei und eine Klasse")
+_STUB_NAME, _STUB_CLASS = re.compile(r"(?:(\w+)\.)?([A-Za-z_]\w*)"), re.compile(r"(.+):(\w+)")
+_STUB_EXAMPLE = 'FB_EcCoESdoRead = "stubs.py:SdoRead"'
 _MAX_NS = 1_000_000
 _NANOSECONDS = Text("whole nanoseconds, 0 … 1000000", "ganze Nanosekunden, 0 … 1000000")
 _TRUTH = Text("true or false", "true oder false")
@@ -97,6 +103,20 @@ class FmuSettings:
 
 
 @dataclass(frozen=True, slots=True)
+class Stub:
+    """A class of a file in Python that stands in for a function block of a library.
+
+    ``library`` "": the block has no other owner; ``location``: of the entry.
+    """
+
+    library: str
+    block: str
+    file: Path
+    class_name: str
+    location: Place
+
+
+@dataclass(frozen=True, slots=True)
 class Project:
     """The settings of a project file; ``None`` and empty: not set.
 
@@ -120,6 +140,7 @@ class Project:
     axes: Mapping[str, str] = field(default_factory=dict)
     instruction_ns: int = 0
     fmu: FmuSettings | None = None
+    stubs: tuple[Stub, ...] = ()
 
     @property
     def plc(self) -> Path | None:
@@ -262,7 +283,25 @@ class _Reader:
             axes,
             self._instruction_ns(entries.get("plc")),
             self._fmu(entries.get("fmu")),
+            tuple(self._stubs(entries.get("plc"))),
         )
+
+    def _stubs(self, value: Any) -> Iterator[Stub]:
+        """Yield the classes that stand in for blocks of the PLC."""
+        entries = value if isinstance(value, dict) else {}
+        example = f"stubs = {{{_STUB_EXAMPLE}}}"
+        for name, text in self._table_of("stubs", entries, example, str, "plc").items():
+            location = self._location_of_value(name, "stubs", "plc")
+            block, named = _STUB_NAME.fullmatch(name), _STUB_CLASS.fullmatch(text)
+            if block is None or named is None:
+                self._wrong(f"plc.stubs.{name}", text, _STUB, _STUB_EXAMPLE, location)
+                continue
+            file = self._folder / named[1]
+            if not _is_file(file):
+                self._collector.report(PROJECT_PATH_MISSING, *location, key=name, path=named[1])
+                continue
+            file = from_here(Path(os.path.normpath(file)))
+            yield Stub(block[1] or "", block[2], file, named[2], location)
 
     def _axes(self, value: Any) -> Mapping[str, str]:
         """Return the axes of the PLC's variables by their paths."""
@@ -355,15 +394,16 @@ class _Reader:
         )
 
     def _table_of(
-        self, key: str, entries: Mapping[str, Any], example: str, kinds: Any
+        self, key: str, entries: Mapping[str, Any], example: str, kinds: Any, owner: str = "fmu"
     ) -> Mapping[str, Any]:
-        """Return a table within ``[fmu]``; names with dots may be tables in tables."""
+        """Return a table within that of ``owner``; names with dots may be tables in tables."""
         table = entries.get(key, {})
         found = dict(_flat(table)) if isinstance(table, dict) else None
         if found is None or not all(
             isinstance(one, kinds) and _is_finite(one) for one in found.values()
         ):
-            self._wrong(f"fmu.{key}", table, _ON_TABLE, example, self._location_in("fmu", key))
+            location = self._location_in(owner, key)
+            self._wrong(f"{owner}.{key}", table, _ON_TABLE, example, location)
             return {}
         return MappingProxyType(found)
 

@@ -27,7 +27,7 @@ from nctakt.messages.commands.project import (
 )
 from nctakt.messages.plcs.fmu import NOTHING_TO_ISOLATE
 from nctakt.project.machine_choice import MachineChoice, choose_machine, machine_of
-from nctakt.project.project_file import FmuSettings, Project, find_project
+from nctakt.project.project_file import FmuSettings, Place, Project, find_project
 from nctakt.project.trust import list_of_trusted, why_distrusted
 
 #: What a run does with the FMU of its project.
@@ -140,7 +140,9 @@ def _plcs(named: Named, project: Project | None, access: FileAccess) -> tuple[Pa
         found = project.plcs
         for file in found:
             access.check_admitted(file)
-            _check_trusted(project, "plc", file)
+            check_trusted(project, "plc", file, project.places["plc"])
+        for stub in project.stubs:
+            access.check_admitted(stub.file)
     return found
 
 
@@ -154,7 +156,7 @@ def _fmu(named: Named, project: Project | None, access: FileAccess) -> FmuSettin
     if named.fmu_use == "refuse":
         raise Failure(diagnostic(PROJECT_FMU_NOT_POSSIBLE, *project.places["fmu"]))
     access.check_admitted(found.file)
-    _check_trusted(project, "fmu", found.file)
+    check_trusted(project, "fmu", found.file, project.places["fmu"])
     return found
 
 
@@ -167,16 +169,14 @@ def _isolated(named: Named, fmu: FmuSettings | None) -> FmuSettings | None:
     return replace(fmu, isolate=True)
 
 
-def _check_trusted(project: Project, key: str, code: Path) -> None:
+def check_trusted(project: Project, key: str, code: Path, location: Place) -> None:
     """Raise ``Failure`` (902025) for an entry that names code and may be somebody else's."""
     folder = project.file.absolute().parent
     reason = why_distrusted((project.file, code), folder)
     if reason is not None:
-        span, line = project.places[key]
         found = diagnostic(
             PROJECT_NOT_TRUSTED,
-            span,
-            line,
+            *location,
             key=key,
             reason=reason,
             folder=str(folder),

@@ -120,8 +120,9 @@ class ProgramRun:
     def _attach_plc(self) -> None:
         """Start the PLC on the machine; set the values that apply before the first tick."""
         machine, options, plc = self._machine, self._options, self._plc
-        if options["why"]:
-            for one in parts_of(plc)[0]:
+        for one in parts_of(plc)[0]:
+            one.is_replayed = one.is_replayed or options["replay"] is not None
+            if options["why"]:
                 one.explain()
         self._loop.attach(plc)
         for name, value in (options["set"] or {}).items():
@@ -376,6 +377,7 @@ class ProgramRun:
             self._notebook.close()
         for plc in parts_of(self._plc)[0]:
             self._diagnostics += plc.end()
+            plc.is_replayed = plc.is_replayed and self._options["replay"] is None
         self._loop.recording.close()
         self._loop.ends_deadlock = False
         for channel in self._loop.channels:

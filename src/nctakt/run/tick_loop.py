@@ -14,11 +14,11 @@ from typing import TYPE_CHECKING, Protocol
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.kernel import codes
-from nctakt.run.access.inputs import NEVER
+from nctakt.run.access.inputs import NEVER, PLC
 from nctakt.run.channel_run import ChannelRun, is_reported
 from nctakt.run.plcs.coupling import Coupled
-from nctakt.run.plcs.plc_player import PlcPlayer
-from nctakt.run.plcs.plc_view import AnyPlc
+from nctakt.run.plcs.plc_player import PlcPlayer, PlcWithBlocks
+from nctakt.run.plcs.plc_view import AnyPlc, PlcView
 from nctakt.run.plcs.realtime_plc import NamedGroup, RealtimePlc, parts_of, side_of
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.recording import Recording
@@ -116,12 +116,34 @@ class TickLoop:
         """
         self.plc = plc
         self._realtime_plcs, called = parts_of(plc)
-        self._player = PlcPlayer(called, self.machine) if called is not None else None
-        if called is None:
+        blocks = self._blocks_in_python()
+        played = PlcWithBlocks(called, blocks) if blocks else called
+        self._player = PlcPlayer(played, self.machine) if played is not None else None
+        if played is None:
             self._kernel.calls.stop()
         self.has_plc = has_plc or called is not None
         for channel in self.channels:
             channel.channel.hli.acknowledges_itself = not self.has_plc
+
+    def _blocks_in_python(self) -> list[Callable[[PlcView], None]]:
+        """Return what Python does after each tick for blocks of PLCs in the tick."""
+        found = []
+        for number, one in enumerate(self._realtime_plcs):
+            write = functools.partial(self._write_variable, number)
+            call = None if one.is_replayed else one.blocks_in_python(write)
+            found += [] if call is None else [call]
+        return found
+
+    def _write_variable(self, number: int, path: str, value: float | bool | str) -> None:
+        """Set a variable of a PLC in the tick, as a PLC in Python does."""
+        access = self.machine.access
+        if isinstance(access.named, NamedGroup):
+            access.write(access.named.path(number, path), value, PLC)
+
+    @property
+    def runs_python(self) -> bool:
+        """Whether Python does something after ticks that a tape has as inputs of the PLC."""
+        return self._player is not None
 
     def couple(self, coupled: Coupled | None) -> None:
         """Couple only this simulation to the ticks from the next one on."""

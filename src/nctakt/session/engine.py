@@ -230,6 +230,8 @@ class Engine:
         self._listed: list[int | str] = []
         self._told_diagnostics = self._told_messages = 0
         plc = load_plcs(setup.plcs)
+        for one in parts_of(plc)[0]:
+            one.is_replayed = setup.is_replay
         self._schedule.follow(self._loop, plc, self._diagnostics.append)
         stimuli = [read_stimulus(stimulus) for stimulus in options.get("at", ())]
         options = self._options(options, plc, stimuli, recorded)
@@ -329,7 +331,7 @@ class Engine:
 
         Those of a PLC in Python are only compared with its actions if it is rerun, too.
         """
-        runs_again = parts_of(self._loop.plc)[1] is not None
+        runs_again = self._loop.runs_python
         own = [planned for planned in inputs if planned.source != PLC or not runs_again]
         self._expected = deque(one for one in inputs if one.source == PLC and runs_again)
         self._differs = None

@@ -21,9 +21,10 @@ class Setup:
     ``programs``: number of the channel, from 1 -> its programs. ``machine``: a folder, ``None`` for
     the demo machine. ``plc``: files of PLCs. ``acknowledges``: technology functions acknowledge
     themselves if no PLC is present; else a user of the session, or a tape, does it. ``folders``:
-    the only ones whose files may be read, if any are given. ``inputs``: those of a tape.
-    ``rtconf``: a scheduling list by which the controller's threads run on a real clock, with its
-    ``load`` and the name of its operating system. ``options``: those of ``Controller.run``, of
+    the only ones whose files may be read, if any are given. ``inputs``: those of a tape;
+    ``is_replay``: with what Python did for the PLC. ``rtconf``: a scheduling list by which the
+    controller's threads run on a real clock, with its ``load`` and the name of its operating
+    system. ``options``: those of ``Controller.run``, of
     which ``signals`` are by default those of a run and the variables of the machine.
     """
 
@@ -33,6 +34,7 @@ class Setup:
     acknowledges: bool = True
     folders: Sequence[str | Path] = ()
     inputs: Sequence[Input] = ()
+    is_replay: bool = False
     rtconf: str | None = None
     load: str | None = None
     system: str | None = None

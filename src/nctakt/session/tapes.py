@@ -131,6 +131,7 @@ def read_setup(path: str | Path, folders: Sequence[str | Path] = (), *, anyway: 
         acknowledges=not tape.has_plc,
         folders=folders,
         inputs=tape.inputs,
+        is_replay=True,
         options=options_of_words(words),
         plc=plcs,
     )

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import contextlib
 import gc
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from nctakt.messages import Collector
 from nctakt.st.check.project import check_project
-from nctakt.st.files.libraries import OwnLibrary, own_libraries
+from nctakt.st.files.libraries import OwnLibrary
 from nctakt.st.files.objects import read_objects
 from nctakt.st.files.project import PlcSources, ReadFile, loose_files, read_project
 from nctakt.st.files.suffixes import PROJECT_SUFFIX, SYSTEM_SUFFIX
@@ -21,6 +21,9 @@ from nctakt.st.sources import Sources
 from nctakt.st.tree import Declaration, TaskNode
 from nctakt.st.vocabulary.libraries import default_libraries
 
+#: Reads the libraries whose sources the user has, by their names in lower case.
+ReadLibraries = Callable[[ReadFile, Reporter], Mapping[str, OwnLibrary]]
+
 #: What conditions of programs find defined here (ST-205).
 OUR_DEFINITION = "nctakt"
 
@@ -29,44 +32,34 @@ def inspect_paths(
     paths: Sequence[Path],
     read: ReadFile,
     collector: Collector,
-    libraries: Sequence[str] = (),
-    folders: Sequence[Path] = (),
+    own: ReadLibraries = lambda read, reporter: {},
 ) -> list[Program]:
-    """Check projects, and single files as one project.
-
-    ``libraries``: further references; ``folders``: where sources of libraries are.
-    """
+    """Check projects, and single files as one project, with the user's own libraries."""
     programs: list[Program] = []
     loose = [path for path in paths if path.suffix.lower() not in (PROJECT_SUFFIX, SYSTEM_SUFFIX)]
     for path in paths:
         if path not in loose:
             reporter = Reporter(Sources(), collector)
             for project in read_project(path, read, reporter):
-                programs.append(inspect_sources(project, read, reporter, libraries, folders))
+                programs.append(inspect_sources(project, read, reporter, own))
     if loose:
         reporter = Reporter(Sources(), collector)
-        programs.append(inspect_sources(loose_files(loose), read, reporter, libraries, folders))
+        programs.append(inspect_sources(loose_files(loose), read, reporter, own))
     return programs
 
 
 def inspect_sources(
-    project: PlcSources,
-    read: ReadFile,
-    reporter: Reporter,
-    libraries: Sequence[str] = (),
-    folders: Sequence[Path] = (),
+    project: PlcSources, read: ReadFile, reporter: Reporter, own: ReadLibraries
 ) -> Program:
-    """Read and check all files of a project, with the libraries in ``folders``."""
+    """Read and check all files of a project, with the user's own libraries."""
     texts = [(path.as_posix(), read(path)) for path in project.files]
     return inspect_texts(
         project.name,
         {file: data for file, data in texts if data is not None},
         reporter,
-        libraries=[*libraries, *(project.libraries or ())]
-        if project.libraries is not None
-        else None,
+        libraries=project.libraries,
         project=project,
-        own=own_libraries(folders, read, reporter),
+        own=own(read, reporter),
     )
 
 

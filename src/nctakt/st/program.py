@@ -35,7 +35,7 @@ class Program:
 
     The data area has ``data_size`` bytes: globals, VAR_STAT, and the instances of programs. What is
     at offset 0 is never a variable, so that no address is null. ``has_errors``: it must not run.
-    ``files``: those of the project that were read.
+    ``files``: those of the project that were read; ``read_files``: those of libraries, too.
     ``initial_order``: the global variables in the order of their initialisation (ST-404), then
     programs by ``pous``. ``blocks``: blocks and programs by number, from 1.
     """
@@ -52,5 +52,6 @@ class Program:
     blocks: list[Pou] = field(default_factory=list)
     has_errors: bool = False
     files: list[str] = field(default_factory=list)
+    read_files: list[str] = field(default_factory=list)
     #: Reads further expressions in the scopes of the project, once it has been checked.
     single: SingleReader | None = None

@@ -234,7 +234,7 @@ def _member(found: PlacedVariable, name: str) -> PlacedVariable | None:
         variable = found.type.members.get(name)
     else:
         variable = None
-    if variable is None:
+    if variable is None or variable.section is Section.IN_OUT:  # that holds an address
         return None
     is_constant = found.is_constant or variable.is_constant
     return PlacedVariable(found.address + variable.offset, variable.type, variable.bit, is_constant)

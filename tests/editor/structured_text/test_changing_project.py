@@ -116,3 +116,25 @@ def test_after_each_keystroke_the_findings_are_those_of_a_check(
             typed.put(name, text)
             found = {other: typed.findings(other) for other in FILES}
             assert found == typed.checked(), (seed, texts)
+
+
+def test_changes_in_libraries_and_classes_are_noticed(tmp_path: Path) -> None:
+    """ST-107: sources of a library and the class of a stub, once they are saved."""
+    library, stubs = tmp_path / "libraries" / "valves.st", tmp_path / "stubs.py"
+    library.parent.mkdir()
+    settings = '[plc]\nlibraries = ["libraries"]\nstubs = {FB_Sdo = "stubs.py:Sdo"}\n'
+    (tmp_path / "nctakt.toml").write_text(settings, "utf-8")
+    valve = "FUNCTION_BLOCK FB_Valve VAR_INPUT bOpen : BOOL; END_VAR END_FUNCTION_BLOCK"
+    sdo = "class Sdo:\n    declaration = 'VAR_INPUT nIndex : UINT; END_VAR'\n    def cycle(): ...\n"
+    library.write_text(valve, "utf-8")
+    stubs.write_text(sdo, "utf-8")
+    text = "PROGRAM MAIN VAR v : FB_Valve; s : FB_Sdo; END_VAR\nv(bOpen := TRUE); s(nIndex := 1);\n"
+    typed = Typed(tmp_path, {"main.st": f"{text}END_PROGRAM\n"})
+    assert typed.findings("main.st") == []
+    library.write_text(valve.replace("bOpen", "bShut"), "utf-8")
+    assert ["bOpen" in one for one in typed.findings("main.st")] == [True]
+    stubs.write_text(sdo.replace("nIndex", "nSubIndex"), "utf-8")
+    assert len(typed.findings("main.st")) == 2
+    library.write_text(valve, "utf-8")
+    stubs.write_text(sdo, "utf-8")
+    assert typed.findings("main.st") == []

@@ -28,8 +28,9 @@ from nctakt.editor.structured_text.dependencies import (
 )
 from nctakt.editor.structured_text.unit_memory import UnitMemory
 from nctakt.messages import Collector
+from nctakt.plc.python.stubs import ProjectLibraries
 from nctakt.st.check.project import ProjectChecker, checked, checker_of
-from nctakt.st.files.libraries import OwnLibrary, own_libraries
+from nctakt.st.files.libraries import OwnLibrary
 from nctakt.st.files.objects import read_objects
 from nctakt.st.files.project import PlcSources
 from nctakt.st.inspection import OUR_DEFINITION, collector_waiting
@@ -74,12 +75,12 @@ class Texts(Protocol):
 class PlcProject:
     """A project: its files, the last check of them. Whoever asks holds ``lock`` meanwhile."""
 
-    def __init__(self, listed: PlcSources, folders: Sequence[Path], texts: Texts) -> None:
+    def __init__(self, listed: PlcSources, libraries: ProjectLibraries, texts: Texts) -> None:
         self.lock = threading.RLock()
         #: Names and types of earlier checks are left, which refer to each other.
         self.has_garbage = False
         self.listed = listed
-        self._folders = tuple(folders)
+        self._libraries = libraries
         self._texts = texts
         self._tried: dict[Path, bytes] = {}
         self._begin()
@@ -94,6 +95,8 @@ class PlcProject:
         self._memory = UnitMemory()
         self._is_settled = False
         self._own: dict[str, OwnLibrary] | None = None
+        #: What the texts of libraries change with, by their files.
+        self._library_states: dict[Path, object] = {}
         stems = frozenset(path.stem.lower() for path in self.listed.files)
         values = {OUR_DEFINITION: "", **self.listed.definitions}
         self._definitions = Definitions(values, stems, stems)
@@ -149,6 +152,8 @@ class PlcProject:
 
     def _read(self) -> bool:
         """Read the files that have changed, and forget what depends on them."""
+        if any(self._state(path) != state for path, state in self._library_states.items()):
+            self._begin()
         changed: set[OwnedName] = set()
         is_changed = False
         for path in self.listed.files:
@@ -204,7 +209,7 @@ class PlcProject:
     def _check(self) -> None:
         if self._own is None:
             reporter = Reporter(self.sources, Collector())
-            self._own = own_libraries(self._folders, self._read_library, reporter)
+            self._own = self._libraries.read(self._read_library, reporter)
         collector = Collector()
         named = self.listed.libraries
         libraries = default_libraries() if named is None else named
@@ -231,6 +236,7 @@ class PlcProject:
         return {file: sorted(items.values(), key=_order) for file, items in by_file.items()}
 
     def _read_library(self, path: Path) -> bytes | None:
+        self._library_states[path] = self._state(path)
         return self._bytes(path) or None
 
     def file_named(self, name: str) -> PlcFile | None:

@@ -20,6 +20,7 @@ from nctakt.editor.document import STRUCTURED_LANGUAGE, Document, uri_of
 from nctakt.editor.open_buffers import Buffers, OpenBuffers
 from nctakt.editor.structured_text.plc_project import PlcProject, Texts, same_files
 from nctakt.messages import Collector
+from nctakt.plc.python.stubs import ProjectLibraries, libraries_of
 from nctakt.project.project_file import find_project
 from nctakt.st.files.project import PlcSources, project_around, read_project
 from nctakt.st.files.suffixes import OBJECT_SUFFIXES, PROJECT_SUFFIXES, SOURCE_SUFFIXES
@@ -120,16 +121,16 @@ class PlcProjects:
         path = document.location
         if path is None:
             listed = PlcSources(document.name, [Path(document.name)])
-            return PlcProject(listed, (), _WithoutFile(document, self._access))
+            return PlcProject(listed, ProjectLibraries(), _WithoutFile(document, self._access))
         listed = self._listed(document, path)
-        folders = self._library_folders(path)
-        key = (tuple(listed.files), folders)
+        libraries = self._libraries(path)
+        key = (tuple(listed.files), libraries)
         known = self._projects.get(key)
         if known is None or not same_files(known.listed, listed):
             texts: Texts = self._access
             if document.path is None:
                 texts = _WithoutFile(document, self._access)
-            known = self._projects[key] = PlcProject(listed, folders, texts)
+            known = self._projects[key] = PlcProject(listed, libraries, texts)
         return known
 
     def _listed(self, document: Document, path: Path) -> PlcSources:
@@ -160,12 +161,11 @@ class PlcProjects:
     def _is_loose(self, path: Path) -> bool:
         return path.suffix.lower() not in OBJECT_SUFFIXES or project_around(path) is None
 
-    def _library_folders(self, path: Path) -> tuple[Path, ...]:
+    def _libraries(self, path: Path) -> ProjectLibraries:
         try:
-            project = find_project(path, self._access)
+            return libraries_of(find_project(path, self._access))
         except Failure:
-            return ()
-        return () if project is None else project.libraries
+            return ProjectLibraries()
 
     def _bytes(self, path: Path) -> bytes | None:
         try:

@@ -8,7 +8,7 @@ the same tick.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 from nctakt.hli.function_codes import function_name
@@ -20,6 +20,21 @@ if TYPE_CHECKING:
 
 #: Maximum number of ticks until the listener of inputs gets the PLC's writes in them.
 _TICKS_OF_NOTES = 1_000
+
+
+class PlcWithBlocks(WatchedPlc):
+    """A PLC in Python, if there is one, then the blocks that Python carries out for others."""
+
+    def __init__(self, plc: AnyPlc | None, blocks: Sequence[Callable[[PlcView], None]]) -> None:
+        self._plc = plc
+        self._blocks = blocks
+
+    def cycle(self, hli: PlcView) -> None:
+        """Call them after a tick."""
+        if self._plc is not None:
+            self._plc.cycle(hli)
+        for block in self._blocks:
+            block(hli)
 
 
 class PlcPlayer:

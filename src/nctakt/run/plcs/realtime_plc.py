@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -38,7 +38,12 @@ def is_structured(path: str | Path | None) -> bool:
 
 
 class RealtimePlc(WatchedPlc):
-    """A PLC whose tasks run in the tick; it acknowledges only in areas announced."""
+    """A PLC whose tasks run in the tick; it acknowledges only in areas announced.
+
+    ``is_replayed``: what Python did for its blocks comes from a tape.
+    """
+
+    is_replayed = False
 
     def cycle(self, hli: PlcView) -> None:
         """Do nothing: its tasks run in the tick."""
@@ -55,6 +60,15 @@ class RealtimePlc(WatchedPlc):
     def side(self) -> PlcSide:
         """Return the part that runs in the tick, once it is attached."""
         raise NotImplementedError
+
+    def blocks_in_python(
+        self, write: Callable[[str, float | bool | str], None]
+    ) -> Callable[[PlcView], None] | None:
+        """Return what Python does for its blocks after each tick, once it is attached.
+
+        ``write`` sets a variable by its path.
+        """
+        return None
 
     def explain(self) -> None:
         """Count its branches and note its changes from the next ``attach`` on, if it can."""

@@ -301,6 +301,8 @@ class ExpressionChecker:
 
     def unknown(self, message: Message, name: str, start: int, end: int, scope: Scope) -> None:
         """Report an unknown name, with the nearest known one, or its libraries."""
+        if any(name.lower() in library.faulty for library in self.names.own.values()):
+            return
         if self.foreign_libraries and not scope.library:
             key = f"{scope.title if self.reports_in_each_unit else ''}\0{name.lower()}"
             if key in self._reported_foreign:

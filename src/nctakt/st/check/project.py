@@ -451,6 +451,8 @@ def checked(name: str, declarations: list[Declaration], checker: ProjectChecker)
     resolver, names = checker.resolver, checker.names
     resolver.declare(names.project, declarations)
     resolver.declare_values(names.project)
+    for library in names.own.values():
+        library.report_taken(names, checker.reporter)
     checker.check(declarations)
     tasks = checker.tasks([node for node in declarations if isinstance(node, TaskNode)])
     program = _program(name, resolver, names, tasks)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 from nctakt.base.dataclass import dataclass
 from nctakt.st.files.objects import read_objects
@@ -29,6 +30,7 @@ class OwnLibrary:
 
     ``is_whole``: it is a project, which stands for a library of this name that nctakt knows;
     files of no project are added to it. ``references``: the libraries that a project names.
+    ``faulty``: names of what it lacks because of mistakes that are reported.
     """
 
     name: str
@@ -36,11 +38,15 @@ class OwnLibrary:
     words: frozenset[str]
     is_whole: bool = False
     references: tuple[str, ...] = ()
+    faulty: frozenset[str] = frozenset()
 
     @property
     def declared_names(self) -> tuple[str, ...]:
         """The names of its objects."""
         return tuple(name for one in self.declarations if (name := getattr(one, "name", "")))
+
+    def report_taken(self, names: Any, reporter: Reporter) -> None:
+        """Report what it has that only it may have, and others declare, too."""
 
 
 def own_libraries(

@@ -67,6 +67,17 @@ def parse_text(name: str, text: str, reporter: Reporter) -> list[Declaration]:
     return _ObjectReader(f"{name}.st", Definitions(), reporter).plain(text.encode())
 
 
+def parse_declaration(piece: Piece, reporter: Reporter) -> PouNode | None:
+    """Return a POU of a text that only declares it; ``None`` where nothing of it can be read."""
+    parser = _ObjectReader(piece.file, Definitions(), reporter)._parser(piece)
+    try:
+        pou = parser.pou(has_body=False)
+        parser.end_of_declaration()
+    except SyntaxFaultError:
+        return None
+    return pou
+
+
 class _ObjectReader:
     """Reads the objects of one file."""
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from nctakt.base.dataclass import dataclass
 from nctakt.files.access import is_file_or_folder
-from nctakt.plc.loading import imports_beside
+from nctakt.plc.python.user_modules import imports_beside
 from nctakt.studies.measuring.measure_nodes import Number
 from nctakt.studies.measuring.outcome import NotMeasuredError, Outcome
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The predicted path: a copy of the session's controller runs ahead without further inputs.
 
-In: a session, and up to which input it is known. Out: for browsers the ticks, positions and
-reactions to come, made in a thread of its own, and why they end where they do.
+In: a session, and the input up to which it is known. Out: for browsers the ticks, positions and
+reactions to come, computed in a separate thread, and why they end there.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from nctakt.live.view import rounded
 from nctakt.session.ahead import Future
 from nctakt.session.session import Session
 
-#: How long the inputs stay as they are before the future is drawn anew, in seconds.
+#: How long the inputs must be unchanged before the future is recomputed, in seconds.
 _REST_S = 0.3
 
-#: How long browsers draw what is known while the rest is looked for, in seconds.
+#: How long browsers draw the known part while the rest is computed, in seconds.
 _DISTANCE_S = 0.3
 
 #: The languages in which browsers may show why it ends.
@@ -37,9 +37,9 @@ _AGAIN_TICKS = 250_000
 
 @dataclass(frozen=True, slots=True)
 class FutureOf:
-    """What a future depends on.
+    """The state that a future depends on.
 
-    The session's serial number, branch and number of inputs, what is shown, and how far it is.
+    The session's serial number, branch and number of inputs, what is shown, and how far it has run.
     """
 
     serial: int
@@ -51,7 +51,7 @@ class FutureOf:
 
     @classmethod
     def of(cls, session: Session, serial: int, signals: Sequence[str], file: str) -> FutureOf:
-        """Return what the future of a session depends on now."""
+        """Return the state that the future of a session depends on now."""
         branch = session.branch
         stretch = session.branches[branch] // _AGAIN_TICKS
         return cls(serial, branch, session.input_count, tuple(signals), file, stretch)
@@ -70,7 +70,7 @@ class Ahead:
         self._thread.start()
 
     def wish(self, subject: FutureOf, session: Session) -> None:
-        """Let the future of a session be known."""
+        """Computes the future of a session."""
         with self._changed:
             if self._wish is None or self._wish[0] != subject:
                 self._wish = subject, session
@@ -136,7 +136,7 @@ def drawn(future: Future, signals: Sequence[str], file: str) -> dict[str, Any]:
 
 
 def _causes(future: Future, language: Language) -> str:
-    """Return what the programs wait for, or the errors of the run, with their lines."""
+    """Return the waits of the programs, or the errors of the run, with their lines."""
     texts = []
     for one in future.causes:
         awaited = one.values.get("awaited")

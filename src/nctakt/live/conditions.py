@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The conditions that have a lane in the scope: those of a program's realtime cycles, filtered.
 
-In: the lines of a program, what a person looks for. Out: conditions, and which of them fit.
+In: the lines of a program, a person's search text. Out: conditions, and which of them match.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _CYCLE_ID = re.compile(r"\bID\s*=\s*([^\s\],]+)", re.IGNORECASE)
 _CONDITION = re.compile(r"\s*(?:N\d+\s*)?\$(?:IF|ELSEIF)\b", re.IGNORECASE)
 _WORD = re.compile(r'"([^"]*)"?|(\S+)')
 
-#: Conditions that have a lane in the scope at most, the first ones: it shows six, and scrolls.
+#: Maximum number of conditions with a lane in the scope, the first ones: it shows six, and scrolls.
 MAX_CONDITIONS = 100
 
 #: Characters of a filter at most.
@@ -26,7 +26,7 @@ MAX_FILTER = 100
 
 @dataclass(frozen=True, slots=True)
 class Condition:
-    """A condition: its line, the ID of its cycle as it is written (empty without), its text."""
+    """A condition: its line, the ID of its cycle as written (empty without), its text."""
 
     line: int
     cycle: str
@@ -60,8 +60,8 @@ def is_condition(line: str) -> bool:
 def fitting(conditions: Sequence[Condition], wish: str) -> list[int]:
     """Return the indices of the conditions that fit all words of a filter; without words all.
 
-    ``12`` is a line, ``12-20`` a range of them, ``#3`` the ID of a cycle; any other word, and all
-    that stands in ``"``, is a part of the condition's text in any case.
+    ``12`` is a line, ``12-20`` a range of them, ``#3`` the ID of a cycle; any other word, and any
+    text in ``"``, is part of the condition's text, ignoring case.
     """
     words = [(match[1], match[2]) for match in _WORD.finditer(wish[:MAX_FILTER])]
     return [

@@ -27,7 +27,7 @@ from nctakt.messages.files import FILE_NOT_WRITABLE
 from nctakt.run.program_loader import NcText
 from nctakt.run.realtime.assembly import AssembledMachine
 
-#: Lines and characters of a program that is edited on the page at most; a longer one is shown.
+#: Maximum lines and characters of a program edited on the page; a longer one is only shown.
 MAX_EDITED_LINES, MAX_EDITED_CHARACTERS = 20_000, 1_000_000
 
 
@@ -35,9 +35,9 @@ class Checker:
     """The machine that programs are checked with; raises ``Failure`` where it cannot be read.
 
     ``types``: name -> type of the machine's variables. ``limits``: axis -> software limits.
-    ``synchronous``: variables that realtime cycles read and write in each tick.
-    ``transformed``: numbers of the channels with kinematic transformations. ``machine``: what the
-    check, completion and explanations know of it.
+    ``synchronous``: variables that realtime cycles read and write in each tick. ``transformed``:
+    numbers of the channels with kinematic transformations. ``machine``: its data for check,
+    completion and explanations.
     """
 
     def __init__(self, machine: str | None, folders: Sequence[str | Path]) -> None:
@@ -64,7 +64,7 @@ class Checker:
         }
 
     def check(self, file: str, text: str) -> list[Diagnostic]:
-        """Return what the check finds in a text, with its notes."""
+        """Return the findings of the check for a text, with its notes."""
         result = check_files([NcText(file, text)], self.machine)
         return [found.diagnostic for found in result.findings]
 
@@ -72,7 +72,7 @@ class Checker:
 class Document:
     """A program in a file; raises ``Failure`` where it cannot be read.
 
-    ``text`` and ``lines``: as it was read or saved last.
+    ``text`` and ``lines``: as last read or saved.
     """
 
     def __init__(self, file: str, checker: Checker) -> None:
@@ -103,12 +103,12 @@ class Document:
 
     @property
     def is_replaced(self) -> bool:
-        """Whether the file on disk is another than the one that was read, or is gone."""
+        """Whether the file on disk differs from the one read, or is gone."""
         path = Path(self.file)
         try:
             status = path.stat()
             seen = status.st_mtime_ns, status.st_size
-            if seen in (self._seen, self._other):  # it is as it was when it was compared
+            if seen in (self._seen, self._other):  # it has not changed since it was compared
                 return seen == self._other
             is_other = path.read_bytes() != self._content
         except OSError:
@@ -125,7 +125,7 @@ class Document:
         return not Path(self.file).exists()
 
     def check(self, text: str) -> list[Diagnostic]:
-        """Return what the check finds in a text of the editor, with its notes.
+        """Return the findings of the check for a text of the editor, with its notes.
 
         The text that was read is checked once for all browsers.
         """
@@ -140,8 +140,8 @@ class Document:
     def save(self, text: str, begin: str) -> None:
         """Write the editor's text, which was ``begin`` before it was changed.
 
-        The ends of lines and the encoding stay as they are. Raises ``Failure`` if the file has
-        changed since, also by another browser, or cannot be written.
+        Line ends and encoding are kept. Raises ``Failure`` if the file has changed since, also by
+        another browser, or cannot be written.
         """
         path = Path(self.file)
         if begin != self.text or FileAccess().read_bytes(path) != self._content:
@@ -159,7 +159,7 @@ class Document:
 
 
 def replace_file(path: Path, content: bytes) -> None:
-    """Write a file in one step: whoever reads it sees the old content or the new."""
+    """Write a file in one step: readers see the old content or the new."""
     target = path.resolve()
     number, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     try:

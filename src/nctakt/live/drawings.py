@@ -31,8 +31,8 @@ _MODULES = {
 }
 
 
-#: Increments under way to a browser that has not drawn them yet; one more tells that it goes on
-#: or stands.
+#: Increments under way to a browser that has not drawn them yet; one more says whether the session
+#: runs.
 MAX_UNDER_WAY = 2
 
 #: Sides from which the path can be seen.
@@ -53,7 +53,7 @@ class PathView(Element, component="path.js", esm=_MODULES):
 class Drawings:
     """Scope and path of one browser.
 
-    ``go_on`` is called when it has drawn what was under way while the session stands.
+    ``go_on`` is called when it has drawn everything under way while the session is stopped.
     """
 
     def __init__(
@@ -122,7 +122,7 @@ class Drawings:
             self._scope.on("kept", self._restore_filter)
 
     def _build_filter(self) -> None:
-        """Build the field that filters the conditions; it is there where there are several."""
+        """Build the field that filters the conditions; it exists if there are several."""
         texts = self._texts
         self._filter = ui.input(placeholder=texts["filter_short"], on_change=self._keep_filter)
         self._filter.props(
@@ -164,9 +164,9 @@ class Drawings:
 
     @property
     def are_behind(self) -> bool:
-        """Whether the browser has not drawn yet what was sent: it is busy, or asleep.
+        """Whether the browser has not yet drawn what was sent: it is busy, or asleep.
 
-        That the session goes on or stands is sent nevertheless, once.
+        Whether the session runs is sent nevertheless, once.
         """
         is_urgent = self._sent.get("isPlaying") is not self._shared.snapshot.is_playing
         return self._number - self._drawn >= MAX_UNDER_WAY + is_urgent
@@ -180,7 +180,7 @@ class Drawings:
                 self._go_on()
 
     def follow(self, texts: dict[str, str]) -> None:
-        """Send what is new; ``texts``: those of the readings that have changed."""
+        """Send new data; ``texts``: those of the readings that have changed."""
         shared, snapshot = self._shared, self._shared.snapshot
         track, shown = shared.track, shared.track.shown
         news: dict[str, Any] = {"texts": texts} if texts else {}
@@ -231,7 +231,7 @@ class Drawings:
         return found
 
     def _show_future(self, future: dict[str, Any] | None) -> None:
-        """Say why the path to come ends where it does, or that there is none to show."""
+        """Say why the predicted path ends there, or that there is none to show."""
         text = ""
         if future is not None:
             causes = future["causes"][self._texts.language]
@@ -249,7 +249,7 @@ class Drawings:
             self._path.update()
 
     def _offer_signals(self) -> None:
-        """Offer all signals; before somebody looks for one, the browser has those shown only."""
+        """Offer all signals; before somebody searches, the browser has only those shown."""
         if not self._has_offered:
             self._has_offered = True
             self._show_signals()
@@ -323,7 +323,7 @@ class Drawings:
         self._scope.run_method("zoomBy", factor)
 
     def pan(self, share: float) -> None:
-        """Scroll the scope by a share of what it shows."""
+        """Scroll the scope by a share of its width."""
         self._scope.run_method("panBy", share)
 
     def scroll_lanes(self, rows: int) -> None:

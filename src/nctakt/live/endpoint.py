@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The live page as one of the endpoints of ``nctakt serve``: the operator's, in the browser.
+"""The live page as an endpoint of ``nctakt serve``: the operator's, in the browser.
 
 In: the session that clients share, its programs. Out: the page's address until the servers end. The
 page commands the session as any client does, and cannot begin it anew.
@@ -87,7 +87,7 @@ class PageEndpoint:
         return await asyncio.wrap_future(self._address_told)
 
     def _open_once(self) -> Callable[[str | None, bool], Session]:
-        """Return what gives the session once; then it raises ``Failure`` (901380)."""
+        """Return a function that gives the session once; then it raises ``Failure`` (901380)."""
         sessions = [self._session]
 
         def open_session(program: str | None, acknowledges: bool) -> Session:

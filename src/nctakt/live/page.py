@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The live page of one browser: its parts, and how they follow the session.
 
-In: a ``SharedSession``, the programs' documents. Out: elements of NiceGUI. What they show comes
-from ``view`` and ``track``.
+In: a ``SharedSession``, the programs' documents. Out: elements of NiceGUI. Their content comes from
+``view`` and ``track``.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ _FIELDS_EVERY = 3
 #: Looks between two looks at the file on disk.
 _DISK_EVERY = 40
 
-#: Speeds: factor of the wall clock, ``None`` as fast as possible.
+#: Speeds: factor of the wall clock, ``None`` at full speed.
 _SPEEDS: dict[str, float | None] = {
     "×0.01": 0.01,
     "×0.1": 0.1,
@@ -204,12 +204,12 @@ class Page:
     # --- following ------------------------------------------------------------------------------
 
     def _subject_now(self) -> tuple[object, ...]:
-        """Return what decides which signals and variables the page has."""
+        """Return the data that decides which signals and variables the page has."""
         shared = self._shared
         return shared.snapshot.serial, shared.channel, shared.file
 
     def _follow(self) -> None:
-        """Show what is new, once the browser has drawn what was before."""
+        """Show new data, once the browser has drawn the previous."""
         if self._drawings.are_behind:
             return
         shared, snapshot = self._shared, self._shared.snapshot
@@ -338,7 +338,7 @@ class Page:
         self._show_pen()
 
     def _switch_dark(self) -> None:
-        """Be light or dark from now on, whatever the system is."""
+        """Be light or dark from now on, regardless of the system."""
         self._dark.set_value(not self._is_dark)
 
     def _show_dark(self, event: Any) -> None:
@@ -349,7 +349,7 @@ class Page:
     # --- keys -----------------------------------------------------------------------------------
 
     async def _key(self, event: Any) -> None:
-        """Do what a key stands for."""
+        """Execute a key's command."""
         key = KEYS.get(str(event.args.get("key", "")) if isinstance(event.args, dict) else "")
         if key is None:
             return
@@ -376,7 +376,7 @@ class Page:
                 await done
 
     def _actions(self) -> dict[str, Callable[[], object]]:
-        """Return what further commands do."""
+        """Return the actions of further commands."""
         drawings = self._drawings
         return {
             "toggle": self._play_or_pause,

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The files of the session's PLCs: whether one has been saved since the run began.
 
-In: the files that name the PLCs. Out: yes or no; nothing of a file is executed. Of a project those
-that it lists count, and its own file; of a PLC in Python its file.
+In: the files that name the PLCs. Out: yes or no; nothing of a file is executed. For a project, the
+files that it lists and its own file count; for a PLC in Python its file.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class PlcFiles:
         self._states: dict[Path, tuple[int, int]] = {}
 
     def states(self) -> dict[Path, tuple[int, int]]:
-        """Return the files as they are now."""
+        """Return the present state of the files."""
         return {path: _state(path) for path in self._files()[:_MAX_FILES]}
 
     def note(self, states: dict[Path, tuple[int, int]]) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A file of the session's PLC as the page shows it: lines, colours, what stands beside them.
+"""A file of the session's PLC as shown on the page: lines, colours, values next to them.
 
 In: the lines of the file, where statements begin, stops, values. Out: plain values that the page
 hands to its elements. Nothing here knows a browser, a thread or a clock.
@@ -17,16 +17,16 @@ from nctakt.session.statements import PlcPlace, names_file
 from nctakt.st.files.shown_text import ShownLine, shown_lines
 from nctakt.st.parse.colouring import TOKEN, kind_of_word
 
-#: Values beside a line at most, and their characters together.
+#: Maximum number of values next to a line, and of their characters.
 _MAX_VALUES, _MAX_CHARACTERS = 6, 100
 
-#: A path that a line names: members, elements by number or name, what a pointer points to.
+#: A path named in a line: members, elements by number or name, the target of a pointer.
 _PATH = re.compile(r"[^\W\d]\w*(?:\.\w+|\[[\w, .-]*\]|\^)*")
-#: What follows the name of what is called; in brackets, also that of an argument.
+#: Text after the name of a called object; in brackets, also that of an argument.
 _FOLLOWING = re.compile(r"\s*(\(|=>|:=)")
 _STOP = re.compile(r"statement (?:(?P<file>.*):)?(?P<line>\d+)\b", re.IGNORECASE)
 
-#: What a row of the page is: its number, 0 for a heading, and its text in parts with classes.
+#: A row of the page: its number, 0 for a heading, and its text in parts with classes.
 Row = tuple[int, list[tuple[str, str]]]
 
 
@@ -70,7 +70,7 @@ class PlcText:
         return self._indices.get(line, -1)
 
     def statement_at(self, index: int) -> int:
-        """Return the line of the file of the first statement from a row on, 0: there is none."""
+        """Return the line of the file of the first statement from a row on, 0 without one."""
         if not 0 <= index < len(self._lines):
             return 0
         line = next((one.line for one in self._lines[index:] if one.line), 0)
@@ -92,7 +92,7 @@ class PlcText:
         return found
 
     def named_at(self, index: int) -> tuple[int, tuple[str, ...]]:
-        """Return the line of the file in a row and all paths that it names, also what it calls."""
+        """Return the line of the file in a row and all paths named in it, including calls."""
         if not 0 <= index < len(self._lines):
             return 0, ()
         return self._lines[index].line, tuple(self._paths[index])
@@ -118,7 +118,7 @@ class PlcText:
     def beside(
         self, named: Sequence[tuple[int, Sequence[str]]], values: Sequence[Sequence[str]]
     ) -> dict[int, str]:
-        """Return the texts beside rows: what each line names, with its value."""
+        """Return the texts next to rows: the variables named in each line, with their values."""
         found = {}
         for (line, paths), texts in zip(named, values, strict=True):
             pairs = [f"{path} = {text}" for path, text in zip(paths, texts, strict=True) if text]
@@ -130,7 +130,7 @@ class PlcText:
         return found
 
     def marks(self, halt: PlcPlace | None, stops: Sequence[str]) -> dict[int, list[str]]:
-        """Return the classes of rows: where the session stands, its open calls, stops."""
+        """Return the classes of rows: position of the session, its open calls, stops."""
         found: dict[int, list[str]] = {}
         for level, frame in enumerate(() if halt is None else halt.frames):
             if frame.span is not None and frame.span.file == self.file:
@@ -158,7 +158,7 @@ def statement_stop(file: str, line: int) -> str:
 
 
 def file_names(files: Sequence[str]) -> dict[str, str]:
-    """Return the files as a person tells them apart: by their names, or paths where these agree."""
+    """Return names that distinguish the files: file names, or paths if these agree."""
     names = [PurePath(one).name for one in files]
     return {
         file: name if names.count(name) == 1 else file
@@ -183,7 +183,7 @@ def _units(text: str) -> int:
 
 
 def _parts(text: str, tokens: Sequence[_Token]) -> list[tuple[str, str]]:
-    """Return a line in parts, each with its class; "" for what has no colour."""
+    """Return a line in parts, each with its class; "" for a part without colour."""
     found, end = [], 0
     for start, last, name in tokens:
         if start > end:

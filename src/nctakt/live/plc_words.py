@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the page explains and finds in a PLC's files: the answers of the language server.
+"""Explanations and findings for a PLC's files: the answers of the language server.
 
 In: the texts that the session runs, places in them, texts that are typed. Out: HTML, findings.
 Nothing is executed.
@@ -34,7 +34,7 @@ class PlcWords:
         self._lock = threading.Lock()
 
     def explained(self, file: str, words: Sequence[WordPlace], language: Language) -> str | None:
-        """Return what is known of words of a file as HTML; ``None`` where it is nothing."""
+        """Return the explanations of words of a file as HTML; ``None`` if there is none."""
         found: dict[str, None] = {}
         with self._lock:
             for word in words[:_MAX_WORDS]:
@@ -44,7 +44,7 @@ class PlcWords:
         return as_html("\n\n---\n\n".join(found))[0] if found else None
 
     def found(self, file: str, lines: Sequence[str]) -> list[Diagnostic]:
-        """Return what the check finds in the session's files if one had other lines, but notes."""
+        """Return the findings, without notes, for the session's files if one had other lines."""
         with self._lock:
             document = self._document(file)
             found = self._projects.of(document).tried(document.name, lines)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the page lists of the past: events, messages and findings of the branch that is shown.
+"""The past as listed on the page: events, messages and findings of the branch shown.
 
-In: frames of a session, which may travel and begin branches. Out: what the ticks before the one
-that is shown have done, each once. What is not known is not guessed: the session runs it again.
+In: frames of a session, which may travel and begin branches. Out: the results of the ticks before
+the one shown, each once. Missing parts are not guessed: the session reruns them.
 """
 
 from __future__ import annotations
@@ -56,15 +56,15 @@ class RunLog:
         left, self._branch = self._branch, frame.branch
         first = frame.first_tick
         self._forget_from(first if left == frame.branch else min(first, fork(left, frame.branch)))
-        if frame.first_tick > self.end:  # what is between has not been reported
+        if frame.first_tick > self.end:  # the ticks between have not been reported
             self.events, self.left_out = (), 0
             self.begin, self.lacks_some = frame.first_tick, True
         self._add(frame)
 
     def complete(self, happened: Callable[[int, int], StepResult]) -> None:
-        """Let what ``happened`` in the latest ticks take the place of what is known of them.
+        """Replace the known results of the latest ticks by what ``happened``.
 
-        ``happened`` runs the ticks from a first one up to another one again; raises what it raises.
+        ``happened`` reruns a range of ticks; its exceptions pass through.
         """
         end = self.end
         done = happened(max(0, end - _AGAIN_TICKS), end)
@@ -74,7 +74,7 @@ class RunLog:
         self.lacks_some = False
 
     def _forget_from(self, tick: int) -> None:
-        """Forget what a tick and later ones have done."""
+        """Forget the results of a tick and later ones."""
         if tick >= self.end:
             return
         before_us = tick * self._cycle_time_us
@@ -84,14 +84,14 @@ class RunLog:
         count = len(self.events)
         self.events = tuple(one for one in self.events if one.tick < tick)
         self.begin, self.end = min(self.begin, tick), tick
-        # of a finding is known in which frame it came: it may be of a tick before this one
+        # only the frame of a finding is known: it may belong to a tick before this one
         is_unsure = any(first < tick < end for first, end, _ in self._found)
         self._found = tuple(one for one in self._found if one[1] <= tick)
         is_short = len(self.events) < min(ENOUGH, count) and bool(self.left_out or self.begin)
         self.lacks_some = self.lacks_some or is_unsure or is_short
 
     def _add(self, done: Frame | StepResult) -> None:
-        """List what ticks have done that follow."""
+        """List the results of further ticks."""
         events = (*self.events, *done.events)
         self.left_out += done.left_out + max(0, len(events) - MAX_LOG)
         self.events = events[-MAX_LOG:]

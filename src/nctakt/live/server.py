@@ -2,7 +2,7 @@
 """The server of the live page: its address, its guard, its end.
 
 In: a shared session and its documents. Out: a page at an address until Ctrl-C. NiceGUI is imported
-here and nowhere else outside of the page.
+here and nowhere else outside the page.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 #: Bytes of a message of a browser: the longest is the text of the editor.
 _MAX_MESSAGE = 16 * 1024 * 1024
 
-#: Where addresses that stand for all of a machine can be reached from itself.
+#: Where addresses that mean all interfaces of a machine can be reached from itself.
 _REACHABLE = {"0.0.0.0": "127.0.0.1", "::": "::1"}
 
 #: How long a thread of the server may compute while the session's thread is due, in seconds.
@@ -79,8 +79,8 @@ def serve(
     """Serve the page until Ctrl-C.
 
     ``has_tour``: with the tour of the demo cell. ``is_embedded``: an editor shows it in a panel.
-    ``tell`` gets its address once, ``tell_error`` what browsers send that cannot be understood,
-    ``refused`` whose requests and connections were refused, and why.
+    ``tell`` gets its address once, ``tell_error`` unreadable data from browsers, ``refused`` whose
+    requests and connections were refused, and why.
     """
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
@@ -100,7 +100,7 @@ def serve(
     shown = f"[{host}]" if ":" in host else host
 
     async def begin() -> None:
-        gc.freeze()  # what is there stays: a search for garbage is short then
+        gc.freeze()  # existing objects stay: this keeps garbage collection short
         background_tasks.create(_announce(f"http://{shown}:{port}/{word}", host, port, tell))
 
     sys.setswitchinterval(_SWITCH_S)
@@ -119,13 +119,13 @@ def serve(
         http=protocol(refused),
         ws_max_size=_MAX_MESSAGE,
         ws_per_message_deflate=False,  # a few bytes would become as many as a message may have
-        tailwind=False,  # the page has colours and places of its own: it would cost the first paint
+        tailwind=False,  # the page has its own styles: these would delay the first paint
         gzip_middleware_factory=Compression,
     )
 
 
 def _guard(access: Access, places: Places, texts: Texts, refused: Refused) -> None:
-    """Bound what browsers may send, and refuse those without access or place."""
+    """Limit what browsers may send, and refuse those without access or place."""
     from nicegui import Client, app, core  # noqa: PLC0415 - only the page needs it
 
     from nctakt.live.access.sockets import Sockets  # noqa: PLC0415 - as above
@@ -145,7 +145,7 @@ def _guard(access: Access, places: Places, texts: Texts, refused: Refused) -> No
 
 
 async def _not_found(_: object, __: object) -> Response:
-    """Answer in a line; the library would build a page, which costs as much as the right one."""
+    """Answer with a line; the library would build a page, which costs as much as the real one."""
     from starlette.responses import PlainTextResponse  # noqa: PLC0415 - only the page needs it
 
     return PlainTextResponse("404: not found\n", 404)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """One session that several browsers share: commands in, snapshots and increments out.
 
-In: commands of whoever has the pen, from any thread. Out: the latest snapshot, curves, marks and
-lists, made by a thread of its own that listens to the session. Browsers look at them at their own
-rates; none of them can hold the session or another browser up.
+In: commands of the browser in control, from any thread. Out: the latest snapshot, curves, marks and
+lists, made by a separate thread that listens to the session. Browsers read them at their own rates;
+none of them can hold up the session or another browser.
 """
 
 from __future__ import annotations
@@ -36,11 +36,12 @@ from nctakt.session.stops import StopAt
 #: Where the page's inputs come from, on the tape.
 PAGE = "page"
 
-#: Frames a second that a session gives, and how long the thread waits for one.
+#: Frames per second of a session, and how long the thread waits for one.
 RATE_HZ = 20.0
 _WAIT_S = 0.2
 
-#: How long nothing is new before the past is looked at, so that it holds up nobody, in seconds.
+#: How long nothing must have changed before the past is read, so that it holds up nobody, in
+#: seconds.
 _REST_S = 0.1
 
 #: Rows of the curves that are taken from the past at even distances, as many more where the path
@@ -56,7 +57,7 @@ Opener = Callable[[str | None, bool], Session]
 
 @dataclass(frozen=True, slots=True)
 class OtherPath:
-    """Signals of a channel that is not the one shown: X, Y, Z, ``None`` where it has none."""
+    """Signals of a channel other than the one shown: X, Y, Z, ``None`` without such an axis."""
 
     channel: int
     axes: tuple[str | None, ...]
@@ -64,15 +65,15 @@ class OtherPath:
 
 
 class SharedSession:
-    """A session and what browsers show of it; raises ``Failure`` if it cannot be opened.
+    """A session and the data that browsers show; raises ``Failure`` if it cannot be opened.
 
     ``file`` and ``channel``: those that are shown. ``delay``: ticks to an automatic
     acknowledgement, 0: the CNC acknowledges at once, ``None``: a person does. ``pen``: who may
     command. ``stops``: those of persons, as text. ``busy``: commands under way. ``branch_names``:
-    those that persons have given to branches. ``logged``: curves of a machine's log.
-    ``plcs``: the files of the session's PLCs, whose ``plc_files`` may be saved meanwhile.
-    ``transformed``: channels whose positions may be those of the tool's tip. ``watchers`` are
-    called, from the session's thread, when a command or its end has changed what there is to see.
+    those that persons have given to branches. ``logged``: curves of a machine's log. ``plcs``: the
+    files of the session's PLCs, whose ``plc_files`` may be saved meanwhile. ``transformed``:
+    channels whose positions may be those of the tool's tip. ``watchers`` are called, from the
+    session's thread, when a command or its end has changed the visible state.
     """
 
     def __init__(
@@ -152,7 +153,7 @@ class SharedSession:
         self.snapshot = self.snapshot_of(None)
 
     def _other_paths(self) -> tuple[OtherPath, ...]:
-        """Return the paths of further channels whose axes can be drawn beside those shown."""
+        """Return the paths of further channels whose axes can be drawn along with those shown."""
         found: list[OtherPath] = []
         for channel in range(1, self.channel_count + 1):
             prefix = "" if channel == 1 else f"CH{channel}."
@@ -173,7 +174,7 @@ class SharedSession:
 
     @property
     def diagnostics(self) -> list[Diagnostic]:
-        """What was found in lists and programs, and in the run up to here, each once."""
+        """The findings in lists and programs, and in the run up to here, each once."""
         found = [*self._refused, *self.log.diagnostics]
         return list({str(one): one for one in found}.values())
 
@@ -186,17 +187,17 @@ class SharedSession:
 
     @property
     def prefix(self) -> str:
-        """What comes before the names of the shown channel's signals."""
+        """The prefix of the shown channel's signals."""
         return "" if self.channel == 1 else f"CH{self.channel}."
 
     @property
     def moment(self) -> Moment:
-        """Where the session is, as it was seen last."""
+        """The last known position of the session."""
         return self._serial, self.snapshot.branch, self.snapshot.tick
 
     @property
     def future_subject(self) -> FutureOf:
-        """What the future that browsers draw depends on."""
+        """The state that the future drawn by browsers depends on."""
         return FutureOf.of(self.session, self._serial, self._drawn_signals, self.file)
 
     # --- commands -------------------------------------------------------------------------------
@@ -212,7 +213,7 @@ class SharedSession:
 
     def go_to_next(self, stop: StopAt) -> None:
         """Run to the next such moment, or to a stop; the page shows the way, and may pause it."""
-        with self.lock:  # the thread must not take this stop for the one before, which has held
+        with self.lock:  # the thread must not confuse this stop with the previous one
             self.session.pause()
             self.session.set_stops(*self.stops, stop)
             self.session.play(rests=True)
@@ -269,9 +270,9 @@ class SharedSession:
         self._look_now()
 
     def why(self, line: int, language: Language, file: str = "") -> str:
-        """Return why the condition in a line of the program is as it is; raises ``Failure``.
+        """Return why the condition in a line of the program has its truth; raises ``Failure``.
 
-        ``file``: one of the PLC; then what the statement in its line has written.
+        ``file``: one of the PLC; then the writes of the statement in its line.
         """
         with self.lock:
             moment, session = self.moment, self.session
@@ -309,7 +310,7 @@ class SharedSession:
         self.session.close()
 
     def leave(self) -> None:
-        """Look at the session no more; it goes on."""
+        """Stop watching the session, which continues."""
         self._is_closed = True
         self._look_now()
         self._thread.join()
@@ -334,7 +335,7 @@ class SharedSession:
                     while not self._is_closed and session is self.session:
                         self._take(session, listener)
                         if listener.is_dropped:
-                            break  # it would get nothing more; the next one does
+                            break  # it would get nothing more; the next one will
             except (Failure, RuntimeError) as error:
                 if session is self.session and not self._is_closed:
                     row = LogRow("error", 0, error_text(error))
@@ -344,7 +345,7 @@ class SharedSession:
                     self._wake.wait(2.0)
 
     def _take(self, session: Session, listener: Listener) -> None:
-        """Take a frame, or what a command has changed; and the notices."""
+        """Take a frame, or the changes of a command; and the notices."""
         wait_s = _WAIT_S if self._has_rested else _REST_S
         frame = listener.take(0.0 if self._wake.is_set() else wait_s)
         was_woken = self._wake.is_set()
@@ -390,12 +391,12 @@ class SharedSession:
         self.track.note(frame.events, self.channel, self.file)
 
     def _turn_to(self, branch: int) -> None:
-        """Let the track be of a branch; what is cut off it is looked for again."""
+        """Switch the track to a branch; parts cut off are fetched again."""
         if self.track.turn_to(branch, self.session.fork):
             self._looked_at = ()
 
     def snapshot_of(self, frame: Frame | None) -> Snapshot:
-        """Return what there is to see of the session now."""
+        """Return the visible state of the session."""
         session = self.session
         is_playing = session.is_playing
         names = self._names()
@@ -405,7 +406,7 @@ class SharedSession:
         values = dict(zip(names, state_view.values, strict=True))
         self._turn_to(branch)
         is_known = branch == session.branch
-        if is_known:  # what was read is of this branch
+        if is_known:  # the data read belongs to this branch
             self._append_truths(state_view.tick - 1, view.truths(state_view.cycles, self.file))
             if is_playing:
                 self._append(state_view.tick - 1, values)
@@ -458,7 +459,7 @@ class SharedSession:
 
     @property
     def path_signals(self) -> tuple[str, ...]:
-        """The positions of the first three axes, as they are."""
+        """The present positions of the first three axes."""
         return tuple(f"{self.prefix}{axis}.ACS.ACT_POS" for axis in self.axes[:3])
 
     @property
@@ -507,9 +508,9 @@ class SharedSession:
         return ticks, [[view.rounded(cell) for cell in columns[name]] for name in names]
 
     def _look_back(self, session: Session) -> None:
-        """Take lists, curves, marks and blocks from the past, unless they are there already.
+        """Fetch lists, curves, marks and blocks from the past, unless they are already there.
 
-        That takes a while, for which nobody waits: the state of the session is shown before.
+        That takes a while, but nobody waits for it: the state of the session is shown first.
         """
         log = self.log
         if log.lacks_some:
@@ -533,7 +534,7 @@ class SharedSession:
             self._looked_at = key
 
     def _past_key(self, session: Session) -> tuple[object, ...]:
-        """Return what the curves of the past depend on."""
+        """Return the state that the curves of the past depend on."""
         branch = session.branch
         end = session.branches[branch]
         return self._serial, branch, end, self.track.shown, self.channel, self.file

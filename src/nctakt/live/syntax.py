@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The colours of a program's lines on the page: those that the language server has.
 
-In: the lines of a text, which of them are in view. Out: their texts with tokens, for the browser
-to compare with what it shows, since somebody may have typed meanwhile.
+In: the lines of a text, the range in view. Out: their texts with tokens; the browser compares the
+texts with its own, since somebody may have typed meanwhile.
 """
 
 from __future__ import annotations

@@ -375,7 +375,7 @@ WORDS: dict[str, tuple[str, str]] = {
 }
 
 
-#: What the library's editor says, in German.
+#: The texts of the library's editor, in German.
 EDITOR_PHRASES = {
     "Control character": "Steuerzeichen",
     "Selection deleted": "Auswahl gelöscht",

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What browsers draw of a session: it grows by increments, and each browser gets what is new.
+"""The drawn data of a session: it grows by increments, and each browser gets the new part.
 
-In: rows of signals, marks, blocks, in the order of their ticks. Out: for each browser what it has
-not seen yet, or all of it after a change of what is shown.
+In: rows of signals, marks, blocks, in the order of their ticks. Out: for each browser the part it
+has not seen yet, or everything after a change of the selection.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ MAX_ROWS, MAX_MARKS, MAX_BLOCKS, MAX_SAMPLES = 3000, 2000, 20_000, 5000
 #: An entry: a tick, and what belongs to it.
 Entry = tuple[Any, ...]
 
-#: What a browser has seen of a list: its edition, and how many entries.
+#: The part of a list that a browser has seen: edition and number of entries.
 Seen = tuple[int, int]
 
 
@@ -40,7 +40,7 @@ class Growing:
         return len(self._entries)
 
     def entries(self) -> list[Entry]:
-        """Return what is kept."""
+        """Return the kept entries."""
         with self._lock:
             return list(self._entries)
 
@@ -57,7 +57,7 @@ class Growing:
                 self._count += 1
 
     def replace(self, entries: Iterable[Entry]) -> None:
-        """Let these be all entries."""
+        """Replace all entries by these."""
         with self._lock:
             self._entries.clear()
             self._entries.extend(entries)
@@ -71,7 +71,7 @@ class Growing:
             self.replace(kept)
 
     def news(self, seen: Seen) -> tuple[dict[str, Any] | None, Seen]:
-        """Return what one who has seen this has not, ``None`` for nothing; and what it has then.
+        """Return the unseen part after ``seen``, ``None`` for nothing; and the new state.
 
         ``whole``: the entries take the place of those seen.
         """
@@ -89,7 +89,7 @@ class Growing:
 class Shown:
     """The names of the columns of the rows, with their units; the last ``hidden`` are the path's.
 
-    ``conditions``: those of the lanes, whose samples are apart from the rows.
+    ``conditions``: those of the lanes, whose samples are separate from the rows.
     """
 
     conditions: tuple[Condition, ...] = ()
@@ -127,9 +127,9 @@ class Track:
             part.replace(())
 
     def turn_to(self, branch: int, fork: Callable[[int, int], int]) -> bool:
-        """Be of a branch from now on, and forget what the one before does not share with it.
+        """Switch to a branch, and forget everything that the previous one does not share with it.
 
-        Return whether it was of another one. ``fork``: the tick before which two are the same.
+        Return whether the branch has changed. ``fork``: the tick before which both are the same.
         """
         if branch == self._branch:
             return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the live page shows: the state of a session -> rows, marks and curves, without a browser.
+"""Content of the live page: the state of a session -> rows, marks and curves, without a browser.
 
 In: snapshots of a session, the program's lines. Out: plain values that the page hands to its
 elements. Nothing here knows a browser, a thread or a clock.
@@ -49,7 +49,7 @@ PANEL = (
 #: A function or a job of a spindle that waits for the PLC.
 Entry = TechnologyEntry | SpindleEntry
 
-#: Characters of the compared values beside a condition at most.
+#: Maximum characters of the compared values next to a condition.
 _MAX_COMPARED = 100
 
 #: V.E variables that the page shows at most, and signals of the scope.
@@ -62,10 +62,10 @@ class Snapshot:
 
     ``number`` counts snapshots, ``serial`` the sessions that have been opened. ``latest``: the tick
     that the branch has reached. ``blocks`` and ``decoding``: number of the channel -> place of the
-    current block, and of the decoder. ``cycles``: those that have ended come first.
-    ``late``: slices that came late since the clock began.
-    ``awaited``: what the program of the shown channel waits for. ``statement``: where within the
-    tick it stands before a statement of its PLC.
+    current block, and of the decoder. ``cycles``: those that have ended come first. ``late``:
+    slices that came late since the clock began. ``awaited``: the reason for which the program of
+    the shown channel waits. ``statement``: its position within the tick, before a statement of its
+    PLC.
     """
 
     number: int
@@ -97,9 +97,8 @@ class Snapshot:
 class LogRow:
     """A row of the lists of findings, messages and events; ``line`` 0: none that can be shown.
 
-    ``file``: the one of the PLC that has the line, empty: the program that is shown. ``outside``:
-    file and line of what is not in this program, empty: ``line`` says it. ``signal``: the one that
-    it offers.
+    ``file``: the PLC's file that has the line, empty: the program shown. ``outside``: file and line
+    of an entry outside this program, empty: ``line`` has it. ``signal``: the one that it offers.
     """
 
     kind: str
@@ -121,9 +120,9 @@ def axes_of(signals: Mapping[str, str], prefix: str = "") -> list[str]:
 
 
 def placed_axes(axes: Sequence[str]) -> tuple[str | None, str | None, str | None]:
-    """Return the axes of a channel that are drawn beside another one's as X, Y and Z.
+    """Return the axes of a channel that are drawn along with another channel's as X, Y and Z.
 
-    By their first letters, where U, V, W stand for axes parallel to X, Y, Z.
+    By their first letters, with U, V, W as axes parallel to X, Y, Z.
     """
     found: dict[int, str] = {}
     for axis in axes:
@@ -148,7 +147,7 @@ def variables_read(signals: Mapping[str, str], prefix: str = "") -> list[str]:
 def branches_in(
     cycles: Sequence[CycleState], file: str
 ) -> dict[int, tuple[CycleState, BranchState]]:
-    """Return the branches in a file by their lines: of several the one that was evaluated last.
+    """Return the branches in a file by line: if there are several, the last evaluated one.
 
     A cycle that has ended gives way to a living one.
     """
@@ -190,7 +189,7 @@ def variables_named(lines: Sequence[str]) -> set[str]:
 
 
 def first_signals(signals: Mapping[str, str], lines: Sequence[str], prefix: str = "") -> list[str]:
-    """Return what the scope shows first: axes of the program, path speed, variables that it names.
+    """Return the initial signals of the scope: axes of the program, path speed, its variables.
 
     At most 12.
     """
@@ -212,7 +211,7 @@ def first_signals(signals: Mapping[str, str], lines: Sequence[str], prefix: str 
 
 
 def rounded(value: float) -> float | None:
-    """Return a number with as many digits as a chart shows; ``None`` for no number."""
+    """Return a number with the digits shown in a chart; ``None`` for NaN."""
     return float(f"{value:.7g}") if math.isfinite(value) else None
 
 
@@ -222,7 +221,7 @@ def plain_number(value: float) -> str:
 
 
 def values_of(snapshot: Snapshot, names: Sequence[str]) -> list[float | None]:
-    """Return the values of signals at a snapshot's tick; ``None`` where it has none."""
+    """Return the values of signals at a snapshot's tick; ``None`` if it has none."""
     values = snapshot.values
     return [rounded(float(values[name])) if name in values else None for name in names]
 
@@ -239,8 +238,8 @@ def program_marks(
 ) -> list[dict[str, Any]]:
     """Return the editor's marks of lines: blocks of path and decoder, stops, conditions.
 
-    Beside a condition, as ``text``, are its truth, the values that it compared, and its runs.
-    ``stops``: lines with a stop.
+    ``text`` next to a condition has its truth, the compared values, and its runs. ``stops``: lines
+    with a stop.
     """
     found: list[dict[str, Any]] = []
     for places, name in ((snapshot.blocks, "nc-block"), (snapshot.decoding, "nc-decoding")):
@@ -307,7 +306,7 @@ def is_moved(branch: BranchState) -> bool:
 
 
 def branch_text(branch: BranchState, line: str, texts: Texts, *, has_ended: bool = False) -> str:
-    """Return the text beside a condition: last evaluation, present values, number of runs."""
+    """Return the text next to a condition: last evaluation, present values, number of runs."""
     ran = f"{texts['ran']} {branch.count}×"
     seen, now = branch.seen, branch.now
     if seen is None:
@@ -374,7 +373,7 @@ def _location(span: Span | None, file: str, plc: Collection[str]) -> tuple[int, 
 
 
 def message_row(message: ProgramMessage | LogRow) -> LogRow:
-    """Return a program's message as a row; what is one already stays."""
+    """Return a program's message as a row; a row is returned unchanged."""
     if isinstance(message, LogRow):
         return message
     return LogRow("message", 0, f"{message.time_us / 1000:g} ms  {message.text}")
@@ -383,7 +382,7 @@ def message_row(message: ProgramMessage | LogRow) -> LogRow:
 def event_row(
     event: Event, language: Language, file: str = "", plc: Collection[str] = ()
 ) -> LogRow:
-    """Return an event as a row, with its line, and its file where that is another one."""
+    """Return an event as a row, with its line, and its file if that is another."""
     line, of_plc, outside = _location(event.span, file, plc)
     return LogRow(event.kind, line, event_text(event, language), file=of_plc, outside=outside)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the page's editor completes and explains: the answers of the language server.
+"""Completion and explanations in the page's editor: the answers of the language server.
 
 In: the lines of a program, a place as browsers count it. Out: plain values for the browser. The
 functions are those of ``nctakt lsp``; of its libraries only lsprotocol is needed, whose types they
@@ -20,7 +20,7 @@ from nctakt.run.realtime.assembly import AssembledMachine
 #: Signs of Markdown that are no words.
 _MARKS = re.compile(r"\*\*|^- |```\w*", re.MULTILINE)
 
-#: What explanations have beyond plain Markdown.
+#: Elements of explanations beyond plain Markdown.
 _EXTRAS = ["cuddled-lists", "code-friendly", "fenced-code-blocks"]
 
 
@@ -37,10 +37,10 @@ class TextCursor:
 def completed(
     cursor: TextCursor, machine: AssembledMachine, language: Language
 ) -> list[dict[str, Any]]:
-    """Return what can be written at a place, the best first.
+    """Return completions at a place, the best first.
 
-    ``start``: the column from which on ``text`` takes the place of what is written. ``hasGaps``:
-    the text has gaps, as snippets of editors have them.
+    ``start``: the column from which ``text`` replaces the written text. ``hasGaps``: the text has
+    gaps, as snippets of editors have them.
     """
     from lsprotocol import types  # noqa: PLC0415 - when it is asked for
 
@@ -70,7 +70,7 @@ def explained_word(
     findings: Sequence[Diagnostic],
     language: Language,
 ) -> dict[str, Any] | None:
-    """Return what is known of the word at a place, as HTML and as text, and its columns."""
+    """Return the explanation of the word at a place, as HTML and as text, and its columns."""
     from lsprotocol.types import MarkupContent  # noqa: PLC0415 - when it is asked for
 
     from nctakt.editor.display.hover import hover  # noqa: PLC0415 - as above
@@ -112,7 +112,7 @@ def _document_and_position(cursor: TextCursor) -> tuple[Any, Any]:
 def line_found(lines: Sequence[str], wish: str, after: int) -> int:
     """Return the line that a person looks for: by its number, or the next one with a text.
 
-    The search begins after line ``after`` and goes on at the start; 0 where there is none.
+    The search begins after line ``after`` and wraps around; 0 if there is none.
     """
     if wish.isascii() and wish.isdigit():
         return int(wish) if 1 <= int(wish) <= len(lines) else 0

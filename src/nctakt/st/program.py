@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A checked PLC program: what the checker hands over to the runtime, the editor and documents."""
+"""A checked PLC program, passed by the checker to the runtime, the editor and documents."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ class Reporter:
 
     @contextlib.contextmanager
     def apart(self) -> Iterator[Collector]:
-        """Gather what is reported meanwhile by itself, as if nothing had been reported before."""
+        """Gather the reports made meanwhile separately, as if nothing had been reported before."""
         outer = self.collector, self._known, self.error_count
         self.collector, self._known, self.error_count = Collector(), set(), 0
         try:

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
 """The syntax tree of Structured Text: declarations, types as written, statements, expressions.
 
-The parser makes it, the checker writes into its expressions what they mean: ``type`` and ``value``
+The parser makes it, the checker writes the meaning of expressions into it: ``type`` and ``value``
 (``types.Expression``), ``target`` of names, members and calls. Names are as written; they are
 compared in lower case.
 
-What a name stands for (``target``):
-a ``Variable`` (``Storage.INSTANCE``: of THIS; ``Section.IN_OUT`` and references are followed
-by themselves), a ``Property`` of THIS, an ``EnumValue``, a ``Pou``, a ``Method`` of THIS, a
-``GlobalList``, a ``Type``, or a ``Library``. Of a ``Member`` the same, with ``base`` as the
-instance or structure; if ``base`` only qualifies (list, enumeration, library), ``target`` is all.
+The meaning of a name (``target``): a ``Variable`` (``Storage.INSTANCE``: of THIS;
+``Section.IN_OUT`` and references are followed by themselves), a ``Property`` of THIS, an
+``EnumValue``, a ``Pou``, a ``Method`` of THIS, a ``GlobalList``, a ``Type``, or a ``Library``. The
+same for a ``Member``, with ``base`` as the instance or structure; if ``base`` is only a qualifier
+(list, enumeration, library), ``target`` is everything.
 """
 
 from __future__ import annotations
@@ -159,8 +159,8 @@ class Unary(Expression):
 class Binary(Expression):
     """Two operands; ``operand_type`` is the type both are converted to before (ST-302 … 304).
 
-    Of comparisons ``type`` is BOOL; of whole numbers of both signs ``operand_type`` is ``None``:
-    their values are compared.
+    For comparisons ``type`` is BOOL; for a signed and an unsigned whole number ``operand_type`` is
+    ``None``: their values are compared.
     """
 
     operator: Operator
@@ -179,7 +179,7 @@ class Argument(Node):
 
 
 class CallKind(enum.Enum):
-    """What a call does."""
+    """Kinds of calls."""
 
     FUNCTION = "function"  # ``target`` is a Pou
     METHOD = "method"  # ``target`` is a Method, ``instance`` is not None
@@ -192,12 +192,12 @@ class CallKind(enum.Enum):
 class Call(Expression):
     """A call.
 
-    Set by the checker: ``kind``, ``target``; ``instance`` is what it is called on (``None`` for
-    functions and programs; a ``This`` where a method of the own instance is called without
-    prefix); ``is_virtual`` is False for ``SUPER^``. ``bound`` has the given arguments in the order
-    written: parameter and expression; outputs are the places they go to, parameters of VAR_IN_OUT
-    are handed over by address. Inputs left out have their initial values (functions and methods)
-    or keep their values (blocks). Built-ins and conversions have ``operands`` instead.
+    Set by the checker: ``kind``, ``target``; ``instance`` is the instance of the call (``None`` for
+    functions and programs; a ``This`` if a method of the same instance is called without prefix);
+    ``is_virtual`` is False for ``SUPER^``. ``bound`` has the given arguments in the order written:
+    parameter and expression; outputs are the places they go to, parameters of VAR_IN_OUT are passed
+    by address. Inputs left out have their initial values (functions and methods) or keep their
+    values (blocks). Built-ins and conversions have ``operands`` instead.
     """
 
     callee: Expression
@@ -465,7 +465,7 @@ class VariableBlock(Node):
 
 @dataclass(slots=True, eq=False)
 class Header(Node):
-    """What methods, properties, POUs and interfaces begin with; the span is that of the name."""
+    """The head of methods, properties, POUs and interfaces; the span is that of the name."""
 
     name: str
     attributes: dict[str, str] = field(default_factory=dict)

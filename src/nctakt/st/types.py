@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Resolved types, variables and POUs: what names of a PLC program stand for, and their layout.
+"""Resolved types, variables and POUs: the meaning of names in a PLC program, and their layout.
 
 All data are bytes (ST-001, ST-330). A type has ``size`` and ``align`` in bytes; a member has its
 ``offset`` from the begin of its structure or instance. Pointers, references and variables of
@@ -7,8 +7,9 @@ interface types are 64-bit numbers, null is 0. The checker makes these objects; 
 them. ``Type`` objects are compared by ``same_type``, not by identity.
 
 A block's instance begins with eight bytes: the number of its type (``Pou.number``, from 1), by
-which virtual calls find their method. Then come the members of its base, its own, and the VAR_INST
-of its methods. A frame (function, method, VAR_TEMP of a body) begins at 0 and is aligned to 8.
+which virtual calls find their method. Then come the members of its base, its own members, and the
+VAR_INST of its methods. A frame (function, method, VAR_TEMP of a body) begins at 0 and is aligned
+to 8.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ MAX_ALIGN = 8
 DEFAULT_LENGTH = 80
 
 
-# --- what carries a position, and values ---------------------------------------------------------
+# --- positions, and values -----------------------------------------------------------------------
 
 
 @dataclass(slots=True, eq=False)
@@ -63,7 +64,7 @@ class Statement(Node):
 
 
 class Family(enum.Enum):
-    """What an elementary type is."""
+    """Kinds of elementary types."""
 
     BOOL = "BOOL"
     BITS = "BITS"  # BYTE, WORD, DWORD, LWORD: unsigned
@@ -255,7 +256,7 @@ class Section(enum.Enum):
     VAR = "VAR"
     INPUT = "VAR_INPUT"
     OUTPUT = "VAR_OUTPUT"
-    IN_OUT = "VAR_IN_OUT"  # its eight bytes hold the address of what is handed over
+    IN_OUT = "VAR_IN_OUT"  # its eight bytes hold the address of the argument
     TEMP = "VAR_TEMP"
     STAT = "VAR_STAT"
     INST = "VAR_INST"
@@ -308,7 +309,7 @@ class Access(enum.Enum):
 
 @dataclass(slots=True, eq=False)
 class Callable:
-    """What can be called: a function, a method, an accessor of a property, a body, an action.
+    """A callable: a function, a method, an accessor of a property, a body, an action.
 
     ``inputs``, ``outputs``, ``in_outs`` are in order of declaration (those of a base first);
     ``parameters`` has all of them in that order, for positional arguments. ``frame_size`` includes
@@ -319,7 +320,7 @@ class Callable:
     name: str
     path: str  # "MAIN", "FB_Pump.Cycle", "FB_Pump.Name.Get", "FB_Pump.Start" (action)
     result: Variable | None = None
-    variables: dict[str, Variable] = field(default_factory=dict)  # own ones, by lower-case name
+    variables: dict[str, Variable] = field(default_factory=dict)  # its own, by lower-case name
     parameters: list[Variable] = field(default_factory=list)
     frame_size: int = 0
     body: list[Statement] = field(default_factory=list)
@@ -346,8 +347,7 @@ class Callable:
 class Method(Callable):
     """A method, action (no parameters) or accessor; ``owner`` is ``None`` in an interface.
 
-    A call that is not by SUPER^ takes the method of this name of the instance's own type
-    (``Pou.find_method``).
+    A call not by SUPER^ uses the method of this name of the instance's type (``Pou.find_method``).
     """
 
     owner: Pou | None = None
@@ -414,14 +414,14 @@ class Pou(Callable):
             pou = pou.base
 
     def find_method(self, name: str) -> Method | None:
-        """Return the method or action of a lower-case name, of its own or of the nearest base."""
+        """Return the method or action of a lower-case name, its own or that of the nearest base."""
         for pou in self.bases():
             if name in pou.methods:
                 return pou.methods[name]
         return None
 
     def find_property(self, name: str) -> Property | None:
-        """Return the property of a lower-case name, of its own or of the nearest base."""
+        """Return the property of a lower-case name, its own or that of the nearest base."""
         for pou in self.bases():
             if name in pou.properties:
                 return pou.properties[name]

@@ -63,7 +63,7 @@ _KINDS = {
     "written": Text("written", "geschrieben"),
 }
 
-#: Words in the particulars of events; names, messages and numbers stay as they are.
+#: Words in the details of events; names, messages and numbers are not translated.
 _PARTICULARS = {
     "aborted": "abgebrochen",
     "backward": "rückwärts",
@@ -93,19 +93,19 @@ _PARTICULARS = {
     "write": "auf Schreiben",
 }
 
-#: Events whose particulars are somebody's words.
+#: Events whose details are a user's text.
 _VERBATIM = ("message", "user_value", "written", "frozen", "end", "overflow")
 
 
 def event_words(event: Event, language: Language) -> str:
-    """Return an event in words: what has happened, and its particulars."""
+    """Return an event in words: what has happened, and its details."""
     kind = _KINDS.get(event.kind)
     name = event.kind if kind is None else kind.get(language)
     parts = event.text.split(" ")
     if event.kind == "block":
         parts = []
     if event.kind in ("fired", "paused"):
-        parts = parts[:-2]  # its line, which is beside it
+        parts = parts[:-2]  # its line, which is next to it
     if event.kind in ("M", "H"):
         name, parts = f"{event.kind}{parts[0]}", []
     if event.kind in ("output", "acknowledged", "dropped"):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Answers are compressed for browsers on other machines.
 
-In: requests on their way to the page. Out: the same for a browser of this machine, to which bytes
-cost less than the work on them; compressed answers for others.
+In: requests to the page. Out: the same for a browser on this machine, for which bytes cost less
+than compressing them; compressed answers for others.
 """
 
 from __future__ import annotations

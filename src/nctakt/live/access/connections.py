@@ -2,8 +2,8 @@
 """The connections of browsers: how many there may be, and how long they may take.
 
 In: bytes of browsers. Out: the same to the library's protocol, which answers them. A connection
-beyond the limit, and one whose request or answer never ends, is closed and counted; what other
-protocols of the process need stays free.
+beyond the limit, and one whose request or answer never ends, is closed and counted; resources for
+other protocols of the process stay free.
 """
 
 from __future__ import annotations
@@ -62,13 +62,13 @@ def protocol(refused: Refused) -> type[asyncio.Protocol]:
             super().connection_lost(exc)
 
         def data_received(self, data: bytes) -> None:
-            """Take bytes; from the first one of a request on its time runs."""
+            """Take bytes; the time of a request runs from its first byte."""
             if not self._is_asking and self.cycle is self._answered:
                 self._is_asking = True
                 self._let_end_in(REQUEST_S, _NO_REQUEST)
             super().data_received(data)
             if self.transport.get_protocol() is not self:
-                self._stop_timer()  # a WebSocket, whose library has limits of its own
+                self._stop_timer()  # a WebSocket, whose library has its own limits
             elif self._is_asking and self.cycle is not self._answered and not self.cycle.more_body:
                 self._is_asking = False
                 self._let_end_in(ANSWER_S, _NO_READER)
@@ -99,7 +99,7 @@ def protocol(refused: Refused) -> type[asyncio.Protocol]:
 class FrameCount:
     """Counts the frames of a WebSocket, of which the library reads any number as fast as it can.
 
-    Pieces of a message without an end, and pings, come to no one who could hold them back.
+    Fragments of an endless message, and pings, reach no code that could hold them back.
     """
 
     def __init__(self) -> None:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Who may see the live page: address, origin, fetch metadata and token of each request.
 
-In: requests and WebSockets on their way to the page. Out: the same, or an answer 403. A page of
-another site can reach neither: its origin is not the page's, browsers say that another site has
-caused the request (Sec-Fetch-Site), and a name that points to this machine (DNS rebinding) is not
-the page's host. No one shows the page in a frame, except an editor for which it was started.
+In: requests and WebSockets to the page. Out: the same, or an answer 403. A page of another site can
+reach neither: its origin is not the page's, browsers mark requests caused by another site
+(Sec-Fetch-Site), and a name that points to this machine (DNS rebinding) is not the page's host.
+Nobody may show the page in a frame, except an editor for which it was started.
 """
 
 from __future__ import annotations
@@ -32,10 +32,10 @@ COOKIE, WORD = "nctakt_token", "token"
 #: The names of this machine for itself.
 LOCAL = ("127.0.0.1", "localhost", "::1")
 
-#: What browsers say of requests that no other site has caused, and of those for a frame.
+#: How browsers mark requests not caused by another site, and those for a frame.
 _OWN_SITE, _FRAMES = ("same-origin", "none"), ("embed", "fencedframe", "frame", "iframe", "object")
 
-#: What the page itself is asked for as; others want a picture, a script …
+#: How browsers request the page itself; other requests are for a picture, a script …
 _PAGES = ("document", "empty", *_FRAMES)
 
 #: Where editors show pages: in panels, which have addresses that no site can have.
@@ -51,7 +51,7 @@ TOO_MANY = Text("too many browsers", "zu viele Browser")
 
 _PLAIN, _HTML = "text/plain; charset=utf-8", "text/html; charset=utf-8"
 
-#: What a link of another site leads to: the page comes when a person asks for it.
+#: Result of following a link of another site: the page comes when a person asks for it.
 _LINK = b'<!doctype html><title>nctakt live</title><p><a href="/">nctakt live</a>\n'
 
 
@@ -60,7 +60,7 @@ class Access:
     """Who may see the page.
 
     ``token``: each request needs it if ``is_closed``: on other addresses than this machine's own.
-    ``is_embedded``: an editor that has it shows the page in a panel.
+    ``is_embedded``: an editor that has the token shows the page in a panel.
     """
 
     token: str
@@ -108,8 +108,8 @@ class Access:
 class Guard:
     """Lets requests through that may see the page.
 
-    ``refusal``: returns why no further browser can see the page now, empty if one can.
-    ``refused``: gets what was refused.
+    ``refusal``: returns why no further browser can see the page now, empty if one can. ``refused``:
+    receives refused requests.
     """
 
     def __init__(
@@ -187,7 +187,7 @@ async def _close(send: Send) -> None:
 
 
 async def _refuse(send: Send, headers: MutableMapping[str, str]) -> None:
-    """Answer 403; to a person who has followed a link of another site with one of the page's."""
+    """Answer 403; a person who has followed a link of another site gets a link to the page."""
     is_link = headers.get("sec-fetch-mode") == "navigate" and not _is_for_frame(headers)
     kind, body = (_HTML, _LINK) if is_link else (_PLAIN, b"403: not admitted\n")
     await _answer(send, 403, [("content-type", kind)], body)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The places of browsers: who has connected has one, who has only fetched the page has none.
+"""The places of browsers: a connected browser has one, one that only fetched the page has none.
 
 In: pages that are fetched, and their browsers as they connect and leave. Out: whether there is room
-for another one. Pages without a browser are bounded, too: a new one lets the oldest of them go.
+for another. Pages without a browser are bounded, too: a new one displaces the oldest of them.
 """
 
 from __future__ import annotations
@@ -58,5 +58,5 @@ class Places:
         client.delete()
 
     def _leave(self, name: str) -> None:
-        """Give a place back. A method of our own: the library asks each handler's signature."""
+        """Return a place. A separate method: the library inspects each handler's signature."""
         self._taken.discard(name)

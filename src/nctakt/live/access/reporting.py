@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What goes wrong in the server gets a line, each reason once; no traceback reaches a user.
+"""Errors in the server get one line each, each reason once; no traceback reaches a user.
 
 In: records of the libraries' loggers. Out: diagnostics. With NCTAKT_DEBUG the libraries speak for
 themselves.
@@ -15,7 +15,7 @@ from nctakt.base.diagnostics import Diagnostic
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.live import MESSAGE_NOT_READABLE
 
-#: The loggers of the libraries that read what browsers send.
+#: The loggers of the libraries that read data from browsers.
 _LOGGERS = ("asyncio", "engineio", "engineio.server", "nicegui", "socketio", "socketio.server")
 
 #: Different reasons that are reported at most.
@@ -29,7 +29,7 @@ class _Teller(logging.Handler):
         self._reasons: set[str] = set()
 
     def emit(self, record: logging.LogRecord) -> None:
-        """Tell a record, unless its reason is known."""
+        """Report a record, unless its reason is known."""
         error = None if record.exc_info is None else record.exc_info[1]
         if error is None:
             reason = record.getMessage().splitlines()[0]
@@ -42,7 +42,7 @@ class _Teller(logging.Handler):
 
 
 def tell_errors(tell: Callable[[Diagnostic], None]) -> None:
-    """Let errors of the libraries be reported by ``tell`` from now on."""
+    """Report errors of the libraries by ``tell`` from now on."""
     if os.environ.get("NCTAKT_DEBUG"):
         return
     teller = _Teller(tell)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The WebSockets of browsers: whose may stay, and how much they may send.
 
-In: WebSockets that the guard has let through. Out: the same to the library, which reads them. One
-that belongs to no page that was fetched ends soon, a page has few of them, and one that sends more
-than a browser does is read more slowly: the system holds its bytes back.
+In: WebSockets that the guard has let through. Out: the same to the library, which reads them. A
+WebSocket without a fetched page ends soon, a page has only few, and one that sends more than a
+browser does is read more slowly: the system holds its bytes back.
 """
 
 from __future__ import annotations
@@ -18,16 +18,17 @@ from urllib.parse import parse_qs
 from nctakt.base.diagnostics import Text
 from nctakt.live.access.guard import Application, Receive, Refused, Scope, Send
 
-#: Where the library takes its WebSockets, and requests that stand for one; the page sends none.
+#: Paths where the library accepts WebSockets, and requests in place of one; the page sends none.
 _FOLDER = "/_nicegui_ws/"
 
-#: WebSockets of one page at a time, a lost one and its successor among them, and those of no page.
+#: Maximum number of WebSockets of one page, including a lost one and its successor, and of those
+#: without a page.
 MAX_OF_PAGE, MAX_STRANGERS = 4, 20
 
 #: How long a WebSocket may belong to no browser that looks on, in seconds.
 GREETING_S = 5.0
 
-#: Messages a second that are read at once, and how many more after a rest; bytes that count as one.
+#: Messages per second read at once, and how many more after a pause; bytes that count as one.
 RATE, BURST, MESSAGE_BYTES = 100.0, 400.0, 100_000
 
 _NO_SOCKET = Text("it uses no WebSocket", "es benutzt keinen WebSocket")
@@ -36,7 +37,7 @@ _SOCKETS = Text("too many WebSockets", "zu viele WebSockets")
 
 
 class Sockets:
-    """Lets WebSockets of browsers through, and everything that is none.
+    """Lets WebSockets of browsers pass, and everything that is not a WebSocket.
 
     ``looks_on``: whether the page of an ID has a browser; ``None`` if there is no such page.
     """
@@ -79,16 +80,16 @@ class Sockets:
                 self._tell(scope, _NO_BROWSER)
         finally:
             self._open[name] -= 1
-            self._open += Counter()  # forgets those that have none
+            self._open += Counter()  # forgets those without one
 
     def _tell(self, scope: Scope, reason: Text) -> None:
         self._refused(str((scope.get("client") or ("",))[0]), reason)
 
 
 class Reading:
-    """What a WebSocket sends, as fast as it may, while it is a browser's.
+    """The messages of a WebSocket, at the permitted rate, while it belongs to a browser.
 
-    ``is_over``: it has ended because it was none.
+    ``is_over``: it has ended because it did not belong to a browser.
     """
 
     def __init__(self, receive: Receive, is_browser: Callable[[], bool]) -> None:
@@ -100,7 +101,7 @@ class Reading:
         self.is_over = False
 
     async def __call__(self) -> MutableMapping[str, Any]:
-        """Return the next message; the last one where it is no browser's."""
+        """Return the next message; the last one if it does not belong to a browser."""
         while True:
             now_s = time.monotonic()
             if now_s >= self._ends_s:

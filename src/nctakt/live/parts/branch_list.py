@@ -21,7 +21,7 @@ _MAX_NAME, _MAX_SIGNALS = 40, 8
 
 
 class BranchList:
-    """The branches of the session, for one browser; built where it is made."""
+    """The branches of the session, for one browser; built where it is created."""
 
     def __init__(self, commander: Commander) -> None:
         self._commander = commander
@@ -33,7 +33,7 @@ class BranchList:
         self._answer = ui.label().classes("nc-why").props("role=status data-testid=difference")
 
     def show(self) -> None:
-        """Show what is new."""
+        """Show new data."""
         shared, session = self._shared, self._shared.session
         ends, names = session.branches, dict(shared.branch_names)
         subject = shared.snapshot.serial, session.branch, tuple(ends)
@@ -90,7 +90,7 @@ class BranchList:
         await self._commander.do(lambda session: session.go_to(session.branches[number], number))
 
     async def _compare(self, number: int) -> None:
-        """Show where a branch and the one that is shown differ first."""
+        """Show where a branch first differs from the one shown."""
         found: list[BranchDifference] = []
         own = self._shared.session.branch
         if await self._commander.do(

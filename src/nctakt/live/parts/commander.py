@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The commands of one browser: whether it may, in a thread, and why they are refused.
+"""The commands of one browser: permission, execution in a thread, reasons for refusal.
 
-In: what a person does. Out: commands to the session, notes on the page. Whatever asks the session
-waits in a thread, never in the server's loop.
+In: actions of a person. Out: commands to the session, notes on the page. Requests to the session
+wait in a thread, never in the server's loop.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from nctakt.session.session import Session
 
 Wish = TypeVar("Wish")
 
-#: Commands of one browser under way at a time; those of a person are over before the next one.
+#: Maximum number of commands of one browser under way; those of a person are over before the next.
 _MAX_UNDER_WAY = 8
 
 
 class Newest(Generic[Wish]):
-    """Fulfils wishes one by one; of those that come meanwhile the newest, and no other."""
+    """Executes requests one by one; of those that come meanwhile only the newest."""
 
     def __init__(self, fulfil: Callable[[Wish], Awaitable[None]]) -> None:
         self._fulfil = fulfil
@@ -47,7 +47,7 @@ class Newest(Generic[Wish]):
 
 
 class Commander:
-    """One browser's hand on the session."""
+    """One browser's commands to the session."""
 
     def __init__(self, shared: SharedSession, texts: Texts, client: Client) -> None:
         self.shared = shared
@@ -70,7 +70,7 @@ class Commander:
         return await self._be_bounded(lambda: asyncio.to_thread(action))
 
     async def _be_bounded(self, act: Callable[[], Awaitable[object]]) -> bool:
-        """Act, unless much is under way already; show why not, and return whether it acted."""
+        """Act, unless too much is under way; show why not, and return whether it acted."""
         if self._under_way >= _MAX_UNDER_WAY:
             if not self._is_hurry_told:
                 self._is_hurry_told = True
@@ -130,7 +130,7 @@ class Commander:
         return self.shared.pen == self._client.id
 
     def may(self) -> bool:
-        """Return whether this browser may command; tell if not."""
+        """Return whether this browser may command; say so if not."""
         if self.shared.pen is None:
             self.shared.pen = self._client.id
         if not self.has_pen:
@@ -144,7 +144,7 @@ class Commander:
         self.shared.pen = self._client.id
 
     def _arrive(self) -> None:
-        """Take the pen if no one has it; who only fetches the page never gets so far."""
+        """Take control if nobody has it; a browser that only fetches the page never gets here."""
         if self.shared.pen is None:
             self.shared.pen = self._client.id
 

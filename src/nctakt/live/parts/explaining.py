@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Why reactions fired or did not, for the place at which a session is.
 
-In: a session at rest. Out: the report of its past, made in a thread of its own once the session
-has rested for a moment; the ticks in which conditions were true.
+In: a session at rest. Out: the report of its past, made in a separate thread once the session has
+rested for a moment; the ticks in which conditions were true.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ Moment = tuple[int, int, int]
 
 
 class _GoneOnError(Exception):
-    """The session no longer stands where it is being explained, or somebody asks for more."""
+    """The session has left the place that is being explained, or somebody asks for more."""
 
 
 class Explainer:
@@ -50,7 +50,7 @@ class Explainer:
         self._thread.start()
 
     def wish(self, moment: Moment, session: Session) -> None:
-        """Explain this place once the session has stood there for a moment."""
+        """Explain this place once the session has been there for a moment."""
         if not 0 < moment[2] <= _MAX_TICKS:
             return
         with self._changed:
@@ -70,7 +70,7 @@ class Explainer:
     def report(self, moment: Moment, session: Session) -> WhyReport:
         """Return the report of this place to somebody who waits for it; raises ``Failure``.
 
-        What is explained without being asked for gives way, and goes on afterwards.
+        Explanations made without a request give way, and continue afterwards.
         """
         with self._changed:
             self._questions += 1
@@ -103,7 +103,7 @@ class Explainer:
     def _explained(
         self, moment: Moment, session: Session, meanwhile: Callable[[], None]
     ) -> WhyReport:
-        """Explain a place; what the lanes have of its branch gets longer by it, never shorter."""
+        """Explain a place; the lanes of its branch only get longer by it, never shorter."""
         report = session.why(moment[2], moment[1], meanwhile=meanwhile)
         if _exact_end(self._widest, moment) <= moment[2]:
             self._widest = moment, session, report
@@ -140,7 +140,7 @@ class Explainer:
             except _GoneOnError:
                 continue
             except (Failure, RuntimeError):
-                time.sleep(_REST_S)  # whoever clicks gets the reason
+                time.sleep(_REST_S)  # whoever clicks is told the reason
 
     def _check_rest(self, moment: Moment) -> None:
         """Raise ``_GoneOnError`` if the session has gone on meanwhile, or somebody asks."""
@@ -148,7 +148,7 @@ class Explainer:
             raise _GoneOnError
 
     def _look_on(self, moment: Moment, session: Session, meanwhile: Callable[[], None]) -> None:
-        """Let the lanes be exact up to the end of the branch, as far as its curves go."""
+        """Make the lanes exact up to the end of the branch, as far as its curves go."""
         serial, branch, _ = moment
         end = session.branches[branch]
         if _exact_end(self._widest, moment) < end <= _MAX_TICKS and self._wish is None:
@@ -205,7 +205,7 @@ def bars_of(report: WhyReport, file: str) -> list[dict[str, Any]]:
 
 
 def why_plc_text(report: WhyReport, file: str, line: int, language: Language) -> str:
-    """Return what a statement of the PLC in a line has written, and why; else that it has not."""
+    """Return the writes of a PLC statement in a line, and why; or that there were none."""
     chosen = report.select_plc_line(file, line)
     if not chosen.plc:
         return Texts(language)["plc_wrote_nothing"]

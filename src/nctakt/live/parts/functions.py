@@ -24,7 +24,7 @@ _CNC, _HAND, _AUTOMATIC = "by_cnc", "by_hand", "automatic"
 
 
 class Functions:
-    """The waiting functions of one browser; ``has_plc``: a PLC of the user's acknowledges them."""
+    """The waiting functions of one browser; ``has_plc``: a user's PLC acknowledges them."""
 
     def __init__(self, commander: Commander, *, has_plc: bool) -> None:
         self._commander = commander
@@ -62,10 +62,10 @@ class Functions:
         self._delay.set_visibility(is_automatic)
         self._unit.set_visibility(is_automatic)
 
-    # --- what is shown --------------------------------------------------------------------------
+    # --- display --------------------------------------------------------------------------------
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show what waits."""
+        """Show waiting functions."""
         if not self._has_plc and self._mode.value != self._present_mode():
             self._mode.set_value(self._present_mode())
             self._show_delay()
@@ -86,10 +86,10 @@ class Functions:
             if not snapshot.waiting:
                 ui.label(self._texts["none_waits"]).classes("nc-soft")
 
-    # --- what is done ---------------------------------------------------------------------------
+    # --- actions --------------------------------------------------------------------------------
 
     async def acknowledge_first(self) -> None:
-        """Acknowledge what waits first."""
+        """Acknowledge the first waiting function."""
         for channel, entry in self._shared.snapshot.waiting[:1]:
             await self._acknowledge(channel, entry)
 

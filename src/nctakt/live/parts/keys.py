@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The keys of the live page: what each does, and how the help names it."""
+"""The keys of the live page: the action of each, and its text in the help."""
 
 from __future__ import annotations
 

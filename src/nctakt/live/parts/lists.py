@@ -34,10 +34,10 @@ NAMES = ("findings", "messages", "events", "why", "stops", "branches")
 #: Rows of a list that are shown: the newest.
 _MAX_SHOWN = 80
 
-#: What why is asked for: a line, and its file of the PLC, empty: the program that is shown.
+#: The subject of a why-question: a line, and its file of the PLC, empty: the program shown.
 Subject = tuple[int, str]
 
-#: The lists of rows, and how long they stay as they are while the session plays, in seconds.
+#: The lists of rows, and their refresh interval while the session plays, in seconds.
 _ROWS, _DISTANCE_S = ("findings", "messages", "events"), 0.4
 
 
@@ -106,7 +106,7 @@ class Lists:
                 self._why.props("role=status")
 
     def _turn(self, _: Any = None) -> None:
-        """Show another list as it is now."""
+        """Show the present state of another list."""
         self._due_s, self._matches_shown = 0.0, None
         if self._program is not None:
             self.show(self._program)
@@ -118,7 +118,7 @@ class Lists:
     # --- rows -----------------------------------------------------------------------------------
 
     def show(self, program: ProgramCard) -> None:
-        """Show what is new in the list that is open."""
+        """Show new rows in the open list."""
         self._program = program
         shared, log = self._shared, self._shared.log
         if shared.snapshot.is_playing and time.monotonic() < self._due_s:
@@ -161,10 +161,10 @@ class Lists:
     def _newest(
         self, rows: Sequence[LogRow], is_partial: bool, left_out: int = 0, note: str = ""
     ) -> list[LogRow]:
-        """Return the newest rows, the last one first, and then that older ones are not shown.
+        """Return the newest rows, the last one first, and a note that older ones are not shown.
 
-        ``is_partial``: nobody knows how many there are. ``note``: what is said if all of the rows
-        are shown, nevertheless not all that there are.
+        ``is_partial``: nobody knows how many there are. ``note``: the text if all these rows are
+        shown, but there are more.
         """
         shown = list(rows[-_MAX_SHOWN:])[::-1]
         count = len(rows) - len(shown)
@@ -222,15 +222,15 @@ class Lists:
     # --- why ------------------------------------------------------------------------------------
 
     async def ask_why(self, line: int, file: str = "") -> None:
-        """Show why the condition in a line is as it is; anybody may ask.
+        """Show why the condition in a line has its truth; anybody may ask.
 
-        ``file``: one of the PLC; then what the statement in the line has written, and why.
+        ``file``: one of the PLC; then the writes of the statement in the line, and why.
         """
         self.choose("why")
         await self._asked.wish((line, file))
 
     def _renew_why(self) -> None:
-        """Let the answer be that of the tick that is shown, or mark it as an earlier one."""
+        """Update the answer to the tick shown, or mark it as that of an earlier one."""
         shared = self._shared
         if self._why_of is None or self._tabs.value != "why":
             return
@@ -299,7 +299,7 @@ class Lists:
                 ui.label(self._texts["no_stops"]).classes("nc-soft")
 
     def begin_stop(self, text: str) -> None:
-        """Let a person go on writing a stop."""
+        """Let a person continue writing a stop."""
         self.choose("stops")
         self._new.set_value(text)
         ui.timer(0.2, lambda: self._new.run_method("focus"), once=True)  # once it is shown

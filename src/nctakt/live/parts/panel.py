@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Positions and operator's panel of the shown channel.
 
-In: snapshots. Out: elements of NiceGUI; what a person sets goes to the session as an input of the
-page, which acts from the next tick on.
+In: snapshots. Out: elements of NiceGUI; a person's settings go to the session as inputs of the
+page, which act from the next tick on.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _MAX_AXES = 6
 #: Switches: their word, and the value of the HLI.
 SWITCHES = {"hold": "FEED_HOLD", "single": "SINGLE_BLOCK", "backward": "BACKWARD_MOTION"}
 
-#: Looks at the session for which a switch shows what a person wants, if no tick takes it over.
+#: Number of updates for which a switch shows a person's setting if no tick takes it over.
 _PATIENCE = 40
 
 _ALL = ""
@@ -98,7 +98,7 @@ class Panel:
             with ui.element("div").classes("nc-switches"):
                 for word in SWITCHES:
                     switch = ui.switch(texts[word]).props(f"dense size=sm data-testid={word}")
-                    # What a person turns; a value that is only shown commands nothing.
+                    # Controls turned by a person; a value that is only shown commands nothing.
                     switch.on("update:model-value", partial(self._switched, word), [None])
                     self._switches[word] = switch
             self._switches["backward"].tooltip(texts["no_history"])
@@ -111,7 +111,7 @@ class Panel:
                 self._override.on("pan", self._pan)
                 ui.label().classes("nc-number nc-percent").props("data-testid=percent")
 
-    # --- what is shown --------------------------------------------------------------------------
+    # --- display --------------------------------------------------------------------------------
 
     def show(self, snapshot: Snapshot) -> None:
         """Show the state of the panel; the numbers come with the drawings' increments."""
@@ -139,7 +139,7 @@ class Panel:
         if self._state.text != shown:
             self._state.set_text(shown)
 
-    # --- what is set ----------------------------------------------------------------------------
+    # --- settings -------------------------------------------------------------------------------
 
     async def press(self, name: str) -> None:
         """Press START or RESET."""
@@ -161,14 +161,14 @@ class Panel:
         await self._set(word, bool(event.args))
 
     async def _set(self, word: str, value: bool) -> None:
-        """Set a switch; until a tick has taken it over, it shows what the person wants."""
+        """Set a switch; until a tick has taken it over, it shows the person's setting."""
         self._wished[word] = (value, _PATIENCE)
         name = f"{self._shared.prefix}HLI.{SWITCHES[word]}"
         if not await self._commander.write(name, value):
             self._wished.pop(word, None)
 
     def _awaits(self, word: str, value: bool) -> bool:
-        """Return whether a switch waits for a tick that takes over what it shows."""
+        """Return whether a switch waits for a tick that takes over its setting."""
         wished, looks = self._wished.get(word, (value, 0))
         if wished == value or looks == 0:
             self._wished.pop(word, None)

@@ -52,7 +52,7 @@ class _Opened:
     def placed(self, found: Sequence[Diagnostic], lines: Sequence[str]) -> list[Diagnostic]:
         """Return the findings in the text's lines, by their places there.
 
-        Where the file writes a line in another way, as entities, all of the line counts.
+        If the file writes a line differently, as entities, the whole line counts.
         """
         first, column = self.texts.place_of(self.number)
         whole = self.lines_with("\n".join(lines))
@@ -73,15 +73,15 @@ class _Opened:
         return placed
 
 
-#: Returns what the check finds in the session's files if one had other lines.
+#: Returns the findings of the check for the session's files if one had other lines.
 Find = Callable[[str, Sequence[str]], list[Diagnostic]]
 
 
 class PlcEdit:
     """The editor of one browser; ``on_typed`` is called with each change.
 
-    What was typed and not saved comes back when the same text is opened again. ``findings``: those
-    of the text as it was checked last, by the places in their files.
+    Unsaved text comes back when the same text is opened again. ``findings``: those of the text as
+    it was checked last, by the places in their files.
     """
 
     def __init__(
@@ -102,7 +102,7 @@ class PlcEdit:
         self._on_typed = on_typed
         self._is_dark = False
         self._room = ui.element("div").classes("nc-plc-edit-room")
-        self._editor: Any = None  # there from the first text on: few change one
+        self._editor: Any = None  # created with the first text: few users change one
 
     @property
     def is_open(self) -> bool:
@@ -111,7 +111,7 @@ class PlcEdit:
 
     @property
     def is_changed(self) -> bool:
-        """Whether the text is not the one of its file."""
+        """Whether the text differs from that of its file."""
         own = self._opened
         return own is not None and self._typed != own.texts.texts[own.number]
 
@@ -120,7 +120,7 @@ class PlcEdit:
         return "" if self._editor is None else self._editor.value or ""
 
     def open(self, file: str, shown: list[str], number: int) -> bool:
-        """Let a text of a file be changed; ``shown``: its lines as the session runs them.
+        """Open a text of a file for editing; ``shown``: its lines as the session runs them.
 
         Returns whether that is possible: the file must be as it was when the run began.
         """
@@ -144,7 +144,7 @@ class PlcEdit:
         self._editor.client.run_javascript(
             "const typing = () => {"
             f" const view = getElement({self._editor.id})?.editor;"
-            " if (!view) return setTimeout(typing, 20);"  # its library is still on the way
+            " if (!view) return setTimeout(typing, 20);"  # its library is still loading
             f" view.contentDOM.setAttribute('aria-label', {name}); view.focus();"
             "}; typing();"
         )
@@ -166,7 +166,7 @@ class PlcEdit:
     # --- findings -------------------------------------------------------------------------------
 
     def _check_later(self) -> None:
-        """Check the text once no one has typed for a moment."""
+        """Check the text once nobody has typed for a moment."""
         self._changes += 1
         ui.timer(_TYPING_S, lambda change=self._changes: self._checks.wish(change), once=True)
 
@@ -205,7 +205,7 @@ class PlcEdit:
         return "vscodeDark" if self._is_dark else "basicLight"
 
     def close(self) -> None:
-        """Show no text; what is not saved is kept."""
+        """Show no text; unsaved text is kept."""
         own = self._opened
         if own is not None and self.is_changed:
             self._drafts[own.file, own.number] = self._typed

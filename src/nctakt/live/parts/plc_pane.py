@@ -27,7 +27,7 @@ from nctakt.session.cursor import Step
 from nctakt.session.session import Session
 from nctakt.session.statements import PlcPlace
 
-#: What each command does, and its picture.
+#: The action of each command, and its icon.
 _STEPS: dict[str, tuple[Step, bool, str]] = {
     "plc_into": ("into", False, "subdirectory_arrow_right"),
     "plc_over": ("over", False, "redo"),
@@ -47,7 +47,7 @@ class PlcLines(Element, component="plc_lines.js"):
 
 @dataclass(frozen=True, slots=True)
 class _Wish:
-    """What values are wanted for: a state of the session, rows of a file, a call or instance."""
+    """What values are requested for: a state of the session, rows of a file, a call or instance."""
 
     number: int
     file: str
@@ -60,7 +60,7 @@ class _Wish:
 class PlcPane:
     """The files of the PLC for one browser; ``is_shown``: one of them is.
 
-    ``on_files`` is called when there are others than before, ``on_typed`` when one is changed,
+    ``on_files`` is called when the set of files has changed, ``on_typed`` when one is edited,
     ``on_findings`` when that has been checked.
     """
 
@@ -156,7 +156,7 @@ class PlcPane:
         return {f"plc {file}": name for file, name in self._names.items()}
 
     def choose(self, key: str) -> bool:
-        """Show the file of a key, or none; return whether the key is that of a file."""
+        """Show the file of a key, or none; return whether the key names a file."""
         file = key.removeprefix("plc ")
         is_file = key.startswith("plc ") and file in self._names
         if file != self.file or not is_file:
@@ -185,7 +185,7 @@ class PlcPane:
     # --- changes --------------------------------------------------------------------------------
 
     def toggle_edit(self) -> None:
-        """Let the text of the cursor's row be changed, or show the lines again."""
+        """Open the text of the cursor's row for editing, or show the lines again."""
         if self.edit.is_open:
             self._close_edit()
             return
@@ -244,12 +244,12 @@ class PlcPane:
             self._cursor = index
             self._lines.run_method("show", index)
 
-    # --- what is shown --------------------------------------------------------------------------
+    # --- display --------------------------------------------------------------------------------
 
     def arrived(self, snapshot: Snapshot) -> tuple[str, int] | None:
-        """Return file and line of a statement before which the session has come to stand.
+        """Return file and line of a statement before which the session has stopped.
 
-        ``None`` unless it has since the last look.
+        ``None`` unless it has done so since the last call.
         """
         halt = snapshot.statement
         stands = None if halt is None else (halt.tick, halt.number)
@@ -263,7 +263,7 @@ class PlcPane:
         return None if span is None else (span.file, span.line)
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show stops, and where the session stands; wish for the values of the tick."""
+        """Show stops, and the position of the session; request the values of the tick."""
         if snapshot.serial != self._serial:
             self._renew(snapshot.serial)
         if self._text is None:
@@ -312,7 +312,7 @@ class PlcPane:
         self._show_tree(snapshot)
 
     def _show_tree(self, snapshot: Snapshot) -> None:
-        """Show what the line of the cursor names."""
+        """Show the variables named in the cursor's line."""
         line, paths = (0, ()) if self._text is None else self._text.named_at(self._cursor)
         instance = str(self._instance.value or "")
         self._tree.show(TreeWish(snapshot.number, self.file, line, paths, self._level, instance))
@@ -337,7 +337,7 @@ class PlcPane:
             self._lines.props["beside"] = beside
             self._lines.update()
 
-    # --- what a person does ---------------------------------------------------------------------
+    # --- actions of a person --------------------------------------------------------------------
 
     def _look(self, event: Any) -> None:
         """Take the rows that a browser has in view."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the line of the cursor names in a file of the PLC, as a tree below the lines.
+"""Variables named in the cursor's line of a PLC file, as a tree below the lines.
 
 In: a file, a line with the paths that it names, a call or instance. Out: rows that a person unfolds
 and folds; they follow the tick of the session.
@@ -29,7 +29,7 @@ class PlcBranches(Element, component="plc_tree.js"):
 
 @dataclass(frozen=True, slots=True)
 class TreeWish:
-    """What a tree is wanted of: a state of the session, a line of a file, a call or instance."""
+    """Request for a tree: a state of the session, a line of a file, a call or instance."""
 
     number: int
     file: str
@@ -40,7 +40,7 @@ class TreeWish:
 
 
 class PlcTree:
-    """The tree of one browser; it is shown where a line names something that has parts."""
+    """The tree of one browser; it is shown if a line names a variable with parts."""
 
     def __init__(self, shared: SharedSession, texts: Texts) -> None:
         self._shared = shared
@@ -52,7 +52,7 @@ class PlcTree:
         self._branches.on("fold", self._fold)
 
     def show(self, wish: TreeWish) -> None:
-        """Show what a line names, if that is not shown yet."""
+        """Show the variables named in a line, if they are not shown yet."""
         if wish != self._wish:
             self._wish = wish
             self._later(wish)
@@ -65,7 +65,7 @@ class PlcTree:
         ui.timer(0, lambda: self._looks.wish(wish), once=True)
 
     def _fold(self, event: Any) -> None:
-        """Unfold or fold what is below a path."""
+        """Expand or collapse the part below a path."""
         if self._wish is None or not isinstance(event.args, str):
             return
         opened = self._opened.setdefault(self._wish.file, {})

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The program on the page: the editor with its marks, stops, findings while one types.
+"""The program on the page: the editor with its marks, stops, and findings while typing.
 
-In: documents, snapshots. Out: an editor whose lines show what the session does; texts that are
-saved and run again.
+In: documents, snapshots. Out: an editor whose lines show the state of the session; texts that are
+saved and rerun.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _LINE_OF_CURSOR = (
 
 @dataclass(frozen=True, slots=True)
 class _Change:
-    """A text that takes the place of another one in the editor.
+    """A text that replaces another in the editor.
 
     ``begin``: the text of the file from which ``new`` was changed.
     """
@@ -49,7 +49,7 @@ class _Change:
 
 @dataclass(frozen=True, slots=True)
 class _Question:
-    """What a browser wants to know of a place: its words are ``complete`` or ``explain``."""
+    """A browser's question about a place: ``complete`` or ``explain``."""
 
     what: str
     number: int
@@ -58,12 +58,11 @@ class _Question:
 
 
 class ProgramCard:
-    """The editor of one browser; ``findings``: of the text as it is there, without notes.
+    """The editor of one browser; ``findings``: of the present text, without notes.
 
-    What somebody types is kept: another text takes its place only where the browser confirms that
-    it is the text that the server knows, and what was not saved comes back with its program. Of a
-    long program the browser has the lines in view only; what stands in the editor's element is an
-    empty text then.
+    Typed text is kept: another text replaces it only if the browser confirms that it is the text
+    known to the server, and unsaved text comes back with its program. For a long program the
+    browser has only the lines in view; the text of the editor's element is empty then.
     """
 
     def __init__(
@@ -186,7 +185,7 @@ class ProgramCard:
         """The number of the editor's element."""
         return self._editor.id
 
-    # --- what is shown --------------------------------------------------------------------------
+    # --- display --------------------------------------------------------------------------------
 
     @property
     def text(self) -> str:
@@ -209,11 +208,11 @@ class ProgramCard:
 
     @property
     def is_edited(self) -> bool:
-        """Whether the editor's text is not the one that was saved."""
+        """Whether the editor's text differs from the saved one."""
         return self.text != self.document.text
 
     def show(self, snapshot: Snapshot) -> None:
-        """Show the blocks, conditions and stops of a tick, and where the PLC stands."""
+        """Show the blocks, conditions and stops of a tick, and the PLC's position."""
         arrived = self.plc.arrived(snapshot)
         if arrived is not None:
             self.reveal(arrived[1], arrived[0])
@@ -232,7 +231,7 @@ class ProgramCard:
             self._run(f"mark({json.dumps(marks)})")
 
     def _show_edited(self) -> None:
-        """Show whether what is written is not saved."""
+        """Show whether there is unsaved text."""
         is_edited = self.is_edited and not self._is_long
         if self.plc.is_shown:
             is_edited = self.plc.edit.is_changed
@@ -243,7 +242,7 @@ class ProgramCard:
         self._editor.client.run_javascript(f"nctaktEditor.{call}")
 
     def _be_ready(self, event: Any) -> None:
-        """Begin to show: the browser's editor is there, with what was not saved before."""
+        """Start showing: the browser's editor exists, with earlier unsaved text."""
         self._is_ready, self._marks = True, None
         words = event.args if isinstance(event.args, dict) else {}
         drafts = words.get("drafts")
@@ -257,7 +256,7 @@ class ProgramCard:
         self.show(self._shared.snapshot)
 
     def _take_draft(self, draft: object) -> None:
-        """Take a text that somebody has changed and not saved, if it is one of a program here."""
+        """Accept a changed and unsaved text, if it belongs to a program here."""
         if not isinstance(draft, list) or not all(isinstance(one, str) for one in draft):
             return
         for document in (one for own in self._documents.values() for one in own):
@@ -266,17 +265,17 @@ class ProgramCard:
                     self._drafts[document.file] = draft[1], draft[2]
 
     def _own(self) -> None:
-        """Let the browser know from which text of which file its own is changed."""
+        """Tell the browser which text of which file its text is based on."""
         if not self._is_long:
             self._run(f"own({json.dumps(self.document.file)}, {json.dumps(self._begin)})")
 
     @property
     def is_checked(self) -> bool:
-        """Whether the findings are those of the editor's text as it stands."""
+        """Whether the findings are those of the editor's present text."""
         return self._checked is not None and self._checked[0] == self.text
 
     def follow(self) -> None:
-        """Show the program that is chosen, as it was saved last unless it is changed here."""
+        """Show the chosen program, as last saved unless it is changed here."""
         if not self._is_ready:
             return
         shown = self._shown_document()
@@ -298,14 +297,14 @@ class ProgramCard:
         self._run(f"replace({json.dumps(change.old)}, {json.dumps(change.new)})")
 
     def _changed(self) -> None:
-        """Take over what somebody has typed, or what has taken the place of another text."""
+        """Take over typed text, or a text that has replaced another."""
         if self._change is not None and self._value == self._change.new:
             self._take_over()
         self._change = None
         self._check_later()
 
     def _take_over(self) -> None:
-        """Go on with the text that the editor has now."""
+        """Continue with the editor's present text."""
         change, self._change = self._change, None
         assert change is not None
         self._drafts.pop(change.document.file, None)
@@ -325,11 +324,11 @@ class ProgramCard:
 
     @property
     def _is_replaced(self) -> bool:
-        """Whether the file on disk is another than the one that this browser shows or changes."""
+        """Whether the file on disk differs from the one that this browser shows or changes."""
         return self._begin != self.document.text or self.document.is_replaced
 
     def look_at_disk(self) -> None:
-        """Tell when the file on disk is another than what this browser shows, or the PLC's is."""
+        """Report when the file on disk, or the PLC's, differs from what this browser shows."""
         is_replaced = self._is_replaced
         is_plc = self._shared.plc_files.are_replaced
         self._load.set_visibility(is_replaced or is_plc)
@@ -362,7 +361,7 @@ class ProgramCard:
         return int(await ui.run_javascript(code, timeout=5.0))
 
     async def _click(self, event: Any) -> None:
-        """A click on a line number sets a stop, one beside a condition asks why."""
+        """A click on a line number sets a stop, a click next to a condition asks why."""
         words = event.args if isinstance(event.args, dict) else {}
         line = words.get("line")
         if not isinstance(line, int):
@@ -389,7 +388,7 @@ class ProgramCard:
     # --- words ----------------------------------------------------------------------------------
 
     async def _ask(self, event: Any) -> None:
-        """Answer what a browser asks of a place."""
+        """Answer a browser's question about a place."""
         words = event.args if isinstance(event.args, dict) else {}
         what, text = words.get("what"), words.get("text")
         if what not in self._questions or not isinstance(text, str):
@@ -405,7 +404,7 @@ class ProgramCard:
         language, lines = self._texts.language, cursor.lines
         found: object = None
         if cursor.line <= len(lines) and lines[cursor.line - 1] == asked.text:
-            # where another text is there meanwhile, nothing is known
+            # if there is another text by now, nothing is known
             if asked.what == "complete":
                 found = await run.io_bound(completed, cursor, machine, language)
             else:
@@ -437,7 +436,7 @@ class ProgramCard:
         return is_plc
 
     def show_next_file(self) -> None:
-        """Show the next one of the choices."""
+        """Show the next of the choices."""
         keys = list(self._choice.options)
         index = keys.index(self._choice.value) if self._choice.value in keys else -1
         self._choice.set_value(keys[(index + 1) % len(keys)])
@@ -450,7 +449,7 @@ class ProgramCard:
             await self.toggle_stop(await self.line_of_cursor())
 
     async def place_of_cursor(self) -> tuple[int, str]:
-        """Return the line of the cursor, and its file where that is one of the PLC."""
+        """Return the line of the cursor, and its file if that belongs to the PLC."""
         if self.plc.is_shown:
             return self.plc.line_of_cursor, self.plc.file
         return await self.line_of_cursor(), ""
@@ -476,7 +475,7 @@ class ProgramCard:
     # --- text -----------------------------------------------------------------------------------
 
     def _check_later(self) -> None:
-        """Check the text once no one has typed for a moment."""
+        """Check the text once nobody has typed for a moment."""
         self._typed += 1
         ui.timer(_TYPING_S, lambda typed=self._typed: self._checks.wish(typed), once=True)
 
@@ -516,7 +515,7 @@ class ProgramCard:
             await self._play()
 
     async def _read(self) -> None:
-        """Show the file as it is on disk now, and run it; with a saved PLC run it as it is here."""
+        """Show the file from disk, and run it; if a PLC was saved, run the text here."""
         if not self._is_replaced:
             if await self._commander.attempt(lambda: self._shared.reopen(self._shared.program)):
                 self.look_at_disk()
@@ -531,7 +530,7 @@ class ProgramCard:
                 self._replace(_Change(own, text, self._value, _in_editor(own)))
 
     async def _choose(self, event: Any) -> None:
-        """Show another program, of this channel or another one."""
+        """Show another program, of this channel or another."""
         is_plc = self._show_plc(str(event.value))
         channel, _, file = str(event.value).partition(" ")
         if is_plc or event.value == f"{self._shared.channel} {self._shared.file}":

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a person saves of a run from the page: pictures, traces, the tape.
+"""Saving parts of a run from the page: pictures, traces, the tape.
 
-In: a session, up to where its branch has come. Out: a file, made by a replay of the branch's tape
-in a process of its own, so that it is what ``nctakt run`` would have written.
+In: a session, up to the end of its branch. Out: a file, made by a replay of the branch's tape in a
+separate process, so that it equals the output of ``nctakt run``.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def save_run(session: Session, kind: str, path: Path) -> None:
 
 
 class Saving:
-    """The menu of one browser that saves the run; built where it is made."""
+    """The menu of one browser that saves the run; built where it is created."""
 
     def __init__(self, commander: Commander) -> None:
         self._commander = commander

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The guided tour of the demo cell: six steps from a gate that stays shut to a changed past.
 
-In: a shared session of the programs in the folder ``demo``. Out: a card that says what is to be
-seen, and brings the session there.
+In: a shared session of the programs in the folder ``demo``. Out: a card that explains what to see,
+and takes the session there.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nctakt.session.session import Session
 #: The steps in their order: their words are ``tour_…`` of the page's texts.
 _STEPS = ("cell", "run", "still", "why", "past", "change")
 
-#: The condition that asks whether somebody stands at the gate, and the variable that says so.
+#: The condition whether somebody is standing at the gate, and its variable.
 _CONDITION, _AREA = "$IF V.E.AREA_FREE", "V.E.AREA_FREE"
 
 #: The function with which the program waits for the gate.
@@ -31,7 +31,7 @@ _WAITS_FOR = "M8"
 
 @dataclass(frozen=True, slots=True)
 class Hands:
-    """What the tour does on the page: play, ask why in a line, show that line, or a list."""
+    """Actions of the tour on the page: play, ask why in a line, show that line, or a list."""
 
     play: Callable[[], Awaitable[None]]
     ask_why: Callable[[int], Awaitable[None]]
@@ -40,7 +40,7 @@ class Hands:
 
 
 class Tour:
-    """The tour of one browser; built where it is made."""
+    """The tour of one browser; built where it is created."""
 
     def __init__(self, commander: Commander, hands: Hands) -> None:
         self._commander = commander
@@ -77,7 +77,7 @@ class Tour:
         self._again.set_visibility(self._step + 1 == len(_STEPS) or tick is None)
 
     async def _go(self, steps: int) -> None:
-        """Bring the session to the next step, or the one before, unless it is on its way."""
+        """Take the session to the next step, or the previous one, unless it is on its way."""
         if self._is_busy or not self._commander.may():
             return
         self._is_busy = True
@@ -93,7 +93,7 @@ class Tour:
             await self._lend_a_hand(name)
 
     async def _lend_a_hand(self, name: str) -> None:
-        """Do on the page what belongs to a step."""
+        """Execute the actions of a step on the page."""
         if name in ("run", "change"):
             await self._hands.play()
         if name == "why":
@@ -103,7 +103,7 @@ class Tour:
             self._hands.choose_list("branches")
 
     async def _begin_again(self) -> None:
-        """Run the cell anew, as it was at the first step."""
+        """Rerun the cell, as it was at the first step."""
         if self._commander.may() and await self._commander.attempt(self._shared.reopen):
             self._step = 0
             self._show()
@@ -114,7 +114,7 @@ class Tour:
         return next((number for number, line in enumerate(lines, 1) if _CONDITION in line), 0)
 
     def _bring(self, name: str) -> int | None:
-        """Bring the session to a step; return the tick of the question, ``None`` if it is lost."""
+        """Take the session to a step; return the tick of the question, ``None`` if it is lost."""
         shared, file = self._shared, self._file
         if (shared.channel, shared.file) != (1, file):
             shared.look_at(1, file)
@@ -126,7 +126,7 @@ class Tour:
 def brought(session: Session, file: str, line: int, name: str) -> int | None:
     """Bring a session to a step; return the tick of the question, 0 before it has come up.
 
-    ``None``, where no one has asked, or the answer was another one than the tour describes.
+    ``None`` if nobody has asked, or the answer was not the one that the tour describes.
     """
     session.pause()
     first = min(session.branches)

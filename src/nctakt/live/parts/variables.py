@@ -54,7 +54,7 @@ class Variables:
         self._show_rows(self._search.value or "")
 
     def focus_search(self) -> None:
-        """Let a person type what variable they look for."""
+        """Let a person type the name of a variable."""
         self._search.run_method("focus")
 
     # --- rows -----------------------------------------------------------------------------------
@@ -83,7 +83,7 @@ class Variables:
         test = f"data-testid=variable-{row.name}"
         if row.field == "switch":
             switch = named(ui.switch().props(f"dense size=sm {test}"), row.name)
-            # What a person turns; a value that is only shown is not written.
+            # Controls turned by a person; a value that is only shown is not written.
             switch.on("update:model-value", partial(self._turn, row.name), [None])
             return switch
         field = ui.number(step=1 if row.field == "integer" else None)
@@ -108,7 +108,7 @@ class Variables:
         )
         return slider
 
-    # --- what is shown --------------------------------------------------------------------------
+    # --- display --------------------------------------------------------------------------------
 
     def show(self, snapshot: Snapshot) -> None:
         """Show the values of a tick; fields that a person is in stay."""
@@ -132,7 +132,7 @@ class Variables:
         elif value < slider.props["min"]:
             slider.props["min"] = 2 * value
 
-    # --- what is set ----------------------------------------------------------------------------
+    # --- settings -------------------------------------------------------------------------------
 
     async def _write(self, name: str, value: float | bool) -> None:
         await self._commander.write(self._shared.prefix + name, value)
@@ -141,7 +141,7 @@ class Variables:
         await self._write(name, bool(event.args))
 
     async def _commit(self, name: str, field: Any, _: Any = None) -> None:
-        """Write what is in a field, unless a person has only visited it."""
+        """Write the content of a field, unless a person has only visited it."""
         self._busy.discard(name)
         now = self._shared.snapshot.values.get(self._shared.prefix + name)
         if field.value is not None and float(field.value) != now:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Signals and exchanged axes of a run -> a track for each channel: its program, its waits, the
-signals it sends and axes it gives.
+"""Signals and exchanged axes of a run -> a track for each channel: program, waits, sends, gifts of
+axes.
 
 Without any of these there are no tracks.
 """

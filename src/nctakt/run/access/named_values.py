@@ -49,8 +49,8 @@ class NamedValues(Protocol):
         """Set a variable from its next cycle on."""
 
     def mistake(self, name: str) -> Diagnostic | None:
-        """Return the mistake in the path of a part that its variable does not have, or of something
-        that is not a signal; ``None`` for any other name.
+        """Return the mistake in the path of a missing part, or of one that is not a signal;
+        ``None`` for any other name.
         """
 
     def signal(self, name: str) -> SignalCell | None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Variables at fixed addresses that share bits on a controller (ST-402).
 
-Addresses count bytes, whatever their letter: ``%IW2`` are the bytes 2 and 3, ``%IX2.7`` is the last
-bit of byte 2.
+Addresses count bytes, regardless of their letter: ``%IW2`` are the bytes 2 and 3, ``%IX2.7`` is the
+last bit of byte 2.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ _ADDRESS = re.compile(r"%([IQM])(X?)[BWDL]?(\d+)(?:\.(\d+))?", re.ASCII)
 
 
 def report_overlaps(program: Program, reporter: Reporter) -> None:
-    """Report variables that share bits on a controller, and have memory of their own here."""
+    """Report variables that share bits on a controller, and have separate memory here."""
     owners = [group.variables for group in program.lists]
     owners += [pou.members for pou in program.pous.values() if pou.kind is Kind.PROGRAM]
     found = [one for variables in owners for one in variables.values() if one.address]

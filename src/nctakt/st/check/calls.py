@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calls: what is called, with which arguments (ST-307, ST-520, ST-604, ST-712 … 715).
+"""Calls: the called object, and its arguments (ST-307, ST-520, ST-604, ST-712 … 715).
 
 In: a call of the tree. Out: its kind, target, instance and bound arguments; each argument is
 converted into its parameter, or reported.
@@ -149,10 +149,10 @@ class CallChecker(ExpressionChecker):
         if self.unit is not None:
             self.callers.setdefault(self.unit, {}).setdefault(target, node)
 
-    # --- what is called ---------------------------------------------------------------------------
+    # --- called objects ---------------------------------------------------------------------------
 
     def _callee(self, node: Call) -> tuple[CallableUnit | str | None, Expression | None]:
-        """Return what is called, or the upper-case name of a built-in; and the instance."""
+        """Return the called object, or the upper-case name of a built-in; and the instance."""
         callee = node.callee
         if isinstance(callee, Name):
             return self._by_name(node, callee)
@@ -258,7 +258,7 @@ class CallChecker(ExpressionChecker):
         return self._by_value(node, callee.type), callee
 
     def _by_value(self, node: Call, kind: Type | None) -> CallableUnit | None:
-        """Return the body of an instance; report what cannot be called."""
+        """Return the body of an instance; report objects that cannot be called."""
         if isinstance(kind, BlockType):
             return kind.pou
         if kind is not None:
@@ -370,7 +370,7 @@ class CallChecker(ExpressionChecker):
         self.converted(value, kind)
 
     def _in_out(self, parameter: Variable, value: Expression) -> None:
-        """Check what a VAR_IN_OUT is given: a variable of exactly its type."""
+        """Check the argument of a VAR_IN_OUT: a variable of exactly its type."""
         found = self.expression(value)
         kind = parameter.type
         if found is None or is_unknown(kind):
@@ -392,7 +392,7 @@ class CallChecker(ExpressionChecker):
             self.report(TYPE_MISMATCH, value, source=_shown(found), target=_shown(kind))
 
     def check_target(self, node: Expression, *, is_handed_over: bool = False) -> None:
-        """Report what cannot be written to (C0018), or handed over by address."""
+        """Report expressions that cannot be written to (C0018), or passed by address."""
         match node:
             case Name(target=Variable() as variable) | Member(target=Variable() as variable):
                 if variable.is_constant and variable.section is not Section.IN_OUT:
@@ -695,7 +695,7 @@ class CallChecker(ExpressionChecker):
         return UDINT if found.name == "SIZEOF" else ULINT
 
     def _type_named(self, node: Name) -> Type | None:
-        """Return the type that a name stands for, if it is no variable."""
+        """Return the type denoted by a name that is not a variable."""
         if node.name.upper() in ("STRING", "WSTRING"):
             kind: Type = string(80, is_wide=node.name.upper() == "WSTRING")
             node.target = node.type = kind
@@ -768,7 +768,7 @@ _ANY_FAMILIES = {
 
 
 def is_any_of(kind: Type, name: str) -> bool:
-    """Return whether a type is one of those that ``ANY``, ``ANY_NUM`` … stand for (ST-620)."""
+    """Return whether a type is covered by ``ANY``, ``ANY_NUM`` … (ST-620)."""
     if isinstance(kind, AnyType) or name == "ANY":
         return name in ("ANY", kind.name)
     if name == "ANY_STRING":

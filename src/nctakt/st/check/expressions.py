@@ -2,8 +2,8 @@
 """Types, targets and constant values of expressions (ST-203, ST-206, ST-302 … 317, ST-501 … 503).
 
 In: an expression of the tree, the names that it sees, the type that its context wants. Out: the
-expression with ``type``, ``value`` and ``target``. After a mistake its type is ``None``, and what
-contains it is not reported again (ST-1001).
+expression with ``type``, ``value`` and ``target``. After a mistake its type is ``None``, and no
+expression around it is reported again (ST-1001).
 """
 
 from __future__ import annotations
@@ -173,7 +173,7 @@ _MAX_BITS = 64
 
 
 class ExpressionChecker:
-    """Checks the expressions of one scope after another: ``scope`` is set by whoever calls."""
+    """Checks the expressions of one scope at a time: the caller sets ``scope``."""
 
     def __init__(self, names: Names, resolver: Resolver, reporter: Reporter) -> None:
         self.names = names
@@ -207,14 +207,14 @@ class ExpressionChecker:
     # --- entrances --------------------------------------------------------------------------------
 
     def operand(self, node: Expression) -> Type | None:
-        """Check an expression and return its type, ``UNTYPED`` for what is a literal."""
+        """Check an expression and return its type, ``UNTYPED`` for a literal."""
         node.value = None  # an editor checks a tree again after other files have changed
         kind = self._checks[type(node)](node)
         node.type = kind
         return kind
 
     def expression(self, node: Expression) -> Type | None:
-        """Check an expression whose context wants no particular type."""
+        """Check an expression whose context requires no particular type."""
         kind = self.operand(node)
         if kind is UNTYPED:
             self.settle(node, smallest(node.value) if isinstance(node.value, int) else LINT)
@@ -325,7 +325,7 @@ class ExpressionChecker:
         )
 
     def _lookup(self, node: Name) -> Target | None:
-        """Return what a name stands for; report if it is nothing or ambiguous."""
+        """Return the object of a name; report if it is unknown or ambiguous."""
         key = node.name.lower()
         scope = self.scope
         if not node.is_global:
@@ -370,7 +370,7 @@ class ExpressionChecker:
         return None if target is None else self._value_of(node, target)
 
     def _value_of(self, node: Name | Member, target: Target) -> Type | None:
-        """Return the type of what a name stands for, as a value."""
+        """Return the type of a name's object, as a value."""
         if isinstance(target, Variable):
             if target in self.resolver.open_variables:
                 self.report(CONSTANT_EXPECTED, node)
@@ -474,7 +474,7 @@ class ExpressionChecker:
         return self._value_of(node, target)
 
     def check_filled(self, owner: BlockType | StructType, key: str, start: int, end: int) -> None:
-        """Warn of what the NC fills on the machine, and nothing here."""
+        """Warn about a member that the NC fills on the machine, but nothing fills here."""
         filled = FILLED.get(owner.name)
         space = self.names.libraries.get(NC_AXES.lower())
         if filled is None or key in filled or space is None or self.scope.library:
@@ -536,7 +536,7 @@ class ExpressionChecker:
         return None
 
     def _bit_by_name(self, node: Member, kind: Type) -> Type | None:
-        """Return BOOL for ``x.cBit``, whose bit is a constant; report what is no member."""
+        """Return BOOL for ``x.cBit``, whose bit is a constant; report other members."""
         base = kind.base if isinstance(kind, EnumType) else kind
         if isinstance(base, Elementary) and base.family in INTEGERS:
             found = self.scope.local_names.get(node.name.lower()) or self.scope.members.get(
@@ -926,7 +926,7 @@ class ExpressionChecker:
         return None
 
     def _fold(self, node: Binary, kind: Elementary) -> Type | None:
-        """Compute a constant operation; report a division by zero, and what is too large."""
+        """Compute a constant operation; report a division by zero, and an overflow."""
         first, second, operator = node.left.value, node.right.value, node.operator
         is_division = operator in (Operator.DIVIDE, Operator.MOD)
         if is_division and second == 0 and not isinstance(second, bytes | None):

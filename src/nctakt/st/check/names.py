@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The names of a project: what stands for what, and in which order they are looked up (ST-203).
+"""The names of a project: their meaning, and the order of lookup (ST-203).
 
-In: declared objects of the project and of libraries. Out: the target of a name. The project's own
-names come before those of libraries, libraries in the order of their reference.
+In: declared objects of the project and of libraries. Out: the target of a name. Names of the
+project come before those of libraries, libraries in the order of their reference.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class Scope:
     """Where a body or declaration looks names up first; keys are in lower case.
 
     ``members`` are those of the instance: variables, methods, properties of the block and its
-    bases. ``pou`` is the block, ``library`` the one that it is from.
+    bases. ``pou`` is the block, ``library`` the library that it is from.
     """
 
     library: str = ""
@@ -79,7 +79,7 @@ class Scope:
 
 @dataclass(slots=True, eq=False)
 class PendingVariable:
-    """A variable whose type is resolved when it is needed first."""
+    """A variable whose type is resolved when it is first needed."""
 
     node: VariableNode
     scope: Scope
@@ -101,7 +101,7 @@ class Names:
             name.lower(): Namespace(name) for name in beneath if name.lower() not in self.libraries
         }
         self._known: dict[str, Declared | Target | Ambiguous | None] = {}
-        #: Enters what a library declares.
+        #: Enters the declarations of a library.
         self.load: Callable[[Namespace], None] = lambda space: None
 
     def spaces(self, library: str = "", name: str = "") -> Iterator[Namespace]:
@@ -155,7 +155,7 @@ class Names:
             self.load(space)
 
     def find(self, name: str, library: str = "") -> Declared | Target | Ambiguous | None:
-        """Return what a name in lower case stands for outside of POUs."""
+        """Return the meaning of a name in lower case outside POUs."""
         key = f"{library}\0{name}" if library else name
         try:
             return self._known[key]

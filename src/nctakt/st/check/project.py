@@ -70,15 +70,15 @@ class ProjectChecker(StatementChecker):
         super().__init__(names, resolver, reporter)
         #: Libraries that have been read, whose variables have not been checked yet.
         self.libraries_read: list[tuple[Namespace, list[Declaration]]] = []
-        #: What an editor keeps of units that have not changed; without it all are checked.
+        #: Memory of an editor for unchanged units; without it all are checked.
         self.memory: UnitMemory | None = None
         #: Constants whose initial values were checked when they were evaluated.
         self._evaluated: set[Variable] = set()
 
-    # --- what the resolver asks -------------------------------------------------------------------
+    # --- requests of the resolver -----------------------------------------------------------------
 
     def constant(self, node: Expression, scope: Scope) -> int | None:
-        """Return the value of a whole constant; ``None`` with a report if it is none."""
+        """Return the value of a whole constant; ``None`` with a report for anything else."""
         outer, self.scope = self.scope, scope
         kind = self.expression(node)
         self.scope = outer
@@ -304,7 +304,7 @@ class ProjectChecker(StatementChecker):
         self._guarded(None, self.resolver.lay_out_globals)
 
     def _initial_values(self, space: Namespace, nodes: list[Declaration]) -> None:
-        """Check what variables of a library's lists and members of its structures begin with."""
+        """Check the initial values of variables in a library's lists and structures."""
         for node in nodes:
             if isinstance(node, GlobalListNode):
                 title = node.attributes.get("list", node.name)
@@ -324,7 +324,7 @@ class ProjectChecker(StatementChecker):
                     self._variable(item, variable)
 
     def _library_pou(self, pou: Pou) -> None:
-        """Check a POU of a library, whose bodies run as they are written."""
+        """Check a POU of a library whose bodies run as written."""
         node, _ = self.resolver.nodes[pou]
         assert isinstance(node, PouNode)
         self._check_units(node, pou)
@@ -381,10 +381,10 @@ class ProjectChecker(StatementChecker):
 
 
 class UnitMemory(Protocol):
-    """What is kept between checks of a project that changes (``editor.structured_text``)."""
+    """State kept between checks of a changing project (``editor.structured_text``)."""
 
     def check(self, node: Header, unit: Pou | Method, checker: ProjectChecker) -> None:
-        """Check a unit, or report again what its last check has found."""
+        """Check a unit, or repeat the findings of its last check."""
 
     def library(
         self, name: str, parse: CallableFunction[[], list[Declaration]]
@@ -431,7 +431,7 @@ def checker_of(
         return parse_text(name, text_of(name), reporter)
 
     def load(space: Namespace) -> None:
-        """Enter what a library declares, when one of its names is used."""
+        """Enter the declarations of a library when one of its names is used."""
         library, text = own.get(space.library.lower()), names.text_of(space)
         nodes = [] if library is None else [*library.declarations]
         if text:
@@ -462,7 +462,7 @@ def checked(name: str, declarations: list[Declaration], checker: ProjectChecker)
 
 
 def _program(name: str, resolver: Resolver, names: Names, tasks: list[Task]) -> Program:
-    """Return what was checked as a program."""
+    """Return the checked program."""
     reporter = resolver.reporter
     return Program(
         name,
@@ -489,7 +489,7 @@ def _program(name: str, resolver: Resolver, names: Names, tasks: list[Task]) -> 
 
 
 def _same_shape(first: Method, second: Method) -> bool:
-    """Whether an override has the inputs, outputs and result of what it overrides."""
+    """Whether an override has the inputs, outputs and result of the overridden method."""
     one = None if first.result is None else first.result.type
     two = None if second.result is None else second.result.type
     if first.is_action or second.is_action:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Declared types, variables and POUs -> resolved ones with their layout (ST-301 … 330, ST-401).
 
-In: nodes of the tree, in any order: what a declaration needs is resolved first. Out: ``Type``,
-``Variable`` and ``Pou`` objects. Circles are reported where they close.
+In: nodes of the tree, in any order: the requirements of a declaration are resolved first. Out:
+``Type``, ``Variable`` and ``Pou`` objects. Circles are reported where they close.
 """
 
 from __future__ import annotations
@@ -105,10 +105,10 @@ _ANY = frozenset("ANY ANY_NUM ANY_INT ANY_REAL ANY_BIT ANY_STRING ANY_DATE".spli
 
 
 class Evaluator(Protocol):
-    """What the resolver asks of the checker of expressions."""
+    """Requests of the resolver to the checker of expressions."""
 
     def constant(self, node: Expression, scope: Scope) -> int | None:
-        """Return the value of a whole constant; ``None`` with a report if it is none."""
+        """Return the value of a whole constant; ``None`` with a report for anything else."""
 
     def constant_of(self, variable: Variable, scope: Scope) -> None:
         """Set the value of a constant variable from its initial expression."""
@@ -130,12 +130,12 @@ class Resolver:
         self.blocks: list[Pou] = []
         self.pous: dict[str, Pou] = {}
         self.library_pous: list[Pou] = []
-        #: Blocks and structures whose base is not known: what they lack may be there.
+        #: Blocks and structures whose base is not known: missing members may be there.
         self._incomplete: set[Pou | StructType] = set()
         self.nodes: dict[Pou | Method, tuple[Header, Scope]] = {}
         self.data_size = POINTER_SIZE
         self.globals: list[Variable] = []
-        #: Variables whose declarations are being read: none of these has a value yet.
+        #: Variables whose declarations are being read: they have no values yet.
         self.open_variables: set[Variable] = set()
         self._pending: dict[Variable, PendingVariable] = {}
         self._layouts: dict[Type, Callable[[], None]] = {}
@@ -157,7 +157,7 @@ class Resolver:
         return list(self._pending)
 
     def target_of(self, declared: Declared) -> Type | Pou | None:
-        """Return the type or POU of a declaration, whose own declaration may be read by it."""
+        """Return the type or POU of a declaration, resolving that declaration if necessary."""
         if declared.target is None and not declared.is_open:
             declared.is_open = True  # stays so if it is nested too deep
             self._resolve(declared)
@@ -202,7 +202,7 @@ class Resolver:
         return target.type if isinstance(target, Pou) else target
 
     def _any(self, name: str) -> AnyType:
-        """Return ANY and the like: their form is declared in the system's own text (ST-620)."""
+        """Return ANY and the like: their form is declared in the text of the system (ST-620)."""
         self.names.read(self.names.libraries[SYSTEM.lower()])
         declared = self.names.find_type("anytype", SYSTEM)
         form = None if declared is None else self.target_of(declared)
@@ -607,7 +607,7 @@ class Resolver:
         self.nodes[pou] = (node, self._scopes[pou])
 
     def _base(self, pou: Pou, node: PouNode, scope: Scope) -> None:
-        """Resolve what a block extends."""
+        """Resolve the base of a block."""
         if node.base is None:
             return
         declared = self._declared(node.base.name.lower(), scope)
@@ -945,7 +945,7 @@ class Resolver:
         return self._scopes.get(pou) or Scope()
 
 
-#: The type of what was declared with a mistake: nothing is reported about it again.
+#: The type of a declaration with a mistake: nothing is reported about it again.
 _UNKNOWN = Type("?", 1, 1)
 
 

@@ -2,7 +2,7 @@
 """A single expression, checked after its project: a condition or a question of a debugger.
 
 In: a text, and the POU, method or action whose names it sees. Out: the expression with its type.
-Its mistakes are raised, and the project is as it was.
+Its mistakes are raised, and the project is unchanged.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from nctakt.st.types import Callable, Expression, Method, Pou
 
 #: The name of such a text in messages.
 FILE = "expression"
-#: Characters of such a text at most, and different ones that are kept.
+#: Maximum length of such a text, and number of different texts kept.
 MAX_CHARACTERS = 1000
 MAX_KEPT = 10_000
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Statements of a body (ST-510 … 514).
 
-In: the statements of the tree, in the scope of their POU. Out: their expressions checked; what is
-wrong with the statements themselves is reported.
+In: the statements of the tree, in the scope of their POU. Out: their expressions checked; mistakes
+in the statements themselves are reported.
 """
 
 from __future__ import annotations

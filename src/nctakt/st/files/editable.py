@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The texts of a PLC's file that a person changes; nothing else of the file changes, byte by byte.
 
-In: the content of a file, a text as its programmer knows it. Out: the content with that text in its
-place: in XML that of one declaration or implementation, in a plain file all of it.
+In: the content of a file, a text as shown to its programmer. Out: the content with that text
+replaced: in XML that of one declaration or implementation, in a plain file all of it.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _TAG = re.compile(
 )
 _TEXTS = ("Declaration", "ST")
 _CDATA, _CDATA_END = "<![CDATA[", "]]>"
-#: How CDATA writes its own end.
+#: How CDATA escapes its own end.
 _SPLIT = "]]]]><![CDATA[>"
 
 
@@ -39,7 +39,7 @@ class _Stretch:
 class EditableTexts:
     """The texts of a file by their numbers, as ``shown_text`` shows them, with LF at ends of lines.
 
-    ``texts`` is empty where the file writes them in a way that is not known.
+    ``texts`` is empty if the file stores them in an unknown form.
     """
 
     def __init__(self, file: str, content: bytes) -> None:
@@ -72,7 +72,7 @@ class EditableTexts:
         return before.count("\n") + 1, len(before) - before.rfind("\n")
 
     def replaced(self, number: int, text: str) -> bytes:
-        """Return the content of the file with another text; the ends of lines stay as they are."""
+        """Return the content of the file with another text; line ends are kept."""
         one = self._stretches[number]
         if text == self.texts[number]:
             return self._content

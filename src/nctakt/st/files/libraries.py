@@ -2,7 +2,7 @@
 """Sources of libraries that a user gives: folders -> the declarations in them (ST-107).
 
 In: the folders of ``[plc] libraries``. Out: ``OwnLibrary`` objects: each project below a folder is
-one, by its name; files that belong to no project are one by the name of their folder.
+a library of that name; files without a project form a library named after their folder.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ MAX_FILES = 20_000
 
 @dataclass(slots=True, eq=False)
 class OwnLibrary:
-    """A library whose sources the user has: what it declares, and the words of its texts.
+    """A library whose sources the user has: its declarations, and the words of its texts.
 
     ``is_whole``: it is a project, which stands for a library of this name that nctakt knows;
     files of no project are added to it. ``references``: the libraries that a project names.

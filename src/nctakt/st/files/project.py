@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A project's files -> the objects in them (ST-101, ST-103, ST-106).
 
-In: a ``.plcproj``, a ``.tsproj``, a folder, or single files. Out: ``PlcSources``: which files with
-objects there are, in order, to which libraries they refer, and what conditions ask for. Files are
-read by the function that the caller gives, so that all reading is bounded in one place.
+In: a ``.plcproj``, a ``.tsproj``, a folder, or single files. Out: ``PlcSources``: the files with
+objects, in order, the libraries they refer to, and the definitions for conditions. Files are read
+by the function that the caller gives, so that all reading is bounded in one place.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class SystemTask:
 
 @dataclass(slots=True, eq=False)
 class PlcSources:
-    """What belongs to a project; ``libraries`` is ``None`` if it does not say."""
+    """The content of a project; ``libraries`` is ``None`` if it does not list them."""
 
     name: str
     files: list[Path] = field(default_factory=list)
@@ -45,7 +45,7 @@ class PlcSources:
 
 
 def loose_files(paths: Sequence[Path]) -> PlcSources:
-    """Return files that belong to no project as one, in the order of their paths."""
+    """Return files without a project as one project, in the order of their paths."""
     return PlcSources(paths[0].stem if paths else "", sorted(paths))
 
 
@@ -92,7 +92,7 @@ def _project(path: Path, root: Element, reporter: Reporter) -> PlcSources:
 
 
 def project_around(path: Path) -> Path | None:
-    """Return the project that lies above an object and lists it; ``None`` without one."""
+    """Return the project in a folder above an object that lists it; ``None`` without one."""
     needle = path.name.lower().encode()
     for folder in list(path.resolve().parents)[:MAX_LEVELS]:
         for file in sorted(folder.glob(f"*{PROJECT_SUFFIX}")):
@@ -110,7 +110,7 @@ def _is_inside(name: str) -> bool:
 
 
 def _in_any_case(folder: Path, name: str) -> Path | None:
-    """Return a file whose name is written in another case than on the disk."""
+    """Return a file whose name is in a different case on the disk."""
     current = folder
     for part in Path(name).parts:
         if part == "..":

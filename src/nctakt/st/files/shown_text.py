@@ -2,7 +2,7 @@
 """A file of a PLC as its programmer knows it: declarations and implementations, without markup.
 
 In: name and text of a file. Out: its lines; in XML those of the objects' texts, a heading before
-each text, and where each line lies in the file. Plain text is shown as it is.
+each text, and where each line lies in the file. Plain text is shown unchanged.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ _PARTS = (Text("implementation", "Implementierung"), Text("declaration", "Deklar
 
 @dataclass(frozen=True, slots=True)
 class ShownLine:
-    """A line as it is shown.
+    """A line as shown.
 
     ``number``: in its text, from 1, as the programming system counts it. ``line`` and ``column``:
     where it begins in the file, from 1; of a heading 0, with its title.
@@ -66,5 +66,5 @@ def place_in_file(piece: Piece, offset: int) -> tuple[int, int]:
     """Return line and column in the file of the beginning of a line of a piece."""
     line, column = piece.locate(piece.base + offset)
     known = max(one for one in piece.offsets if one <= offset)
-    skipped = piece.text.count("\n", known, offset)  # empty lines have no place of their own
+    skipped = piece.text.count("\n", known, offset)  # empty lines have no place
     return (line, column) if not skipped else (line + skipped, 1)

@@ -10,7 +10,7 @@ PROJECT_SUFFIX, SYSTEM_SUFFIX = ".plcproj", ".tsproj"
 PROJECT_SUFFIXES = (PROJECT_SUFFIX, SYSTEM_SUFFIX)
 #: All suffixes that belong to a PLC.
 PLC_SUFFIXES = (*OBJECT_SUFFIXES, *TEXT_SUFFIXES, *PROJECT_SUFFIXES)
-#: Objects by whose suffixes it is known that they are Structured Text: others may use ``.exp``.
+#: Suffixes that only Structured Text uses: others may use ``.exp``.
 SOURCE_SUFFIXES = (*OBJECT_SUFFIXES, ".st", ".iecst")
 #: Suffixes by which a folder's files are known to belong to a PLC.
 FOLDER_SUFFIXES = (*SOURCE_SUFFIXES, PROJECT_SUFFIX)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""XML -> a small tree whose texts know where each of their characters is in the file.
+"""XML -> a small tree whose texts have the place of each character in the file.
 
 The file is not trusted: document types, entities and references to other files are refused, depth
 and size have bounds. The part before a mistake is read.

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The parts of a text in Structured Text that have colours of their own, by how they are written.
+"""The parts of a Structured Text that have their own colours, by spelling.
 
-In: a text. Out: comments, pragmas, strings, numbers and words, each with its kind; what a word
-stands for beyond that the checker knows.
+In: a text. Out: comments, pragmas, strings, numbers and words, each with its kind; further meanings
+of words are up to the checker.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ TOKEN = re.compile(
     r"|(?P<word>[^\W\d]\w*)",
     re.DOTALL,
 )
-#: Words that are keywords where they stand, and names elsewhere.
+#: Words that are keywords in this position, and names elsewhere.
 _SOFT = frozenset(
     """METHOD PROPERTY ACTION GET SET EXTENDS IMPLEMENTS ABSTRACT FINAL PUBLIC PRIVATE PROTECTED
     INTERNAL CONSTANT RETAIN PERSISTENT AT ARRAY POINTER REFERENCE STRING WSTRING""".split()

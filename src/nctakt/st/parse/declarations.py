@@ -2,7 +2,7 @@
 """Tokens -> declarations of the tree: POUs, interfaces, types, lists of variables, tasks.
 
 In: the tokens of plain text (ST-105), or of a declaration in an XML file (ST-102). Out: nodes of
-``tree.py``. After a syntax error reading goes on at the next declared variable or object.
+``tree.py``. After a syntax error reading continues at the next declared variable or object.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ _POU_KINDS = {kind.value: kind for kind in Kind}
 _ACCESS = {access.value: access for access in Access}
 _POINTERS = {"POINTER": False, "REFERENCE": True}
 _STRINGS = {"STRING": False, "WSTRING": True}
-#: Where reading goes on after a fault among declarations.
+#: Where reading continues after a fault among declarations.
 _OBJECTS = frozenset(
     (*_POU_KINDS, "INTERFACE", "TYPE", "VAR_GLOBAL", "CONFIGURATION", END)
 )  # fmt: skip
@@ -101,7 +101,7 @@ class DeclarationParser(StatementParser):
         return found
 
     def pou(self, *, has_body: bool) -> PouNode:
-        """Read a POU: its declaration, and what follows it in plain text."""
+        """Read a POU: its declaration, and its body in plain text."""
         attributes = self.attributes.get(self.index, {})
         kind = _POU_KINDS[self.kinds[self.index]]
         self.index += 1
@@ -163,7 +163,7 @@ class DeclarationParser(StatementParser):
         return action
 
     def _relations(self, pou: PouNode) -> None:
-        """Read what a unit extends and implements, and the type of its result."""
+        """Read base and interfaces of a unit, and the type of its result."""
         while True:
             if self.accept_word("EXTENDS"):
                 pou.base = self._named_type()
@@ -222,7 +222,7 @@ class DeclarationParser(StatementParser):
         return accessor
 
     def accessor_access(self) -> Access:
-        """Read the modifier of an accessor in an XML file, which stands alone."""
+        """Read the modifier of an accessor in an XML file, which is alone there."""
         access = Access.PUBLIC
         while self.kinds[self.index] == NAME and self.word() in (*_ACCESS, "FINAL", "ABSTRACT"):
             access = _ACCESS.get(self.word(), access)

@@ -29,7 +29,7 @@ from nctakt.messages.plcs.st_text import (
 from nctakt.st.reporting import Reporter
 from nctakt.st.sources import Piece
 
-#: Kinds of tokens beside keywords and signs, whose kind is their text (in upper case).
+#: Kinds of tokens other than keywords and signs, whose kind is their text (in upper case).
 NAME, NUMBER, TYPED, STRING, ADDRESS, END = "name", "number", "typed", "string", "address", "end"
 
 KEYWORDS = frozenset(
@@ -104,7 +104,7 @@ class Tokens:
 
 @dataclass(slots=True, eq=False)
 class Definitions:
-    """What conditions ask for: identifiers with values, names of POUs and types (lower case)."""
+    """Definitions for conditions: identifiers with values, names of POUs and types (lower case)."""
 
     values: Mapping[str, str] = field(default_factory=dict)
     pous: frozenset[str] = frozenset()
@@ -126,7 +126,7 @@ class Lexer:
         self._values = dict(definitions.values)
         self._reporter = reporter
         self._tokens = Tokens()
-        #: Of each open {IF}: does its text count, and has one of its branches counted?
+        #: For each open {IF}: does its text count, and has one of its branches counted?
         self._conditions: list[tuple[bool, bool]] = []
 
     def read(self) -> Tokens:
@@ -168,7 +168,7 @@ class Lexer:
         return tokens
 
     def _other(self, text: str, start: int) -> int:
-        """Handle what is no token; return where reading goes on."""
+        """Handle text that is not a token; return where reading continues."""
         if text == "(*":
             depth = 0
             for match in _OPENING_OR_CLOSING.finditer(self._text, start):
@@ -254,7 +254,7 @@ class Lexer:
         return len(self._text)
 
     def _holds(self, condition: str, start: int, end: int) -> bool:
-        """Evaluate a condition; what cannot be evaluated is reported and does not hold."""
+        """Evaluate a condition; one that cannot be evaluated is reported and does not hold."""
         parts = []
         position = 0
         condition = condition.strip()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Texts of literals -> values (ST-206 … 208).
 
-In: the text of a literal without its prefix. Out: its value, ``None`` where it is none.
+In: the text of a literal without its prefix. Out: its value, ``None`` if it is not a literal.
 """
 
 from __future__ import annotations
@@ -153,7 +153,7 @@ def string(text: str) -> str | None:
     return None if faults else found
 
 
-#: What a wrong literal is called in messages, by what it should be.
+#: Names of wrong literals in messages, by their intended kind.
 LITERAL_KINDS = {
     "time": Text("duration", "Zeitdauer"),
     "date": Text("date", "Datum"),

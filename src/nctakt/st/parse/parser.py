@@ -2,9 +2,9 @@
 """Tokens -> statements and expressions of the tree (ST-501 … 520).
 
 In: the tokens of a piece. Out: nodes of ``tree.py``. The parser parses, the checker rejects: after
-a syntax error reading goes on at the next statement, and all mistakes are reported. Constructs that
-nctakt refuses are named. Nesting is bounded by ``MAX_DEPTH``, the operators of an expression by
-``MAX_OPERATORS``, so that whoever walks the tree may recurse.
+a syntax error reading continues at the next statement, and all mistakes are reported. Constructs
+that nctakt refuses are named. Nesting is bounded by ``MAX_DEPTH``, the operators of an expression
+by ``MAX_OPERATORS``, so that code that walks the tree may recurse.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ _ENDS = frozenset(
 
 
 class SyntaxFaultError(Exception):
-    """Reading cannot go on at this token; the fault is reported."""
+    """Reading cannot continue at this token; the fault is reported."""
 
 
 class TokenReader:
@@ -162,7 +162,7 @@ class TokenReader:
         return False
 
     def accept_word(self, word: str) -> bool:
-        """Read a word that is no keyword, if it is there; return whether it was."""
+        """Read a word that is not a keyword, if it is there; return whether it was."""
         if self.kinds[self.index] == NAME and self.word() == word:
             self.index += 1
             return True
@@ -187,7 +187,7 @@ class ExpressionParser(TokenReader):
         self._depth = 0
 
     def expression(self, precedence: int = 1) -> Expression:
-        """Read an expression whose operators bind at least as strong as ``precedence``."""
+        """Read an expression whose operators bind at least as strongly as ``precedence``."""
         kinds = self.kinds
         kind = kinds[self.index]
         if kind in _PREFIX:
@@ -221,7 +221,7 @@ class ExpressionParser(TokenReader):
         return Unary(start, operand.end, _PREFIX[kind], operand)
 
     def _enter(self) -> None:
-        """Count a level of nesting; whoever calls it counts down again unless reading fails."""
+        """Count a level of nesting; the caller counts down again unless reading fails."""
         self._depth += 1
         if self._depth > MAX_DEPTH:
             self.fail(NESTED_TOO_DEEP, limit=MAX_DEPTH)
@@ -265,7 +265,7 @@ class ExpressionParser(TokenReader):
         self.fail(EXPRESSION_EXPECTED, found=text or "–")
 
     def _type_expression(self) -> Expression:
-        """Read a type that stands for a value: the argument of SIZEOF."""
+        """Read a type in place of a value: the argument of SIZEOF."""
         self.fail(EXPRESSION_EXPECTED, found=self.texts[self.index])
 
     def _postfix(self, left: Expression) -> Expression:
@@ -489,7 +489,7 @@ class StatementParser(ExpressionParser):
         return Assignment(start, value.end, target, operator, value)
 
     def _assigned(self) -> Expression:
-        """Read the right side of an assignment, which may be one itself: ``b := c``."""
+        """Read the right side of an assignment, which may be an assignment itself: ``b := c``."""
         values = [self.initial_value()]
         while self.accept(":="):
             values.append(self.expression())
@@ -502,7 +502,7 @@ class StatementParser(ExpressionParser):
         return value
 
     def _lone(self, expression: Expression) -> Statement:
-        """Return what may read a property, and report any other expression alone."""
+        """Return a statement that may read a property, and report any other lone expression."""
         kind = self.kinds[self.index]
         if kind == "=":
             self.fail(COMPARISON_AS_STATEMENT)
@@ -515,7 +515,7 @@ class StatementParser(ExpressionParser):
         self.fail(UNEXPECTED_TOKEN, found=self.texts[self.index] or "–")
 
     def _semicolon(self) -> None:
-        """Read the semicolon of a statement; without one reading goes on at this token."""
+        """Read the semicolon of a statement; without one reading continues at this token."""
         if self.kinds[self.index] == ";":
             self.index += 1
         else:

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What Structured Text knows without a declaration: elementary types, functions, libraries."""
+"""Names of Structured Text without a declaration: elementary types, functions, libraries."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The elementary types with size and range (ST-301), and what two of them make (ST-302 … 304)."""
+"""The elementary types with size and range (ST-301), and combinations of two (ST-302 … 304)."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def signed(kind: Elementary) -> Elementary:
 
 
 def smallest_bits(value: int) -> Elementary:
-    """Return the smallest bit string that holds a literal: what NOT turns over."""
+    """Return the smallest bit string that holds a literal: the operand of NOT."""
     return next((one for one in _BIT_STRINGS if value <= one.high), _BIT_STRINGS[-1])
 
 

@@ -61,7 +61,7 @@ BUILT_INS: dict[str, BuiltIn] = {
     )
 }
 
-#: What is refused by name (ST-315, ST-620), and what to do instead.
+#: Names that are refused (ST-315, ST-620), and what to do instead.
 _MEMORY = Text(
     "Declare the instances, or an array of them.",
     "Die Instanzen oder ein Feld davon deklarieren.",
@@ -81,7 +81,7 @@ _CONVERSION = re.compile(r"(?:(\w+?)_)?TO_(\w+)")
 def conversion(name: str) -> tuple[Type | None, Type] | None:
     """Return source and target of ``INT_TO_REAL``, ``TO_REAL`` or ``ANY_TO_REAL``.
 
-    The source is ``None`` where any is taken; the result is ``None`` for any other name.
+    The source is ``None`` if any is accepted; the result is ``None`` for any other name.
     """
     match = _CONVERSION.fullmatch(name)
     if match is None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The libraries that nctakt knows, as Structured Text.
 
-A POU with the attribute ``native`` has no body: the runtime computes it. All others run as they
-are. What belongs to the interface between CNC and PLC is written from its table (``hli.table``).
+A POU with the attribute ``native`` has no body: the runtime computes it. All others run as written.
+The declarations of the interface between CNC and PLC are generated from its table (``hli.table``).
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ SYSTEM = "System"
 #: The CNC's interface, and its blocks for single axes.
 CNC_INTERFACE, CNC_AXES, NC_AXES = "Tc2_CncHli", "McpPLCopenP1", "Tc2_MC2"
 TEST_LIBRARY = "TcUnit"
-#: The block of ``NC_AXES`` that stands for an axis, and its method that runs before each cycle.
+#: The block of ``NC_AXES`` that represents an axis, and its method that runs before each cycle.
 AXIS_REFERENCE, WRITTEN_BY_NC = "AXIS_REF", "__fromnc"
-#: Members of what the NC fills on the machine that are filled here, too (ST-742).
+#: Members filled by the NC on the machine that are filled here, too (ST-742).
 FILLED = {
     AXIS_REFERENCE: frozenset(("plctonc", "nctoplc", "status")),
     "NCTOPLC_AXIS_REF": frozenset(
@@ -37,12 +37,12 @@ FILLED = {
         "positivedirection negativedirection notmoving".split()
     ),
 }
-#: The library of the types that others share; its only one here is that of the system.
+#: The library of shared types; the only one here belongs to the system.
 BASE_TYPES = "IBaseLibrary"
 
-#: The libraries with a text of their own, in the order in which names are looked up.
+#: The libraries with their own text, in the order in which names are looked up.
 _TEXTS = ("Tc2_Standard", "Tc2_System", "Tc2_Utilities", "Tc2_Math", NC_AXES, TEST_LIBRARY, SYSTEM)
-#: What the texts of libraries use, whether a project refers to it or not.
+#: Names that the texts of libraries use, whether a project refers to them or not.
 BENEATH = _TEXTS[:4]
 #: Further names under which projects refer to them; those without a text here have no names.
 ALIASES = {
@@ -58,14 +58,14 @@ ALIASES = {
 #: Members whose names are keywords here (ST-763).
 _MEMBERS = {"type": "fkt_ctrl_r"}
 _DECLARED = re.compile(r"\b(?:FUNCTION_BLOCK|FUNCTION|TYPE|INTERFACE)\s+(\w+)")
-#: What of a text may hold names that others see: enumerations with their items, lists with their
-#: variables, and names of other objects. Bodies and members of structures do not.
+#: Parts of a text with names visible to others: enumerations with their items, lists with their
+#: variables, and names of other objects; not bodies or members of structures.
 _SEEN = re.compile(
     r"VAR_GLOBAL.*?END_VAR|\bTYPE\s+\w+\s*:\s*\(.*?END_TYPE|'list'\s*:=\s*'\w+'|"
     + _DECLARED.pattern,
     re.DOTALL,
 )
-#: What the runtime computes itself.
+#: POUs that the runtime computes itself.
 _NATIVE = "{attribute 'native'} "
 #: The file of the bodies of blocks with pins of the interface's table.
 _BODIES = "CncBlocks"

@@ -24,7 +24,7 @@ from nctakt.st.vocabulary.libraries import default_libraries
 #: Reads the libraries whose sources the user has, by their names in lower case.
 ReadLibraries = Callable[[ReadFile, Reporter], Mapping[str, OwnLibrary]]
 
-#: What conditions of programs find defined here (ST-205).
+#: Definitions for conditions in programs (ST-205).
 OUR_DEFINITION = "nctakt"
 
 

@@ -33,8 +33,8 @@ class SingleReader(Protocol):
 class Program:
     """A project: all that is declared, with layout; bodies with their names and types resolved.
 
-    The data area has ``data_size`` bytes: globals, VAR_STAT, and the instances of programs. What is
-    at offset 0 is never a variable, so that no address is null. ``has_errors``: it must not run.
+    The data area has ``data_size`` bytes: globals, VAR_STAT, and the instances of programs. There
+    is never a variable at offset 0, so that no address is null. ``has_errors``: it must not run.
     ``files``: those of the project that were read; ``read_files``: those of libraries, too.
     ``initial_order``: the global variables in the order of their initialisation (ST-404), then
     programs by ``pous``. ``blocks``: blocks and programs by number, from 1.

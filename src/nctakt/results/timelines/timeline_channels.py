@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Signals and exchanged axes of a run -> a track for each channel: program, waits, sends, gifts of
-axes.
+"""Signals and exchanged axes of a run -> a track for each channel: program, waits, signals, axes.
 
 Without any of these there are no tracks.
 """

@@ -49,9 +49,7 @@ class NamedValues(Protocol):
         """Set a variable from its next cycle on."""
 
     def mistake(self, name: str) -> Diagnostic | None:
-        """Return the mistake in the path of a missing part, or of one that is not a signal;
-        ``None`` for any other name.
-        """
+        """Return the mistake in the path of a missing part, or of a non-signal; else ``None``."""
 
     def signal(self, name: str) -> SignalCell | None:
         """Return where a variable is shown in each tick; ``None`` if it is not a number."""

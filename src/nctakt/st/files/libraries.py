@@ -28,9 +28,9 @@ MAX_FILES = 20_000
 class OwnLibrary:
     """A library whose sources the user has: its declarations, and the words of its texts.
 
-    ``is_whole``: it is a project, which stands for a library of this name that nctakt knows;
-    files of no project are added to it. ``references``: the libraries that a project names.
-    ``faulty``: names of what it lacks because of mistakes that are reported.
+    ``is_whole``: it is a project, which replaces a library of this name known to nctakt; files of
+    no project are added to it. ``references``: the libraries that a project names. ``faulty``:
+    names of what it lacks because of mistakes that are reported.
     """
 
     name: str

@@ -98,10 +98,10 @@ def extensions() -> list[Extension]:
     found.append(Extension(SHARED, [SHARED_SOURCE]))
     found.append(Extension(STATE, [STATE_SOURCE.as_posix()]))
     if sys.platform == "linux":
-        folder = SOURCES / "nctakt" / "linux"
+        folder = SOURCES / "nctakt" / "schedule" / "real"
         sources = sorted(path.as_posix() for path in folder.glob("*.c"))
         headers = sorted(path.as_posix() for path in folder.glob("*.h"))
-        found.append(Extension("nctakt.linux.processes", sources, depends=headers))
+        found.append(Extension("nctakt.schedule.real.processes", sources, depends=headers))
     for one in found if OLDEST else ():
         one.py_limited_api = True
         one.define_macros = [("Py_LIMITED_API", "0x{:02x}{:02x}0000".format(*OLDEST))]

@@ -20,8 +20,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from nctakt.base.mode import is_compiled
+from nctakt.results.trace.sinks import CsvSink
 from nctakt.run.controller import Controller
-from nctakt.trace.sinks import CsvSink
 
 #: A program of so many rounds, of some 1.6 s each.
 PROGRAM = """$FOR P1 = 1, {rounds}, 1

@@ -22,8 +22,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from nctakt.base.mode import is_compiled
+from nctakt.results.trace.sinks import CsvSink
 from nctakt.run.controller import Controller, NcText
-from nctakt.trace.sinks import CsvSink
 
 REPEATS = 5
 SLICES = 500

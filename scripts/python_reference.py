@@ -16,9 +16,9 @@ from nctakt.hli.operator_panel import OperatorPanel
 from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.hli.plc_side import PlcSide
 from nctakt.results.run import CycleResult, ProgramMessage, ReactionResult, TechnologyOutput
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.recorded import Trace
 from nctakt.run.plcs.plc_view import PlcView
-from nctakt.trace.events import Event
-from nctakt.trace.recorded import Trace
 
 HEAD = """\
 # The Python interface

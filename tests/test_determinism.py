@@ -20,9 +20,9 @@ from support.program_generator import program
 from support.trace_digests import DEMO, MAX_TICKS, SEEDS, random_trace
 
 from nctakt.kernel.base.record import Record
+from nctakt.results.trace.sinks import CsvSink
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.realtime import realtime_part
-from nctakt.trace.sinks import CsvSink
 
 pytestmark = pytest.mark.slow
 

@@ -28,9 +28,9 @@ from nctakt.kernel import rows
 from nctakt.messages import Collector
 from nctakt.plc import load_plc
 from nctakt.reference.topics import explain, search
+from nctakt.results.trace.events import EventDecoder
 from nctakt.run.controller import Controller
 from nctakt.schedule.load import read_load
-from nctakt.trace.events import EventDecoder
 
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "src" / "nctakt"

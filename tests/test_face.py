@@ -38,7 +38,8 @@ NOT_FOR_A_PLAIN_RUN = {
     "csv", "decimal", "difflib", "hashlib", "html", "importlib.resources", "json", "matplotlib",
     "multiprocessing", "numpy", "rich", "shutil", "tempfile", "tomllib", "traceback", "xml",
     "nctakt.nc.lint", "nctakt.plc.script", "nctakt.plots", "nctakt.results.coverage",
-    "nctakt.results.explained.why", "nctakt.schedule", "nctakt.testing", "nctakt.trace.reading",
+    "nctakt.results.explained.why", "nctakt.results.trace.reading", "nctakt.schedule",
+    "nctakt.testing",
 }  # fmt: skip
 
 

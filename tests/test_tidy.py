@@ -460,7 +460,7 @@ OUTSIDE = (
 SHOWING = ("base/notebook_progress.py",)
 
 #: What writes one fixed date into a file whose format wants one.
-FIXED_DATES = ("trace/measurement.py",)
+FIXED_DATES = ("results/trace/measurement.py",)
 
 #: The files that read or write a length of time as a ``timedelta``, and no clock.
 LENGTHS = ("lists/format/times.py", "base/plain_values.py")
@@ -472,7 +472,7 @@ def test_nobody_but_the_command_line_reads_a_clock() -> None:
         f"{path.relative_to(PACKAGE)}: {name}"
         for path in SOURCES
         if path.relative_to(PACKAGE).parts[0]
-        not in ("cli", "debugger", "linux", "live", "ports", "schedule", "servers")
+        not in ("cli", "debugger", "live", "ports", "schedule", "servers")
         and path.name != "one_at_a_time.py"  # refuses a second thread, and makes none
         for name in imports(path)
         if name.split(".")[0] in NOT_DETERMINISTIC
@@ -698,7 +698,7 @@ def test_benchmarks_import_what_there_is() -> None:
 def test_every_file_names_its_licence() -> None:
     """The first line of each source and test file is its licence."""
     files = [*SOURCES, *PACKAGE.rglob("*.pxd"), *(ROOT / "tests").rglob("*.py")]
-    files += [*PACKAGE.glob("linux/*.[ch]"), *(ROOT / "examples").rglob("*.c")]
+    files += [*PACKAGE.rglob("*.[ch]"), *(ROOT / "examples").rglob("*.c")]
     line = "# SPDX-License-Identifier: MIT\n"
     missing = [
         str(path.relative_to(ROOT))
@@ -748,7 +748,7 @@ def test_folders_stay_small() -> None:
 
 def test_lines_of_types_and_scripts_stay_short() -> None:
     """At most 100 columns where no linter measures: C types, C, scripts."""
-    files = [*PACKAGE.rglob("*.pxd"), *PACKAGE.glob("linux/*.[ch]"), *(ROOT / "scripts").iterdir()]
+    files = [*PACKAGE.rglob("*.pxd"), *PACKAGE.rglob("*.[ch]"), *(ROOT / "scripts").iterdir()]
     long = [
         f"{path.relative_to(ROOT)}:{number}"
         for path in files

@@ -11,10 +11,10 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
+from nctakt.results.trace.reading import read_trace
+from nctakt.results.trace.sinks import file_sink
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plcs.plc_view import PlcView
-from nctakt.trace.reading import read_trace
-from nctakt.trace.sinks import file_sink
 
 MACHINE = Path(__file__).parent.parent / "runs" / "two_channels" / "machine"
 ONE = NcText("one.nc", "%one\nN10 G01 X5 F600\nN20 V.CH.SEEN = 1\nN30 M30\n")

@@ -14,7 +14,7 @@ import pytest
 
 import nctakt
 from nctakt.cli import main
-from nctakt.trace.reading import read_trace
+from nctakt.results.trace.reading import read_trace
 
 pytestmark = pytest.mark.slow
 

@@ -25,7 +25,7 @@ import nctakt
 from nctakt.base import interrupts
 from nctakt.cli import group
 from nctakt.lists.machine.machine import load_machine
-from nctakt.trace.reading import read_trace
+from nctakt.results.trace.reading import read_trace
 
 pytestmark = [
     pytest.mark.slow,

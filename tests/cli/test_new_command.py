@@ -12,7 +12,7 @@ import pytest
 from nctakt.cli import main
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.machines.commented import DEMO
+from nctakt.lists.writing.commented import DEMO
 
 pytestmark = pytest.mark.slow
 

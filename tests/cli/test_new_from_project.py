@@ -10,7 +10,7 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.lists.machine.machine import load_machine
-from nctakt.machines.commented import DEMO
+from nctakt.lists.writing.commented import DEMO
 
 
 def project(cycle_time: str = "2000") -> str:

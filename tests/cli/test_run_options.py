@@ -28,9 +28,9 @@ from nctakt.messages.files import STDIN_NAMED_TWICE
 from nctakt.messages.plcs.plc import PLC_FAILED
 from nctakt.plc import PlcError
 from nctakt.results.run import ProgramMessage, Run
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import Signal, TraceHeader
 from nctakt.run.access.stimuli import Stimulus
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import Signal, TraceHeader
 
 
 @dataclass(frozen=True, slots=True)

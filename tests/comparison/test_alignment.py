@@ -16,8 +16,8 @@ from nctakt.comparison.delays import BlockDelays
 from nctakt.comparison.deviations import deviation_of
 from nctakt.comparison.log import LogColumn, Samples
 from nctakt.comparison.mapping import Pair, Tolerance, suggestion
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import Signal
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import Signal
 
 COLUMN = LogColumn("a", "", 1, 0)
 

@@ -22,8 +22,8 @@ from nctakt.comparison.mapping import Pair
 from nctakt.comparison.recorded import RecordedColumns
 from nctakt.comparison.report import comparison_text
 from nctakt.results.run import Run
+from nctakt.results.trace.sinks import Signal
 from nctakt.run.controller import Controller
-from nctakt.trace.sinks import Signal
 
 NAMES = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
 PART = "N10 G01 X100 Y50 F6000\nN20 X0\nN30 G04 0.2\nN40 Y0 X30\nN50 X80 F3000\nM30\n"

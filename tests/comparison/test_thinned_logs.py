@@ -15,7 +15,7 @@ from nctakt.comparison.deviations import deviation_of
 from nctakt.comparison.log import LogColumn, Samples
 from nctakt.comparison.mapping import Pair
 from nctakt.comparison.overlay import left_out
-from nctakt.trace.sinks import Signal
+from nctakt.results.trace.sinks import Signal
 
 PAIR = Pair(Signal("X.ACS.ACT_POS", "mm"), LogColumn("a", "", 1, 0), 1.0, 0.0, None, False)
 

@@ -16,7 +16,7 @@ pytest.importorskip("pygls", reason="the language server needs pygls (extra edit
 
 from lsprotocol.types import Position
 
-import nctakt.machines
+import nctakt
 from nctakt.base.failure import Failure
 from nctakt.editor.display.hover import hover
 from nctakt.editor.display.outline import document_symbols
@@ -198,7 +198,7 @@ def test_each_function_of_the_channel_list_is_explained(folder: Folder) -> None:
 
 def test_a_variable_of_the_machine_changes_in_comments_that_are_read(folder: Folder) -> None:
     """``; expect:`` and ``; given:`` name it, too, and so it is renamed from there."""
-    lists = Path(nctakt.machines.__file__).parent / "demo"
+    lists = Path(nctakt.__file__).parent / "machines" / "demo"
     shutil.copytree(lists, folder.folder / "lists", dirs_exist_ok=True)
     (folder.folder / "nctakt.toml").write_text('machine = "lists"\n', "utf-8")
     text = "; given: V.E.VALUE = 1\nV.E.VALUE = 3 ; a VALUE\nM30 ; expect: CH2.V.E.VALUE = 3\n"

@@ -11,7 +11,7 @@ import pytest
 from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.files.access import FileAccess
-from nctakt.machines.commented import commented_lists
+from nctakt.lists.writing.commented import commented_lists
 from nctakt.run.controller import Controller
 
 pytestmark = pytest.mark.slow

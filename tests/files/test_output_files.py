@@ -17,7 +17,7 @@ from nctakt.cli import main
 from nctakt.files import access as file_access
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile, write_file
-from nctakt.machines.commented import commented_lists
+from nctakt.lists.writing.commented import commented_lists
 
 pytestmark = pytest.mark.slow
 

@@ -9,9 +9,9 @@ import pytest
 from support.insides import machine_of
 from support.kernel_rig import ACCELERATION, DEMO
 
+from nctakt.results.trace.sinks import CsvSink
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plcs.plc_view import PlcView
-from nctakt.trace.sinks import CsvSink
 
 CYCLES = """#RT CYCLE [ID=1 SCOPE=GLOBAL]
   $IF ONCE TRUE

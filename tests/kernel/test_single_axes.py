@@ -15,8 +15,8 @@ import pytest
 from support.kernel_rig import DEMO, Rig
 
 from nctakt.lists.machine.machine import load_machine
+from nctakt.results.trace.events import EventDecoder
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.events import EventDecoder
 
 X, Y, Z, A = range(4)
 ABORTING, BUFFERED = 0, 1

@@ -18,12 +18,12 @@ from support.schedule_examples import EXAMPLE_1, TIGHT, change, load_text, make
 from support.schedule_models import models
 
 from nctakt.base.failure import Failure
-from nctakt.linux import area as layout
-from nctakt.linux import measure as measuring
-from nctakt.linux.measure import Measurement, late_wakes, measure
-from nctakt.linux.plan import Plan, crowded_cpus, make_plan
-from nctakt.linux.run import RunLog
 from nctakt.schedule.model import Model, TaskClass
+from nctakt.schedule.real import area as layout
+from nctakt.schedule.real import measure as measuring
+from nctakt.schedule.real.measure import Measurement, late_wakes, measure
+from nctakt.schedule.real.plan import Plan, crowded_cpus, make_plan
+from nctakt.schedule.real.run import RunLog
 from nctakt.schedule.simulation.results import Event, EventKind, Record, Simulation
 from nctakt.schedule.simulation.simulate import simulate
 from nctakt.schedule.simulation.tracebits import calls_of

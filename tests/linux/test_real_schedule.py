@@ -16,7 +16,9 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("nctakt.linux.processes", reason="a schedule runs for real on Linux only")
+pytest.importorskip(
+    "nctakt.schedule.real.processes", reason="a schedule runs for real on Linux only"
+)
 
 from nctakt import Controller, Failure, NcText, open_schedule
 from nctakt.base.diagnostics import Diagnostic
@@ -222,7 +224,7 @@ def test_an_error_in_the_plc_ends_the_run(tmp_path: Path) -> None:
 
 def test_a_semaphore_that_exists_is_refused(tmp_path: Path) -> None:
     """900685, before a thread runs."""
-    from nctakt.linux import processes  # noqa: PLC0415 - there is one
+    from nctakt.schedule.real import processes  # noqa: PLC0415 - there is one
 
     path = list_file(tmp_path)
     name = f"/nctakt_{tmp_path.name}"[:81]

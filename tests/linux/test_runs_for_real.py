@@ -36,7 +36,7 @@ from support.linux_runs import (
     write_files,
 )
 
-from nctakt.linux import machine, plan
+from nctakt.schedule.real import machine, plan
 
 pytestmark = [needs_runner, pytest.mark.slow]
 Capture = pytest.CaptureFixture[str]
@@ -582,7 +582,7 @@ def test_other_systems(tmp_path: Path, capsys: Capture, monkeypatch: pytest.Monk
 
 def test_log_without_room(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
     """900691: a run ends when its log is full; what it has is told."""
-    from nctakt.linux import area  # noqa: PLC0415 - what is compiled may be missing
+    from nctakt.schedule.real import area  # noqa: PLC0415 - what is compiled may be missing
 
     monkeypatch.setattr(area, "MAX_ENTRIES", 60)
     run(*write_files(tmp_path), "--cycles", "40", "--no-fifo")

@@ -15,8 +15,8 @@ from support.random_seeds import seeds_in_parts
 
 from nctakt import Controller, NcText, Session
 from nctakt.live.searching import MAX_KEPT, Search, Searches
-from nctakt.trace.event_words import event_text
-from nctakt.trace.events import Event
+from nctakt.results.trace.event_words import event_text
+from nctakt.results.trace.events import Event
 
 #: Writes in many ticks, functions, messages: some thousand events.
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]

@@ -23,10 +23,10 @@ from nctakt.messages import diagnostic
 from nctakt.messages.machines.lists import TEXT_NOT_UTF8
 from nctakt.messages.programs.decoder import NO_FEED_ACTIVE
 from nctakt.results.compared import Compared
+from nctakt.results.trace.event_words import event_words
+from nctakt.results.trace.events import Event
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.listening import MAX_NOTICES
-from nctakt.trace.event_words import event_words
-from nctakt.trace.events import Event
 
 pytestmark = pytest.mark.slow
 

@@ -20,8 +20,8 @@ from nctakt.plots.page import MAX_POINTS
 from nctakt.plots.picture import check_picture
 from nctakt.plots.scene import Scene, scene_of
 from nctakt.results.run import Run
+from nctakt.results.trace.reading import read_trace
 from nctakt.run.controller import Controller, NcText
-from nctakt.trace.reading import read_trace
 
 pytestmark = pytest.mark.slow
 

@@ -12,11 +12,11 @@ from pathlib import Path
 
 import pytest
 
-import nctakt.machines
+import nctakt
 from nctakt.run.controller import Controller
 
 PROGRAMS = Path(__file__).parent / "programs"
-DEMO5 = Path(nctakt.machines.__file__).parent / "demo5"
+DEMO5 = Path(nctakt.__file__).parent / "machines" / "demo5"
 
 #: Program -> positions of X, Y, Z behind its end; ``None``: not looked at.
 ENDS: dict[str, tuple[float | None, float | None, float | None]] = {

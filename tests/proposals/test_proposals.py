@@ -17,10 +17,10 @@ from nctakt.plc.script import Plc
 from nctakt.proposals.changes import Change, changes_by_axis, changes_of
 from nctakt.proposals.nearer import Proposal, Proposals
 from nctakt.proposals.report import proposals_document, proposals_text
+from nctakt.results.trace.sinks import CsvSink
 from nctakt.run.controller import Controller
 from nctakt.studies.plans.changed_lists import changed_machine
 from nctakt.studies.plans.faults import FaultyPlc, PlcFaults
-from nctakt.trace.sinks import CsvSink
 
 PART = "G01 X100 F20000\nM10\nG01 Y50 F10000\nG02 X150 Y100 I50 J0\nG00 X0 Y0\nM30\n"
 SIGNALS = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS", "PATH.SPEED"]

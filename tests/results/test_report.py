@@ -8,8 +8,8 @@ from nctakt.messages import diagnostic
 from nctakt.messages.commands.inputs import INVALID_TIME
 from nctakt.messages.programs.realtime import CYCLE_OPERATION_WITHOUT_RESULT
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 
 def event(kind: str, text: str, time_us: int = 426098, cycle: str = "1") -> Event:

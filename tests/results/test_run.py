@@ -11,9 +11,9 @@ from nctakt.results.run import (
     TechnologyOutput,
 )
 from nctakt.results.run_statistics import RunStatistics, branch_key
-from nctakt.trace.events import Event
-from nctakt.trace.recorded import MemorySink
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.recorded import MemorySink
+from nctakt.results.trace.sinks import TraceHeader
 
 DEFINED = Span("part.nc", 3, 1, 2)
 ONCE = Span("part.nc", 5, 3, 20)

@@ -11,8 +11,8 @@ import pytest
 from support.run_folders import FOLDERS, HERE, perform, settings
 
 from nctakt.files.access import FileAccess
+from nctakt.results.trace.sinks import JsonlSink
 from nctakt.run.access.tape import TapeComparison, TapeWriter, read_tape
-from nctakt.trace.sinks import JsonlSink
 
 pytestmark = pytest.mark.slow
 

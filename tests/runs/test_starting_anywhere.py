@@ -20,9 +20,9 @@ from support.run_folders import DEMO, FOLDERS, HERE, changed_machine, settings
 
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.results.run import Run
+from nctakt.results.trace.events import Event
 from nctakt.run.controller import Controller
 from nctakt.session.session import Session
-from nctakt.trace.events import Event
 
 pytestmark = pytest.mark.slow
 

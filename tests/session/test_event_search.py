@@ -13,9 +13,9 @@ from support.random_seeds import seeds_in_parts
 
 from nctakt import Controller, NcText, Session
 from nctakt.base.diagnostics import Language
+from nctakt.results.trace.event_words import MAX_SOUGHT, SoughtEvents, event_text
+from nctakt.results.trace.events import Event
 from nctakt.session.history.event_search import EventSearch
-from nctakt.trace.event_words import MAX_SOUGHT, SoughtEvents, event_text
-from nctakt.trace.events import Event
 
 #: Two axes, writes in many ticks, functions, messages; V.E.VALUE adds events.
 PROGRAM = """#RT CYCLE [ID=1 SCOPE=PROG]

@@ -10,10 +10,10 @@ from support.event_rows import Names, row
 from support.random_seeds import each_seed
 
 from nctakt.kernel import rows
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import EventDecoder
 from nctakt.session import tick_log
 from nctakt.session.tick_log import TickLog
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import EventDecoder
 
 
 @each_seed(30, 30)

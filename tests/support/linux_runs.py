@@ -28,7 +28,8 @@ SHARED_MEMORY = Path("/dev/shm")
 CYCLE_US = 20_000
 
 IS_BUILT = (
-    sys.platform == "linux" and importlib.util.find_spec("nctakt.linux.processes") is not None
+    sys.platform == "linux"
+    and importlib.util.find_spec("nctakt.schedule.real.processes") is not None
 )
 needs_runner = pytest.mark.skipif(
     not IS_BUILT, reason="the part that runs schedules is not compiled (scripts/test does it)"

@@ -12,11 +12,11 @@ from typing import Any
 import nctakt
 from nctakt.plc import load_plc
 from nctakt.results.run import Run
+from nctakt.results.trace.sinks import Sink
 from nctakt.run.access.inputs import InputListener
 from nctakt.run.access.tape import Tape
 from nctakt.run.controller import Controller
 from nctakt.schedule.open_schedule import RunSchedule, open_schedule
-from nctakt.trace.sinks import Sink
 
 HERE = Path(__file__).parent.parent / "runs"
 

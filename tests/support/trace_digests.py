@@ -20,8 +20,8 @@ sys.path.insert(0, str(HERE))
 from nctakt.base import mode  # noqa: E402
 from nctakt.lists.machine.machine import load_machine  # noqa: E402
 from nctakt.plc import load_plc  # noqa: E402
+from nctakt.results.trace.sinks import CsvSink  # noqa: E402
 from nctakt.run.controller import Controller, NcText  # noqa: E402
-from nctakt.trace.sinks import CsvSink  # noqa: E402
 from support import run_folders  # noqa: E402
 from support.program_generator import program  # noqa: E402
 from support.single_axis_programs import Generator, RandomPlc  # noqa: E402

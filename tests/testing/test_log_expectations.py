@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 
 from nctakt.base.failure import Failure
+from nctakt.results.trace.sinks import file_sink
 from nctakt.run.controller import Controller, NcText
 from nctakt.testing.expectations import read_expectation, read_script
 from nctakt.testing.queries import NcRun
 from nctakt.testing.verdict import differences
-from nctakt.trace.sinks import file_sink
 
 PROGRAM = "G01 X20 Y5 F6000\nG01 X0 F{feed}\nM30\n"
 

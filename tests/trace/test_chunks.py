@@ -8,9 +8,9 @@ from support.event_rows import Names, row
 
 from nctakt.kernel import rows
 from nctakt.results.report import DIAGNOSIS_CAPACITY, DiagnosisReport, DiagnosisSink
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event, EventDecoder
 from nctakt.run.controller import Controller, NcText
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event, EventDecoder
 
 
 class Counting(EventDecoder):

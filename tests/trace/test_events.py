@@ -6,8 +6,8 @@ from support.event_rows import Names, row
 
 from nctakt.base.diagnostics import Span
 from nctakt.kernel import codes, rows
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event, EventDecoder
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event, EventDecoder
 
 PLACE = Span("part.nc", 5, 3, 4)
 

@@ -12,8 +12,8 @@ from nctakt.base.failure import Failure
 from nctakt.cli import main
 from nctakt.comparison.log_file import open_log
 from nctakt.files.access import FileAccess
+from nctakt.results.trace import measurement
 from nctakt.run.controller import Controller, NcText
-from nctakt.trace import measurement
 
 asammdf = pytest.importorskip("asammdf", reason="MF4 needs asammdf (extra measure)")
 pytestmark = pytest.mark.filterwarnings("default")

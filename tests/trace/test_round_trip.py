@@ -10,9 +10,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from nctakt.base.diagnostics import Span
-from nctakt.trace.events import Event
-from nctakt.trace.reading import read_trace
-from nctakt.trace.sinks import Signal, TraceHeader, file_sink
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.reading import read_trace
+from nctakt.results.trace.sinks import Signal, TraceHeader, file_sink
 
 WORDS = st.text(st.characters(codec="utf-8"), max_size=12)
 FILES = st.text(st.characters(codec="utf-8", exclude_characters="\0"), min_size=1, max_size=8)

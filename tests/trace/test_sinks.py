@@ -13,10 +13,10 @@ import pytest
 
 from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
-from nctakt.trace.events import Event
-from nctakt.trace.reading import read_trace
-from nctakt.trace.recorded import MemorySink, Trace
-from nctakt.trace.sinks import CsvSink, JsonlSink, Signal, Sink, TraceHeader, file_sink
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.reading import read_trace
+from nctakt.results.trace.recorded import MemorySink, Trace
+from nctakt.results.trace.sinks import CsvSink, JsonlSink, Signal, Sink, TraceHeader, file_sink
 
 HEADER = TraceHeader(
     1000, (Signal("X.ACS.ACT_POS", "mm"), Signal("BLOCK", "", True), Signal("V.E.A[0,1]"))

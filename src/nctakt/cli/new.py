@@ -22,10 +22,10 @@ from nctakt.files.access import FileAccess
 from nctakt.files.new_folder import write_new_folder
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import DEFAULT_CYCLE_TIME_US, load_machine
-from nctakt.machines.commented import commented_lists
-from nctakt.machines.conversion import Conversion, convert_lists
-from nctakt.machines.list_writer import ListFormat
-from nctakt.machines.xae_project import lists_of_project, project_in
+from nctakt.lists.writing.commented import commented_lists
+from nctakt.lists.writing.conversion import Conversion, convert_lists
+from nctakt.lists.writing.list_writer import ListFormat
+from nctakt.lists.writing.xae_project import lists_of_project, project_in
 from nctakt.messages import diagnostic
 from nctakt.messages.machines.folders import (
     ENTRIES_AS_COMMENTS,

@@ -52,9 +52,9 @@ if TYPE_CHECKING:
     from nctakt.lists.machine.machine import Machine
     from nctakt.results.report import DiagnosisSink
     from nctakt.results.run import ProgramMessage, Run
+    from nctakt.results.trace.sinks import Sink
     from nctakt.run.access.tape import TapeComparison, TapeWriter
     from nctakt.run.controller import Controller
-    from nctakt.trace.sinks import Sink
 
 
 @described(
@@ -187,14 +187,14 @@ class _Taping:
 
 def _open_trace(file: OutputFile | None) -> list[Sink]:
     """Return the sink of ``--trace``."""
-    from nctakt.trace.sinks import MF4, PARQUET, file_sink  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.results.trace.sinks import MF4, PARQUET, file_sink  # noqa: PLC0415 - the mode is chosen before
 
     if file is not None and file.name.lower().endswith(PARQUET):
-        from nctakt.trace.arrow import ParquetSink  # noqa: PLC0415 - as above
+        from nctakt.results.trace.arrow import ParquetSink  # noqa: PLC0415 - as above
 
         return [ParquetSink(file)]
     if file is not None and file.name.lower().endswith(MF4):
-        from nctakt.trace.measurement import Mf4Sink  # noqa: PLC0415 - as above
+        from nctakt.results.trace.measurement import Mf4Sink  # noqa: PLC0415 - as above
 
         return [Mf4Sink(file)]
     return [] if file is None else [file_sink(file)]

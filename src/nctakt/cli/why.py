@@ -165,7 +165,7 @@ def _why(options: Options, access: FileAccess, asked: _Asked) -> int:
 
 def _refuse_unwritten(name: str, report: WhyReport, controller: Controller) -> None:
     """Raise ``Failure`` for a variable of the machine that no PLC has written (902932)."""
-    from nctakt.trace.events import number_text  # noqa: PLC0415 - the mode is chosen before
+    from nctakt.results.trace.events import number_text  # noqa: PLC0415 - the mode is chosen before
 
     if name[:2].upper() != "V." or any(one.path.upper() == name.upper() for one in report.plc):
         return

@@ -22,8 +22,8 @@ from nctakt.comparison.mapping import Pair
 from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import EVENT_NOT_IN_LOG, EVENT_NOT_IN_RUN, EVENT_UNREADABLE
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import Signal
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import Signal
 
 _EDGE = re.compile(r"(?P<name>\S.*?)\s*(?:\b(?P<edge>rises|falls)|(?P<sign>[<>])\s*(?P<limit>\S+))")
 _FUNCTION = re.compile(r"[MH]\d+")

@@ -21,7 +21,7 @@ from nctakt.comparison.recorded import Recorded
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import BEGIN_UNCERTAIN, NO_OVERLAP, TIMES_NOT_ALIGNED
 from nctakt.results.run import Run
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: A reaction within this time before a place is named with it, in µs.
 _REACTION_US = 100_000

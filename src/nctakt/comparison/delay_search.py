@@ -30,7 +30,7 @@ from nctakt.comparison.lengths import (
     fits,
     length_at,
 )
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: The largest number of delays; with more, the log is probably one of another program.
 MAX_DELAYS = 10

@@ -21,7 +21,7 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
 from nctakt.comparison.columns import Numbers
 from nctakt.comparison.recorded import StoredEvents
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: The smallest jump that counts, in µs and in standard errors.
 _MIN_JUMP_US, _SIGNIFICANT = 500.0, 5.0

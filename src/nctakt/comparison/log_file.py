@@ -15,7 +15,7 @@ from nctakt.comparison.scope_export import ScopeExport, is_scope_export
 from nctakt.files.access import FileAccess
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import LOG_IN_OTHER_FORM, LOG_NOT_UTF8
-from nctakt.trace.sinks import PARQUET
+from nctakt.results.trace.sinks import PARQUET
 
 _MARKS = {
     codecs.BOM_UTF8: "utf-8-sig",

@@ -31,7 +31,7 @@ from nctakt.messages.commands.comparison import (
     NOTHING_IS_MAPPED,
     UNITS_DO_NOT_FIT,
 )
-from nctakt.trace.sinks import Signal
+from nctakt.results.trace.sinks import Signal
 
 _LOG_KEYS = ("separator", "decimal", "time", "time_unit")
 _PAIR_KEYS: Mapping[str, tuple[type, ...]] = {

@@ -40,9 +40,9 @@ from nctakt.messages.commands.comparison import (
     NO_ROW_OF_TRACE,
     NO_SIGNAL_IN_LOG,
 )
-from nctakt.trace.arrow import load_pyarrow
-from nctakt.trace.measurement import load_asammdf
-from nctakt.trace.sinks import FORMAT_NAME
+from nctakt.results.trace.arrow import load_pyarrow
+from nctakt.results.trace.measurement import load_asammdf
+from nctakt.results.trace.sinks import FORMAT_NAME
 
 #: Types of channels of MF4 that are numbers.
 _NUMBER_TYPES = frozenset(range(6))

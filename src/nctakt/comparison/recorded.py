@@ -15,9 +15,9 @@ import numpy
 from nctakt.comparison.columns import Column, Numbers, NumberTable
 from nctakt.kernel import rows as event_rows
 from nctakt.results.run import Run
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 _FUNCTIONS = (event_rows.EVENT_TECHNOLOGY, event_rows.EVENT_TECHNOLOGY_RT)
 

@@ -31,11 +31,11 @@ from nctakt.messages import diagnostic
 from nctakt.messages.connections.debugger import FILE_CHANGED_IN_RUN, RUN_IS_ON
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.summary import headline
+from nctakt.results.trace.events import Event
 from nctakt.session.cursor import FAULT
 from nctakt.session.engine import StepResult
 from nctakt.session.session import Session
 from nctakt.session.stops import StopAt
-from nctakt.trace.events import Event
 
 #: How long a part of a run takes, in seconds, and its ticks at first and at most.
 PART_S = 0.02

@@ -26,8 +26,8 @@ from nctakt.messages.plcs.plc_code import (
     STEP_ZERO,
     TOO_MANY_INSTRUCTIONS,
 )
+from nctakt.results.trace.events import Event
 from nctakt.session.stops import StopAt
-from nctakt.trace.events import Event
 
 _LABELS = {
     "error": Text("Errors", "Fehler"),

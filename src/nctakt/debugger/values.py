@@ -17,10 +17,10 @@ from nctakt.base.failure import Failure
 from nctakt.debugger.names import pieces_of
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.debugger import DECODER_VARIABLE, NO_VALUE, UNREADABLE_VALUE_TEXT
+from nctakt.results.trace.events import value_text
 from nctakt.session.decoders import DecoderState, DecoderVariable
 from nctakt.session.session import Session
 from nctakt.session.setup import Inventory
-from nctakt.trace.events import value_text
 
 #: Where the debugger's inputs come from, on the tape.
 DEBUGGER = "debugger"

@@ -20,9 +20,9 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.fmu import CELL_INPUTS_NOT_KEPT, CELL_STATE_UNREADABLE
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 #: Numbers of an input: the tick that latches it, the variable's reference, the value.
 _WIDTH = 3

@@ -12,9 +12,9 @@ from collections.abc import Callable
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.live.view import LogRow
 from nctakt.results.run import ProgramMessage
+from nctakt.results.trace.events import Event
 from nctakt.session.engine import StepResult
 from nctakt.session.listening import Frame
-from nctakt.trace.events import Event
 
 #: Rows of the lists of messages and events, and as many as are wanted after a travel.
 MAX_LOG, ENOUGH = 200, 80

@@ -16,10 +16,10 @@ from concurrent.futures import Future
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
+from nctakt.results.trace.event_words import SoughtEvents
+from nctakt.results.trace.events import Event
 from nctakt.session.engine import FoundEvents
 from nctakt.session.session import Session
-from nctakt.trace.event_words import SoughtEvents
-from nctakt.trace.events import Event
 
 #: Matches of a search that are kept.
 MAX_KEPT = 1000

@@ -15,7 +15,7 @@ from typing import Any
 
 from nctakt.base.dataclass import dataclass
 from nctakt.live.conditions import Condition
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: Entries that are kept: of rows, of marks, of blocks, of samples of the lanes.
 MAX_ROWS, MAX_MARKS, MAX_BLOCKS, MAX_SAMPLES = 3000, 2000, 20_000, 5000

@@ -20,10 +20,10 @@ from nctakt.live.syntax import units
 from nctakt.live.texts import Texts
 from nctakt.results.compared import Compared
 from nctakt.results.run import ProgramMessage, RunState
+from nctakt.results.trace.event_words import event_text
+from nctakt.results.trace.events import Event
 from nctakt.session.engine import BranchState, CycleState
 from nctakt.session.statements import PlcPlace, names_file
-from nctakt.trace.event_words import event_text
-from nctakt.trace.events import Event
 
 _AXIS = re.compile(r"((?:CH\d+\.)?)(\w+)\.ACS\.ACT_POS")
 _ELSE = re.compile(r"\s*(?:N\d+\s*)?\$ELSE\b(?!IF)", re.IGNORECASE)

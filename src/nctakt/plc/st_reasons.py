@@ -18,6 +18,7 @@ from nctakt.base.diagnostics import Span
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.context import PlcContext
 from nctakt.results.explained.plc_histories import Fact, PlcChange, PlcHistories, PlcHistory
+from nctakt.results.trace.events import number_text
 from nctakt.st.program import Program
 from nctakt.st.types import (
     ArrayType,
@@ -34,7 +35,6 @@ from nctakt.st.types import (
     Type,
     Variable,
 )
-from nctakt.trace.events import number_text
 from nctakt.translation.body import value_type
 from nctakt.translation.layout import is_real, kind_of
 from nctakt.translation.observing.noting import NoteRows

@@ -31,7 +31,7 @@ from nctakt.plots.scene import Scene, scene_of
 from nctakt.results.run import Run
 from nctakt.results.timelines.timeline import Timeline
 from nctakt.results.timelines.timeline_events import timeline_of
-from nctakt.trace.recorded import Trace
+from nctakt.results.trace.recorded import Trace
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

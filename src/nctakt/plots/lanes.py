@@ -18,7 +18,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.plots.motion import Curve
 from nctakt.plots.words import kind_name, slice_name
 from nctakt.results.timelines.timeline import Slice, Timeline, Track
-from nctakt.trace.recorded import Trace
+from nctakt.results.trace.recorded import Trace
 
 
 @dataclass(frozen=True, slots=True)

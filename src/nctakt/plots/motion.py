@@ -17,7 +17,7 @@ import numpy
 
 from nctakt.base.dataclass import dataclass
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
-from nctakt.trace.recorded import Trace
+from nctakt.results.trace.recorded import Trace
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

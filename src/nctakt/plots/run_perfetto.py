@@ -35,7 +35,7 @@ from nctakt.plots.words import (
     slice_name,
 )
 from nctakt.results.timelines.timeline import Slice, Timeline, Track, TrackKind, rows_of
-from nctakt.trace.recorded import Trace
+from nctakt.results.trace.recorded import Trace
 
 #: Maximum number of changes of a counter; of more the lowest and highest of each piece are kept.
 MAX_CHANGES = 100_000

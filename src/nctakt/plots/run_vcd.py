@@ -17,7 +17,7 @@ import numpy
 from nctakt.files.fst import write_fst_file
 from nctakt.files.vcd import VcdVariable, apart, levels, merged, truths, write_vcd_file
 from nctakt.results.timelines.timeline import Timeline, Track, TrackKind
-from nctakt.trace.recorded import Trace
+from nctakt.results.trace.recorded import Trace
 
 #: Between two slices that touch, a wire is low for so long, in µs; so long a moment is high.
 GAP_US = 1

@@ -33,7 +33,7 @@ from nctakt.plots.motion import (
 )
 from nctakt.plots.tool_path import ToolPath, tool_path
 from nctakt.results.timelines.timeline import Timeline
-from nctakt.trace.recorded import Trace
+from nctakt.results.trace.recorded import Trace
 
 #: Colours of axes and signals, in their order; the same in all panels.
 COLOURS = (

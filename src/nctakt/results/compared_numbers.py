@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from nctakt.trace.events import number_text
+from nctakt.results.trace.events import number_text
 
 #: The magnitude from which on a condition without an operator is true (RC-202).
 TRUE_FROM = 0.5

@@ -22,7 +22,7 @@ from nctakt.results.coverage import (
     NearestMiss,
 )
 from nctakt.results.histories import WITHOUT_VALUES
-from nctakt.trace.events import number_text
+from nctakt.results.trace.events import number_text
 
 _CYCLE = Text("realtime cycle {name}", "Echtzeit-Zyklus {name}")
 _NO_NAME = Text("realtime cycle", "Echtzeit-Zyklus")

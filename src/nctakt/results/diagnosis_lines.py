@@ -39,8 +39,8 @@ from nctakt.messages.programs.diagnosis import (
     LOG_USER_ERROR,
     LOG_VARIABLE_WRITTEN,
 )
+from nctakt.results.trace.events import Event
 from nctakt.results.user_errors import user_message
-from nctakt.trace.events import Event
 
 
 class Level(enum.IntEnum):

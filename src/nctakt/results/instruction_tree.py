@@ -18,7 +18,7 @@ from nctakt.decoder.cycles.builder import CycleDefinition, FrozenValue
 from nctakt.nc import tree
 from nctakt.nc.parse.printer import format_expression, format_word, print_statement
 from nctakt.nc.vocabulary.variables.resolution import indices_of
-from nctakt.trace.events import value_text
+from nctakt.results.trace.events import value_text
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.decoder.cycles.builder import CycleDefinition
 from nctakt.results.instruction_tree import ListedCycle, ListedStatement, list_cycle
-from nctakt.trace.events import value_text
+from nctakt.results.trace.events import value_text
 
 _HEAD = Text("Realtime cycle {name}, {position}", "Echtzeit-Zyklus {name}, {position}")
 _SIZE = Text(

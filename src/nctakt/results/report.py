@@ -25,9 +25,9 @@ from nctakt.results.diagnosis_lines import (
     line_of,
     management_line,
 )
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 #: Maximum number of lines kept of each level; each further line pushes out the oldest of its level.
 DIAGNOSIS_CAPACITY = 1000

@@ -20,9 +20,9 @@ from nctakt.files.output import OutputFile
 from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.pictures import RUN_NOT_RECORDED
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.recorded import Trace
 from nctakt.results.user_errors import UserErrorReport, user_errors
-from nctakt.trace.events import Event
-from nctakt.trace.recorded import Trace
 
 if TYPE_CHECKING:
     import pandas
@@ -299,7 +299,7 @@ class Run:
         without a trace (901350).
         """
         from nctakt.messages.commands.studies import RUN_WITHOUT_TRACE  # noqa: PLC0415 - few runs need it
-        from nctakt.trace.arrow import trace_table  # noqa: PLC0415 - an extra
+        from nctakt.results.trace.arrow import trace_table  # noqa: PLC0415 - an extra
 
         if self.trace is None:
             raise Failure(diagnostic(RUN_WITHOUT_TRACE))
@@ -307,7 +307,7 @@ class Run:
 
     def to_pandas(self) -> pandas.DataFrame:
         """Return the trace as a pandas frame, units in ``attrs``; raises as ``to_arrow``."""
-        from nctakt.trace.arrow import pandas_frame  # noqa: PLC0415 - an extra
+        from nctakt.results.trace.arrow import pandas_frame  # noqa: PLC0415 - an extra
 
         return pandas_frame(self.to_arrow())
 

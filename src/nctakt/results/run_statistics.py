@@ -25,9 +25,9 @@ from nctakt.results.run import (
     technology_output,
 )
 from nctakt.results.starving import ScheduleStatistics
-from nctakt.trace.chunks import of_kinds, repetitions
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import of_kinds, repetitions
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 #: Events that are counted.
 _COUNTED = frozenset(

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Span, Text
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 if TYPE_CHECKING:
     from nctakt.schedule.open_schedule import RunSchedule

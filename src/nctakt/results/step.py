@@ -12,7 +12,7 @@ from nctakt.results.run import (
     TechnologyOutput,
     technology_output,
 )
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 
 class Step(NamedTuple):

@@ -23,7 +23,7 @@ from nctakt.results.run import (
     RunState,
 )
 from nctakt.results.starving import schedule_lines
-from nctakt.trace.events import value_text
+from nctakt.results.trace.events import value_text
 
 _STATES = {
     "ended": Text("ended", "beendet"),

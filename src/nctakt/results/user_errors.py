@@ -15,9 +15,9 @@ from nctakt.base.source_ids import statement_span
 from nctakt.kernel import rows
 from nctakt.messages import diagnostic
 from nctakt.messages.programs.user_errors import FATAL_USER_ERROR, USER_ERROR, USER_WARNING
-from nctakt.trace.chunks import of_kinds
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import of_kinds
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 _ROWS = frozenset((rows.EVENT_USER_ERROR, rows.EVENT_USER_VALUE, rows.EVENT_USER_TEXT))
 

@@ -19,11 +19,11 @@ from nctakt.messages import diagnostic
 from nctakt.messages.plcs.hli_table import NUMBER_NOT_TAKEN
 from nctakt.messages.programs.user_errors import STOPPED_BY_FATAL_USER_ERROR
 from nctakt.results.run import RunState
+from nctakt.results.trace.events import Event
 from nctakt.run.decode_budget import DecodeBudget
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.queue_feeder import QueueFeeder
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.events import Event
 
 #: The kinds of block search that the interface can order (``HLI.SEARCH_TYPE``).
 NO_SEARCH, SEARCH_TO_BLOCK = 0, 4

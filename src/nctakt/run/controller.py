@@ -27,6 +27,8 @@ from nctakt.messages.machines.folders import UNKNOWN_CHANNEL
 from nctakt.messages.path.backward import BACKWARD_WITHOUT_HISTORY
 from nctakt.results.run import ExplainedRun, RecordedRun, Run
 from nctakt.results.step import Step
+from nctakt.results.trace.recorded import EventList
+from nctakt.results.trace.sinks import Signal
 from nctakt.run import program_loader
 from nctakt.run.access.bound_values import BoundValue
 from nctakt.run.access.inputs import IMAGE
@@ -46,8 +48,6 @@ from nctakt.run.program_loader import AnyProgram, LoadedProgram, NcText
 from nctakt.run.program_run import ProgramRun
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.tick_loop import TickLoop
-from nctakt.trace.recorded import EventList
-from nctakt.trace.sinks import Signal
 
 if TYPE_CHECKING:
     from nctakt.run.access.inputs import Input

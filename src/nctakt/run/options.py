@@ -44,12 +44,12 @@ if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.lists.format.times import TimeLike
     from nctakt.results.run import ProgramMessage
+    from nctakt.results.trace.sinks import Sink
     from nctakt.run.access.inputs import InputListener
     from nctakt.run.access.stimuli import StimulusLike
     from nctakt.run.access.tape import Tape
     from nctakt.run.plcs.coupling import Coupled
     from nctakt.run.plcs.plc_view import GivenPlc
-    from nctakt.trace.sinks import Sink
 
 
 class UnknownOptionError(TypeError):

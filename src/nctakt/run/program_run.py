@@ -24,6 +24,8 @@ from nctakt.nc import tree
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import CycleResult, ExplainedRun, RecordedRun, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
+from nctakt.results.trace.recorded import MemorySink
+from nctakt.results.trace.sinks import Sink
 from nctakt.run import program_loader
 from nctakt.run.access.inputs import NEVER
 from nctakt.run.access.stimuli import as_inputs, not_reached, read_stimulus
@@ -38,8 +40,6 @@ from nctakt.run.plcs.realtime_plc import parts_of, plc_object
 from nctakt.run.program_loader import AnyProgram, LoadedProgram, ProgramErrors
 from nctakt.run.realtime.assembly import AssembledMachine, do_nothing
 from nctakt.run.tick_loop import TickLoop, TickShares
-from nctakt.trace.recorded import MemorySink
-from nctakt.trace.sinks import Sink
 
 if TYPE_CHECKING:
     pass

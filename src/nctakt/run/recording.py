@@ -15,14 +15,14 @@ from nctakt.base.failure import Failure
 from nctakt.kernel import codes, rows
 from nctakt.nc.outline import ProgramText
 from nctakt.results.run import ProgramMessage
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event, EventDecoder
+from nctakt.results.trace.recorded import EventList
+from nctakt.results.trace.sinks import ExtentSink, RowSink, Signal, Sink, TraceHeader
 from nctakt.results.user_errors import UserErrorReport, user_errors
 from nctakt.run.causes import ended_motions, unheard_functions
 from nctakt.run.causes.error_events import realtime_diagnostic
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event, EventDecoder
-from nctakt.trace.recorded import EventList
-from nctakt.trace.sinks import ExtentSink, RowSink, Signal, Sink, TraceHeader
 
 if TYPE_CHECKING:
     from nctakt.results.coverage import Coverage

@@ -14,10 +14,10 @@ import numpy as np
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity
+from nctakt.results.trace.events import Event
 from nctakt.session.outline import outlined
 from nctakt.session.process.workshop import RemoteEngine
 from nctakt.session.stops import StopAt
-from nctakt.trace.events import Event
 
 #: Ticks that a copy runs ahead at most.
 MAX_AHEAD = 500_000

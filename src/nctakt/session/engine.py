@@ -35,6 +35,8 @@ from nctakt.plc.retained import retained_text, structured_plcs
 from nctakt.results.compared import Compared, compared_last, compared_now
 from nctakt.results.instruction_tree import ListedCycle, list_cycle
 from nctakt.results.run import ProgramMessage, Run, RunState
+from nctakt.results.trace.event_words import EventMatcher, SoughtEvents
+from nctakt.results.trace.events import Event
 from nctakt.run.access.inputs import IMAGE, PLC, SELECT, Cells, Input, unpack
 from nctakt.run.access.shared_image import SharedImage
 from nctakt.run.access.stimuli import Stimulus, as_inputs, read_stimulus
@@ -57,8 +59,6 @@ from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
 from nctakt.session.tick_log import MAX_EVENTS, SignalRows, TickLog
-from nctakt.trace.event_words import EventMatcher, SoughtEvents
-from nctakt.trace.events import Event
 
 #: Ticks whose rows are held at once if only some of them are kept.
 OUTLINED_AT = 20_000

@@ -17,7 +17,7 @@ from typing import Literal
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.results.run import ProgramMessage, RunState
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: Maximum number of notices waiting for a listener; a listener that leaves more unread is dropped.
 MAX_NOTICES = 1000

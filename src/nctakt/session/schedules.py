@@ -60,7 +60,7 @@ class EngineSchedule:
         """Let the ticks come when the list says so, on this thread; raises ``Failure``."""
         if self._schedule is None or self._roles is None:
             return
-        from nctakt.linux.machine import check_system  # noqa: PLC0415 - rare
+        from nctakt.schedule.real.machine import check_system  # noqa: PLC0415 - rare
 
         check_system()
         from nctakt.run.scheduled.real_schedule import RealSchedule  # noqa: PLC0415 - on Linux only

@@ -23,6 +23,7 @@ from nctakt.plc.stepping.shown import PlcValue
 from nctakt.results.explained.why import WhyReport
 from nctakt.results.instruction_tree import ListedCycle
 from nctakt.results.run import Run
+from nctakt.results.trace.events import Event
 from nctakt.run.access.input_words import API
 from nctakt.run.access.inputs import Input
 from nctakt.run.options import ProgramOptions, check_keywords, merged, with_keywords
@@ -43,7 +44,6 @@ from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import StopAt
 from nctakt.session.tapes import read_setup, save_tape
-from nctakt.trace.events import Event
 
 
 class Session:

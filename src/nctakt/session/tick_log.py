@@ -11,10 +11,10 @@ from collections.abc import Mapping, Sequence
 
 from nctakt.base.diagnostics import Span
 from nctakt.kernel import rows
-from nctakt.trace.chunks import EventChunk, latest_of_channels, of_kinds, since_tick
-from nctakt.trace.events import Event
-from nctakt.trace.recorded import EventList
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import EventChunk, latest_of_channels, of_kinds, since_tick
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.recorded import EventList
+from nctakt.results.trace.sinks import TraceHeader
 
 #: Maximum number of events handed out per slice: the latest; the number of others is reported.
 MAX_EVENTS = 1000

@@ -14,6 +14,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.base.notebook_progress import notebook_progress
 from nctakt.base.plain_values import plain_data
+from nctakt.results.trace.arrow import pandas_frame
 from nctakt.studies.measuring.measures import MeasuredValue, function_measure
 from nctakt.studies.measuring.outcome import NotMeasuredError
 from nctakt.studies.measuring.python_measure import PythonMeasure
@@ -45,7 +46,6 @@ from nctakt.studies.searching.cover import Reached, reach
 from nctakt.studies.searching.search import Answer, search, shrink
 from nctakt.studies.searching.search_runs import SearchRuns
 from nctakt.studies.workers.processes import rows_here, rows_of_processes
-from nctakt.trace.arrow import pandas_frame
 
 if TYPE_CHECKING:
     import pandas

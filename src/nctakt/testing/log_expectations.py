@@ -19,9 +19,9 @@ from nctakt.files.access import FileAccess
 from nctakt.lists.format.times import time_stamp
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.comparison import LOG_LACKS_SIGNAL, UNITS_DO_NOT_FIT
+from nctakt.results.trace.events import number_text
 from nctakt.testing.expectations import Expectation
 from nctakt.testing.queries import NcRun
-from nctakt.trace.events import number_text
 
 _AXIS_SIGNAL = ".ACS.ACT_POS"
 

@@ -26,12 +26,12 @@ from nctakt.messages.commands.inputs import NO_BRANCH_IN_LINE
 from nctakt.plc.loading import load_plc, load_plcs
 from nctakt.project.run_settings import Named, RunSettings, run_settings
 from nctakt.results.run import Run
+from nctakt.results.trace.events import Event
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.options import ProgramOptions, check_keywords, merged
 from nctakt.run.plcs.plc_view import AnyPlc, GivenPlc
 from nctakt.run.plcs.realtime_plc import plc_object
 from nctakt.testing.language import rendered
-from nctakt.trace.events import Event
 
 #: The name of a program that a test has as text.
 TEXT_NAME = "program.nc"

@@ -15,10 +15,10 @@ from nctakt.lists.format.times import Time
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.command_line import RUN_NOT_ENDED
 from nctakt.messages.commands.inputs import UNKNOWN_ITEM
+from nctakt.results.trace.events import number_text
 from nctakt.testing.expectations import Expectation
 from nctakt.testing.language import language_of_tests, rendered
 from nctakt.testing.queries import NcRun, Occurrences
-from nctakt.trace.events import number_text
 
 _UNEXPECTED = Text("unexpected error", "unerwarteter Fehler")
 

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span, Text
 from nctakt.kernel import rows
+from nctakt.results.trace.chunks import EventChunk, of_kinds
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 from nctakt.run.controller import Controller
 from nctakt.run.program_loader import AnyProgram
 from nctakt.run.program_run import ProgramRun
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.timing.clock import ChannelClock, TickPurpose
 from nctakt.timing.entries import NOTHING, Purpose, Stretch, TimeAccount
-from nctakt.trace.chunks import EventChunk, of_kinds
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
 
 if TYPE_CHECKING:
     from typing import Unpack

@@ -17,8 +17,8 @@ from nctakt.cli.common.request import Options, Request
 if TYPE_CHECKING:
     from nctakt.files.output import OutputFile
     from nctakt.results.run import Run
+    from nctakt.results.trace.sinks import Sink
     from nctakt.run.controller import Controller
-    from nctakt.trace.sinks import Sink
 
 
 class Drawings:
@@ -84,7 +84,7 @@ class Drawings:
 
     def sinks(self, sinks: Sequence[Sink], request: Request) -> list[Sink]:
         """Return sinks that get only the requested signals, and events as without pictures."""
-        from nctakt.trace.columns import BLOCK_EVENTS, first_columns  # noqa: PLC0415 - the mode is chosen before
+        from nctakt.results.trace.columns import BLOCK_EVENTS, first_columns  # noqa: PLC0415 - the mode is chosen before
 
         if not self._files:
             return list(sinks)

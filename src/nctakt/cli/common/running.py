@@ -33,11 +33,11 @@ if TYPE_CHECKING:
     from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.lists.machine.machine import Machine
     from nctakt.results.run import ProgramMessage, Run
+    from nctakt.results.trace.sinks import Sink
     from nctakt.run.access.inputs import InputListener
     from nctakt.run.controller import Controller
     from nctakt.run.options import RunKeywords
     from nctakt.schedule.open_schedule import RunSchedule
-    from nctakt.trace.sinks import Sink
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
 

@@ -42,9 +42,9 @@ from nctakt.messages.scheduling.linux_run import (
 )
 
 if TYPE_CHECKING:
-    from nctakt.linux.plan import Plan
     from nctakt.schedule.load import Load
     from nctakt.schedule.model import Model
+    from nctakt.schedule.real.plan import Plan
 
 _RUN_OPTIONS = (
     option(
@@ -120,14 +120,14 @@ def run(**words: Any) -> int:
 
 
 def _run(words: dict[str, Any]) -> int:
-    from nctakt.linux.documents import plan_document, run_document  # noqa: PLC0415
-    from nctakt.linux.findings import run_findings  # noqa: PLC0415
-    from nctakt.linux.machine import check_system  # noqa: PLC0415 - not for the help
-    from nctakt.linux.measure import measure  # noqa: PLC0415
-    from nctakt.linux.names import remove_stale  # noqa: PLC0415
-    from nctakt.linux.report import plan_report, run_report  # noqa: PLC0415
-    from nctakt.linux.run import run_plan  # noqa: PLC0415
     from nctakt.schedule.analysis.findings import simulation_findings  # noqa: PLC0415
+    from nctakt.schedule.real.documents import plan_document, run_document  # noqa: PLC0415
+    from nctakt.schedule.real.findings import run_findings  # noqa: PLC0415
+    from nctakt.schedule.real.machine import check_system  # noqa: PLC0415 - not for the help
+    from nctakt.schedule.real.measure import measure  # noqa: PLC0415
+    from nctakt.schedule.real.names import remove_stale  # noqa: PLC0415
+    from nctakt.schedule.real.report import plan_report, run_report  # noqa: PLC0415
+    from nctakt.schedule.real.run import run_plan  # noqa: PLC0415
     from nctakt.schedule.reports.report import response_report  # noqa: PLC0415
     from nctakt.schedule.simulation.simulate import simulate  # noqa: PLC0415
 
@@ -160,7 +160,7 @@ def _run(words: dict[str, Any]) -> int:
 
 def _on_this_machine(load: Load, collector: Collector) -> Load:
     """Return the load on the processors of this machine."""
-    from nctakt.linux.machine import present_cpus, usable_cpus  # noqa: PLC0415
+    from nctakt.schedule.real.machine import present_cpus, usable_cpus  # noqa: PLC0415
 
     present, usable = present_cpus(), usable_cpus()
     for key, entry in (("cpus", load.cpus), ("offline", load.offline)):
@@ -172,10 +172,10 @@ def _on_this_machine(load: Load, collector: Collector) -> Load:
 
 def _plan(read: ListRead, model: Model, words: dict[str, Any], collector: Collector) -> Plan:
     """Return the plan of the run; raises ``Failure`` (900688, 900708)."""
-    from nctakt.linux.machine import fifo_refusal  # noqa: PLC0415
-    from nctakt.linux.names import check_name  # noqa: PLC0415
-    from nctakt.linux.plan import crowded_cpus, make_plan, semaphore_name  # noqa: PLC0415
     from nctakt.lists.declared.rtconf import InterruptSource  # noqa: PLC0415
+    from nctakt.schedule.real.machine import fifo_refusal  # noqa: PLC0415
+    from nctakt.schedule.real.names import check_name  # noqa: PLC0415
+    from nctakt.schedule.real.plan import crowded_cpus, make_plan, semaphore_name  # noqa: PLC0415
 
     source: str | None = None
     if words["semaphore"] and model.source is not InterruptSource.SEMAPHORE:

@@ -19,8 +19,8 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.format.parameter import Effect, ValueType
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import Machine
-from nctakt.machines.list_items import Comment, Item, read_items
-from nctakt.machines.list_writer import ascii_text
+from nctakt.lists.writing.list_items import Comment, Item, read_items
+from nctakt.lists.writing.list_writer import ascii_text
 
 #: The name of the start-up list, by which a folder is a machine.
 _STARTUP = "hochlauf.lis"

@@ -18,8 +18,8 @@ from nctakt.live.parts.commander import Commander
 from nctakt.live.parts.naming import explained, named
 from nctakt.live.searching import Search
 from nctakt.live.view import MAX_SIGNALS, LogRow
-from nctakt.trace.event_words import MAX_SOUGHT
-from nctakt.trace.events import Event
+from nctakt.results.trace.event_words import MAX_SOUGHT
+from nctakt.results.trace.events import Event
 
 #: Signals that are offered where their names contain the text.
 _MAX_SIGNALS_OFFERED = 5

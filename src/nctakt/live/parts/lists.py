@@ -27,7 +27,7 @@ from nctakt.live.parts.program_card import ProgramCard
 from nctakt.live.plc_view import places_in
 from nctakt.live.run_log import MAX_LOG
 from nctakt.live.view import LogRow
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 NAMES = ("findings", "messages", "events", "why", "stops", "branches")
 

@@ -32,6 +32,7 @@ from nctakt.plc.stepping.beside import Beside, Branch, Line
 from nctakt.plc.stepping.places import Call, Place, Places
 from nctakt.plc.stepping.shown import COMPUTED, PlcValue, Shown, whole_text
 from nctakt.plc.structured_text import StructuredPlc
+from nctakt.results.trace.events import number_text
 from nctakt.st.types import (
     BlockType,
     Callable,
@@ -42,7 +43,6 @@ from nctakt.st.types import (
     Pou,
     Variable,
 )
-from nctakt.trace.events import number_text
 from nctakt.translation.body import CannotRunError
 from nctakt.translation.layout import kind_of
 from nctakt.translation.observing.probing import Probes, statement_lines

@@ -16,6 +16,7 @@ from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.kernel.st import kinds
 from nctakt.plc.stepping.places import Place, Places
+from nctakt.results.trace.events import number_text
 from nctakt.st.types import (
     ArrayType,
     BlockType,
@@ -29,7 +30,6 @@ from nctakt.st.types import (
     StructType,
     Type,
 )
-from nctakt.trace.events import number_text
 from nctakt.translation.layout import is_real, kind_of
 
 #: Values that the line of a structure or an array shows.

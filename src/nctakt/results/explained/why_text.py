@@ -26,7 +26,7 @@ from nctakt.results.histories import (
     LifeEvent,
     Reason,
 )
-from nctakt.trace.events import value_text
+from nctakt.results.trace.events import value_text
 
 #: Maximum length of a source line, in characters.
 _WIDTH = 90

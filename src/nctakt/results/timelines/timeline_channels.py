@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nctakt.results.timelines.timeline import Slice, TakenSignal, Track
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: After the name of a channel and in texts of events: it is its decoder that waits.
 _DECODER = "decoder"

@@ -16,7 +16,7 @@ from nctakt.results.explained.why import WhyReport
 from nctakt.results.timelines.timeline import KINDS, Slice, Timeline, Track, TrackKind
 from nctakt.results.timelines.timeline_branches import branch_tracks
 from nctakt.results.timelines.timeline_channels import ChannelTracks
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: Events of a single moment: kind of the event -> kind of its track.
 _MOMENTS: dict[str, TrackKind] = {

@@ -30,11 +30,11 @@ from nctakt.messages.commands.tape import (
     TAPE_NAMES_OUTSIDE,
     TAPE_OF_OTHER_VERSION,
 )
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
+from nctakt.results.trace.texts import by_tick, join_events
 from nctakt.run.access.inputs import Input
 from nctakt.run.access.tape_lines import InputLines, inputs_of, to_json
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
-from nctakt.trace.texts import by_tick, join_events
 
 #: The version of the format; no other is read.
 VERSION = 1

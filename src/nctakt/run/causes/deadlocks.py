@@ -15,10 +15,10 @@ from nctakt.base.source_ids import statement_span
 from nctakt.messages import diagnostic
 from nctakt.messages.programs.signals import DEADLOCK, SIGNAL_NEVER_SENT
 from nctakt.nc.outline import SignalUse
+from nctakt.results.trace.events import channels_of
 from nctakt.run.causes.axis_waits import awaited_axes, axes_freed_by, seconds_text
 from nctakt.run.program_loader import LoadedProgram
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.events import channels_of
 
 _UNSENT = Text(
     "No program of this run sends it: check number and CH of #WAIT and #SIGNAL.",

@@ -16,9 +16,9 @@ from nctakt.kernel import rows
 from nctakt.lists.machine.axis_configuration import AxisType
 from nctakt.messages import diagnostic
 from nctakt.messages.axes.axis_motions import MOTION_ENDED_WITH_CYCLE
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
 
 #: Events that are looked at, in their order within a tick: a cycle ends, then its motions.
 EVENTS = frozenset(

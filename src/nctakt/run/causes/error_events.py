@@ -82,8 +82,8 @@ from nctakt.messages.programs.realtime import (
 from nctakt.messages.programs.signals import SIGNAL_OUT_OF_ORDER, TOO_MANY_SIGNALS
 from nctakt.messages.programs.user_errors import INVALID_USER_ERROR_ID, INVALID_USER_ERROR_RC
 from nctakt.nc.vocabulary.single_axes.axis_commands import REFUSALS
+from nctakt.results.trace.events import Event, number_text
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.events import Event, number_text
 
 #: The motions of an axis that the path cannot have.
 _OWN_MOTIONS = {

@@ -19,11 +19,11 @@ from nctakt.kernel import rows
 from nctakt.lists.declared.technology_functions import TechnologyFunction
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.plc import FUNCTION_BEFORE_PLC, FUNCTION_WITHOUT_PLC, MOTION_BEFORE_PLC
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
 from nctakt.run.access.presence import Announced
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.technology_tables import logical_axes
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
 
 #: An axis begins an independent motion.
 _MOTIONS = (rows.EVENT_AXIS_BEGUN, rows.EVENT_AXIS_ENDLESS, rows.EVENT_AXIS_OSCILLATES)

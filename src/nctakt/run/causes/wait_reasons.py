@@ -24,9 +24,9 @@ from nctakt.nc import tree
 from nctakt.nc.check.cycles.branches import BranchOutline, branch_outlines
 from nctakt.nc.parse.printer import format_expression
 from nctakt.nc.vocabulary.variables.resolution import indices_of, path_text, variables_in
+from nctakt.results.trace.events import value_text
 from nctakt.run.causes.deadlocks import awaited_text
 from nctakt.run.realtime.assembly import AssembledMachine
-from nctakt.trace.events import value_text
 
 if TYPE_CHECKING:
     from nctakt.run.channel_run import ChannelRun

@@ -16,11 +16,6 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from nctakt.base.diagnostics import Diagnostic, Language
-from nctakt.linux.machine import fifo_refusal
-from nctakt.linux.measure import Measurement
-from nctakt.linux.plan import Plan, make_plan
-from nctakt.linux.report import run_report
-from nctakt.linux.schedule_threads import ScheduleThreads, Step
 from nctakt.lists.declared.rtconf import InterruptSource
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import SCHED_FIFO_NOT_PERMITTED
@@ -40,6 +35,11 @@ from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.run.scheduled.recorded_schedule import decode, settle
 from nctakt.run.scheduled.scheduled_run import follow_schedule
 from nctakt.schedule.open_schedule import RunSchedule
+from nctakt.schedule.real.machine import fifo_refusal
+from nctakt.schedule.real.measure import Measurement
+from nctakt.schedule.real.plan import Plan, make_plan
+from nctakt.schedule.real.report import run_report
+from nctakt.schedule.real.schedule_threads import ScheduleThreads, Step
 from nctakt.schedule.simulation.simulate import simulate
 from nctakt.schedule.simulation.ticks import Share, ThreadRoles
 

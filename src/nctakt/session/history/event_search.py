@@ -10,13 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from nctakt.results.trace.event_words import SoughtEvents
+from nctakt.results.trace.events import Event
 from nctakt.session.engine import FoundEvents
 from nctakt.session.history.branch import Branch
 from nctakt.session.history.record import first_difference, past_differs, ticks_of
 from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US, Timeline, next_part
 from nctakt.session.process.workshop import RemoteEngine
-from nctakt.trace.event_words import SoughtEvents
-from nctakt.trace.events import Event
 
 #: What a search gives between two stretches: it goes on.
 Step = FoundEvents | None

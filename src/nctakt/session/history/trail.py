@@ -12,10 +12,10 @@ import time
 from collections.abc import Sequence
 
 from nctakt.base.dataclass import dataclass
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 from nctakt.session.history.columns import WRITES, ColumnTrail, Extent
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
 
 #: Work between two marks, in microseconds.
 MARK_US = 4_000.0

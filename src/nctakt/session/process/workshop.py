@@ -26,12 +26,12 @@ from nctakt.base.failure import Failure
 from nctakt.base.python_process import at_start, python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
+from nctakt.results.trace.event_words import SoughtEvents
 from nctakt.run.access.inputs import Input
 from nctakt.session.engine import CycleState, Found, FoundEvents, StepResult
 from nctakt.session.process.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
-from nctakt.trace.event_words import SoughtEvents
 
 #: How long a new process may take to report, in seconds.
 START_S = 60.0

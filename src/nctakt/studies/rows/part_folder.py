@@ -23,11 +23,11 @@ from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING, FOLDER_HAS_RESULTS, OTHER_PLAN
 from nctakt.messages.extras import install_command
 from nctakt.messages.files import FILE_NOT_READABLE, FILE_NOT_WRITABLE
+from nctakt.results.trace.arrow import load_pyarrow
 from nctakt.studies.plans.plan import COVERAGE, Plan
 from nctakt.studies.rows.results import StreamedRows, checked_row, parquet_bytes, text_columns
 from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.runs.study_runner import Row, columns_of
-from nctakt.trace.arrow import load_pyarrow
 
 #: Runs of a batch, which is a separate folder.
 BATCH = 1_000_000

@@ -22,9 +22,9 @@ from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
+from nctakt.results.trace.arrow import field, load_pyarrow
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.runs.study_runner import EARLIER_VERDICTS, Row
-from nctakt.trace.arrow import field, load_pyarrow
 
 if TYPE_CHECKING:
     import pyarrow

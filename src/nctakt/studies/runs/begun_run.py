@@ -12,6 +12,9 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from nctakt.base.dataclass import dataclass
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 from nctakt.run.access.inputs import Input
 from nctakt.run.controller import Controller
 from nctakt.run.program_run import ProgramRun
@@ -20,9 +23,6 @@ from nctakt.run.scheduled.scheduled_run import ScheduledRun
 from nctakt.studies.measuring.outcome import Outcome
 from nctakt.studies.measuring.window import Injection, WindowOutcome, decided_run
 from nctakt.studies.plans.inputs import RunInputs
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
 
 
 class Digest:

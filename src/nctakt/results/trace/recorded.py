@@ -12,9 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 from nctakt.base.misspelling import nearest
 from nctakt.base.notebook import curve, html_columns
-from nctakt.trace.chunks import ROW_KINDS, EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import Signal, TraceHeader
+from nctakt.results.trace.chunks import ROW_KINDS, EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import Signal, TraceHeader
 
 if TYPE_CHECKING:
     import numpy

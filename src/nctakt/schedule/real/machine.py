@@ -25,7 +25,7 @@ def check_system() -> None:
     """Raise ``Failure`` (900680, 900681) if the system cannot run a schedule."""
     if sys.platform != "linux":
         raise Failure(diagnostic(LINUX_ONLY, system=sys.platform))
-    if importlib.util.find_spec("nctakt.linux.processes") is None:
+    if importlib.util.find_spec("nctakt.schedule.real.processes") is None:
         raise Failure(diagnostic(SCHEDULE_RUNNER_MISSING))
 
 

@@ -7,9 +7,9 @@ In: ``Plan``, ``Measurement``. Out: dictionaries of plain values, as in
 
 from __future__ import annotations
 
-from nctakt.linux.measure import Measurement
-from nctakt.linux.plan import Plan
 from nctakt.schedule.model import ANY_CPU, NS_PER_US
+from nctakt.schedule.real.measure import Measurement
+from nctakt.schedule.real.plan import Plan
 from nctakt.schedule.reports.documents import Document, schedule_document, simulation_document
 from nctakt.schedule.simulation.results import Simulation
 

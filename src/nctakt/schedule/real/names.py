@@ -15,13 +15,13 @@ from pathlib import Path
 
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
-from nctakt.linux.area import NAME_SIZE
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import (
     INVALID_LINUX_SEMAPHORE_NAME,
     SEMAPHORE_EXISTS,
     SEMAPHORE_NOT_CREATED,
 )
+from nctakt.schedule.real.area import NAME_SIZE
 
 #: The system's folder of named semaphores, empty after a restart.
 FOLDER = Path("/dev/shm")
@@ -66,7 +66,7 @@ class SemaphoreNames:
             raise
 
     def _make(self, name: str) -> None:
-        from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+        from nctakt.schedule.real import processes  # noqa: PLC0415 - it may be missing
 
         # First the record, then the semaphore: each existing semaphore is in the record.
         os.write(self._handle, f"{name}\n".encode())
@@ -106,7 +106,7 @@ def _refusal(name: str, error: OSError) -> Diagnostic:
 
 
 def _remove_semaphores(names: list[str]) -> None:
-    from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+    from nctakt.schedule.real import processes  # noqa: PLC0415 - it may be missing
 
     for name in names:
         with suppress(FileNotFoundError):

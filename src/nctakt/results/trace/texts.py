@@ -11,7 +11,7 @@ from __future__ import annotations
 import io
 from collections.abc import Iterable, Iterator, Sequence
 
-from nctakt.trace.events import Event
+from nctakt.results.trace.events import Event
 
 #: Number of samples of a column that decide whether its values repeat.
 _SAMPLES = 64

@@ -19,10 +19,10 @@ from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
 from nctakt.messages.extras import install_command
-from nctakt.trace.events import Event
-from nctakt.trace.recorded import Trace
-from nctakt.trace.sinks import Signal, TraceHeader
-from nctakt.trace.texts import by_tick, join_events
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.recorded import Trace
+from nctakt.results.trace.sinks import Signal, TraceHeader
+from nctakt.results.trace.texts import by_tick, join_events
 
 if TYPE_CHECKING:
     import pandas

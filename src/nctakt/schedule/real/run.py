@@ -18,10 +18,6 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.interrupts import handling
-from nctakt.linux import area as layout
-from nctakt.linux.area import AreaPart, Entries, SharedArea, TaskPart
-from nctakt.linux.names import SemaphoreNames
-from nctakt.linux.plan import Plan
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import (
     SCHEDULE_RUN_ENDED,
@@ -29,6 +25,10 @@ from nctakt.messages.scheduling.linux_run import (
     SEMAPHORE_NOT_OPENED,
 )
 from nctakt.messages.scheduling.schedule_results import CPU_NOT_ASSIGNABLE
+from nctakt.schedule.real import area as layout
+from nctakt.schedule.real.area import AreaPart, Entries, SharedArea, TaskPart
+from nctakt.schedule.real.names import SemaphoreNames
+from nctakt.schedule.real.plan import Plan
 
 #: Interval of the checks whether the scheduler has ended, in seconds.
 _LOOK = 0.02
@@ -64,7 +64,7 @@ def run_plan(plan: Plan, *, for_all_users: bool = False) -> RunLog:
 
     ``for_all_users``: processes of other users may wait on its semaphores.
     """
-    from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+    from nctakt.schedule.real import processes  # noqa: PLC0415 - it may be missing
 
     sizes = (ctypes.sizeof(AreaPart), ctypes.sizeof(TaskPart), layout.ENTRY.itemsize)
     assert sizes == (processes.AREA_SIZE, processes.TASK_SIZE, processes.ENTRY_SIZE)

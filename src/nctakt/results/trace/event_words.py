@@ -13,9 +13,9 @@ from itertools import islice
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language, Text
 from nctakt.kernel import rows
-from nctakt.trace.chunks import EventChunk
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
+from nctakt.results.trace.chunks import EventChunk
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
 
 #: Characters of a text that is looked for at most.
 MAX_SOUGHT = 200

@@ -16,9 +16,9 @@ from nctakt.base.diagnostics import Language
 from nctakt.files.access import FileAccess
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import load_machine
-from nctakt.machines.conversion import Conversion, convert_lists
-from nctakt.machines.list_items import Comment, Item
-from nctakt.machines.list_writer import ListFormat
+from nctakt.lists.writing.conversion import Conversion, convert_lists
+from nctakt.lists.writing.list_items import Comment, Item
+from nctakt.lists.writing.list_writer import ListFormat
 
 DEMO = Path(__file__).parent / "demo"
 

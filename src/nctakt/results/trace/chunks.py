@@ -15,7 +15,7 @@ from types import MappingProxyType
 from typing import cast, overload
 
 from nctakt.kernel import rows
-from nctakt.trace.events import ROW, Event, EventDecoder
+from nctakt.results.trace.events import ROW, Event, EventDecoder
 
 _ROW_SIZE = 8 * rows.EVENT_WIDTH
 

@@ -11,9 +11,6 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from nctakt.base.diagnostics import Diagnostic
-from nctakt.linux import area as layout
-from nctakt.linux.measure import Measurement, late_wakes
-from nctakt.linux.run import RunLog, placement_refusals
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import (
     LATE_WAKEUPS,
@@ -24,6 +21,9 @@ from nctakt.messages.scheduling.linux_run import (
     SCHEDULE_RUN_STOPPED,
 )
 from nctakt.schedule.analysis.findings import is_rare, us
+from nctakt.schedule.real import area as layout
+from nctakt.schedule.real.measure import Measurement, late_wakes
+from nctakt.schedule.real.run import RunLog, placement_refusals
 
 #: Periods without a post after which a semaphore counts as silent.
 _SILENT_PERIODS = 4

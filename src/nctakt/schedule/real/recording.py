@@ -8,8 +8,8 @@ job's calls are the measured ones: the time in which their process had a process
 from __future__ import annotations
 
 from nctakt.base.dataclass import dataclass, field
-from nctakt.linux import area as layout
-from nctakt.linux.run import RunLog
+from nctakt.schedule.real import area as layout
+from nctakt.schedule.real.run import RunLog
 from nctakt.schedule.simulation.results import Event, EventKind, Job, Record, Segment
 
 

@@ -8,10 +8,10 @@ times in µs.
 from __future__ import annotations
 
 from nctakt.base.diagnostics import Language, Text
-from nctakt.linux.measure import Measurement, tolerated
-from nctakt.linux.plan import Plan, PlannedTask
 from nctakt.schedule.analysis.findings import us
 from nctakt.schedule.model import ANY_CPU, NS_PER_US
+from nctakt.schedule.real.measure import Measurement, tolerated
+from nctakt.schedule.real.plan import Plan, PlannedTask
 from nctakt.schedule.reports.report import (
     CLASSES,
     NONE,

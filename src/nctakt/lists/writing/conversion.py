@@ -22,8 +22,8 @@ from nctakt.lists.declared.schemas import STARTUP
 from nctakt.lists.format.parameter import ValueType
 from nctakt.lists.machine.files import ListSearch
 from nctakt.lists.machine.machine import Machine
-from nctakt.machines.list_items import Comment, Item, read_items
-from nctakt.machines.list_writer import (
+from nctakt.lists.writing.list_items import Comment, Item, read_items
+from nctakt.lists.writing.list_writer import (
     SUFFIXES,
     ListFormat,
     ascii_text,

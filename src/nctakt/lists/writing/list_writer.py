@@ -14,7 +14,7 @@ from xml.sax.saxutils import quoteattr
 from nctakt.base.diagnostics import Language
 from nctakt.lists.format.parameter import ValueType
 from nctakt.lists.format.schema import Schema
-from nctakt.machines.list_items import Comment, Item, meaning_of
+from nctakt.lists.writing.list_items import Comment, Item, meaning_of
 
 ListFormat = Literal["ascii", "xml"]
 SUFFIXES: dict[ListFormat, str] = {"ascii": ".lis", "xml": ".xml"}

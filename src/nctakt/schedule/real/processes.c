@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* nctakt.linux.processes: starts the processes of a run; named semaphores. */
+/* nctakt.schedule.real.processes: starts the processes of a run; named semaphores. */
 #define PY_SSIZE_T_CLEAN
 #define _GNU_SOURCE
 #include <Python.h>

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Files that the trace sinks wrote -> ``Trace``.
 
-In: a CSV or JSONL file as ``nctakt.trace.sinks`` writes it. Out: the same signals and events. A
-last line that is cut off, since its run was, is left out. A CSV file has no units, and its cycle
-time is the time between its first two lines.
+In: a CSV or JSONL file as ``sinks.py`` writes it. Out: the same signals and events. A last line
+that is cut off, since its run was, is left out. A CSV file has no units, and its cycle time is the
+time between its first two lines.
 """
 
 from __future__ import annotations
@@ -21,9 +21,9 @@ from nctakt.base.diagnostics import Span
 from nctakt.base.failure import Failure
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_TRACE, UNKNOWN_TRACE_FORMAT
-from nctakt.trace.events import Event
-from nctakt.trace.recorded import Trace
-from nctakt.trace.sinks import FORMAT_NAME, FORMAT_VERSION, SUFFIXES, Signal, TraceHeader
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.recorded import Trace
+from nctakt.results.trace.sinks import FORMAT_NAME, FORMAT_VERSION, SUFFIXES, Signal, TraceHeader
 
 _ORIGIN = re.compile(r"(?s)(?P<cycle>\S+) (?P<place>.+)")
 _POSITION = re.compile(r"(?s)(?P<file>.+):(?P<line>\d+):(?P<column>\d+)")

@@ -3,7 +3,7 @@
 
 In: the header once, then for chunks of consecutive ticks first their events and then their rows
 (float64, row after row). Out: text in a file, chunk by chunk, in constant memory; the written part
-stays readable if the run is interrupted. ``nctakt.trace.reading`` reads both formats back.
+stays readable if the run is interrupted. ``reading.py`` reads both formats back.
 """
 
 from __future__ import annotations
@@ -18,8 +18,8 @@ from nctakt.base.failure import Failure
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.files import FILE_NOT_WRITABLE, UNKNOWN_TRACE_FORMAT
-from nctakt.trace.events import Event
-from nctakt.trace.texts import (
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.texts import (
     by_tick,
     column_texts,
     csv_cell,
@@ -35,10 +35,10 @@ FORMAT_VERSION = 1
 #: Endings of file names and the formats that they choose.
 SUFFIXES = (".csv", ".jsonl")
 
-#: The ending of Parquet files, which are written (``nctakt.trace.arrow``).
+#: The ending of Parquet files, which are written (``nctakt.results.trace.arrow``).
 PARQUET = ".parquet"
 
-#: The ending of MF4 files, which are written (``nctakt.trace.measurement``).
+#: The ending of MF4 files, which are written (``nctakt.results.trace.measurement``).
 MF4 = ".mf4"
 
 

@@ -11,9 +11,9 @@ from array import array
 from collections.abc import Collection, Sequence
 
 from nctakt.kernel import rows
-from nctakt.trace.chunks import without_kinds
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import RowSink, Sink, TraceHeader
+from nctakt.results.trace.chunks import without_kinds
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import RowSink, Sink, TraceHeader
 
 #: The kinds of events that ``Controller.run(blocks=True)`` adds.
 BLOCK_EVENTS = (

@@ -20,9 +20,9 @@ from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
 from nctakt.messages.commands.studies import EXTRA_MISSING
 from nctakt.messages.extras import install_command
-from nctakt.trace.events import Event
-from nctakt.trace.sinks import TraceHeader
-from nctakt.trace.texts import by_tick, join_events
+from nctakt.results.trace.events import Event
+from nctakt.results.trace.sinks import TraceHeader
+from nctakt.results.trace.texts import by_tick, join_events
 
 #: Rows that are written together.
 _GROUP = 65_536

@@ -13,12 +13,12 @@ from dataclasses import replace
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.failure import Failure
-from nctakt.linux import area as layout
-from nctakt.linux.recording import RecordOfRun
-from nctakt.linux.run import RunLog
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import NO_NC_CYCLE_COMPLETED
 from nctakt.schedule.model import NO_OVERHEADS, Model, suspension_point
+from nctakt.schedule.real import area as layout
+from nctakt.schedule.real.recording import RecordOfRun
+from nctakt.schedule.real.run import RunLog
 from nctakt.schedule.simulation.counters import NEVER, Counters
 from nctakt.schedule.simulation.results import Simulation
 

@@ -19,17 +19,17 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from nctakt.base.failure import Failure
-from nctakt.linux.measure import Measurement
-from nctakt.linux.names import SemaphoreNames
-from nctakt.linux.plan import Plan, PlannedTask
 from nctakt.messages import diagnostic
 from nctakt.messages.scheduling.linux_run import SEMAPHORE_NOT_OPENED
 from nctakt.schedule.model import Model, TaskClass, suspension_point
+from nctakt.schedule.real.measure import Measurement
+from nctakt.schedule.real.names import SemaphoreNames
+from nctakt.schedule.real.plan import Plan, PlannedTask
 from nctakt.schedule.simulation.counters import Counters
 from nctakt.schedule.simulation.results import Record, Simulation
 
 if TYPE_CHECKING:
-    from nctakt.linux.processes import Semaphore
+    from nctakt.schedule.real.processes import Semaphore
 
 #: Latencies that are kept of each thread; the table shows the latest ones.
 _MAX_LATENCIES = 100_000
@@ -76,7 +76,7 @@ class ScheduleThreads:
     """
 
     def __init__(self, plan: Plan, interpolation: int, steps: dict[int, Step]) -> None:
-        from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+        from nctakt.schedule.real import processes  # noqa: PLC0415 - it may be missing
 
         self._processes = processes
         self._plan = plan
@@ -316,7 +316,7 @@ class _Worker:
 
 
 def _opened(name: str) -> Semaphore:
-    from nctakt.linux import processes  # noqa: PLC0415 - it may be missing
+    from nctakt.schedule.real import processes  # noqa: PLC0415 - it may be missing
 
     try:
         return processes.open(name)

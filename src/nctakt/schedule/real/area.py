@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from nctakt.linux.plan import Plan, PlannedTask
 from nctakt.schedule.model import TaskClass
+from nctakt.schedule.real.plan import Plan, PlannedTask
 
 NAME_SIZE = 256
 _TITLE_SIZE = 16

@@ -90,6 +90,32 @@ def test_bits_of_an_axis_and_their_names(tmp_path: Path) -> None:
     ]
 
 
+def test_phases_of_a_motion_and_modes_of_an_axis(tmp_path: Path) -> None:
+    """ST-742: AxisState as published: inactive, constant speed, faster, slower; modes by lists.
+
+    A is a modulo axis without software limits, X has both of them.
+    """
+    names = ["A.NcToPlc.AxisState", "A.NcToPlc.ModuloActPos", "A.NcToPlc.ActPos"]
+    found, plc = traced(tmp_path, f"{MOVES}\nA.ReadStatus(); C.ReadStatus();", 140, *names)
+    assert [found[0][tick] for tick in (3, 15, 80, 110, 139)] == [0, 4, 3, 5, 0]
+    assert found[1] == found[2]
+    modes = values_in_main(plc, "A.NcToPlc.OpModeDWord", "C.NcToPlc.OpModeDWord")
+    assert modes == [1 << 7, 1 << 18 | 1 << 19]
+    names = ["Modulo", "SoftLimitMinMonitoring", "SoftLimitMaxMonitoring"]
+    of_a, of_c = (
+        values_in_main(plc, *(f"{one}.Status.OpMode.{name}" for name in names)) for one in "AC"
+    )
+    assert (of_a, of_c) == ([True, False, False], [False, True, True])
+
+
+def test_a_motion_downwards_has_the_same_phases(tmp_path: Path) -> None:
+    """ST-742: faster and slower mean the speed, not its sign; positions stay in the range."""
+    body = MOVES.replace("Distance := 10.0", "Distance := -10.0")
+    found, _ = traced(tmp_path, body, 140, "A.NcToPlc.AxisState", "A.NcToPlc.ModuloSetPos")
+    assert [found[0][tick] for tick in (3, 15, 80, 110, 139)] == [0, 4, 3, 5, 0]
+    assert found[1][139] == 350.0
+
+
 def test_states_of_endless_motion_stop_and_an_axis_without_power(tmp_path: Path) -> None:
     """ST-744: by ReadStatus() or a call of the reference; MC_Stop keeps an axis that stands."""
     body = """fbPower(Axis := A, Enable := TRUE);

@@ -258,7 +258,8 @@ def test_what_the_nc_fills_on_the_machine_is_told(tmp_path: Path) -> None:
         "PROGRAM MAIN\nVAR a : AXIS_REF; s : MC_ReadStatus; r : LREAL; b : BOOL; n : UDINT; END_VAR"
     )
     body = """n := a.NcToPlc.DcTimeStamp;
-b := a.Status.OpMode.Modulo;
+b := a.Status.OpMode.Modulo OR a.Status.OpMode.PositionLagMonitoring;
+n := a.NcToPlc.AxisState + a.NcToPlc.HomingState;
 n := a.NcToPlc.AxisId;
 r := a.NcToPlc.ActPos + a.NcToPlc.ActVelo;
 b := a.NcToPlc.StateDWord.2 OR a.Status.Moving;
@@ -271,7 +272,8 @@ b := s.Status.CmdBuffered;"""
     told = [" ".join(one["text"].split(" ")[:3]) for one in found]
     assert told == [
         "DcTimeStamp of NCTOPLC_AXIS_REF",
-        "OpMode of ST_AxisStatus",
+        "PositionLagMonitoring of ST_AxisOpModes",
+        "HomingState of NCTOPLC_AXIS_REF",
         "ADS of AXIS_REF",
         "CmdBuffered of ST_AxisStatus",
     ]

@@ -8,10 +8,12 @@ of the CNC's library may be left: code can give it ``log_ax_nr``.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
+from nctakt.lists.machine.axis_configuration import AxisConfiguration
 from nctakt.lists.machine.machine import Machine
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.plc_code import AXIS_REFERENCE_UNBOUND
@@ -25,11 +27,13 @@ _MAX_ELEMENTS = 256
 
 @dataclass(frozen=True, slots=True)
 class BoundAxis:
-    """An AXIS_REF: its path, the variable that keeps its axis, the logical number."""
+    """An AXIS_REF: its path, the paths of variables that it has from the start, and their values.
+
+    The first one is the logical number of its axis.
+    """
 
     path: str
-    number_path: str
-    number: int
+    values: tuple[tuple[str, int], ...]
 
 
 def bound_axes(
@@ -42,6 +46,7 @@ def bound_axes(
     for channel in machine.channels:
         for named in channel.axes:
             numbers.setdefault(named.name.lower(), named.logical_number)
+    op_modes = {axis.logical_number: _op_modes(axis) for axis in machine.axes}
     given = {path.lower(): name for path, name in names.items()}
     found: list[BoundAxis] = []
     missing: list[Diagnostic] = []
@@ -49,14 +54,23 @@ def bound_axes(
         name = given.get(path.lower(), variable.name)
         number = numbers.get(name.lower())
         is_block = isinstance(variable.type, BlockType)
-        if number is not None:
-            member = "NcToPlc.AxisId" if is_block else "log_ax_nr"
-            found.append(BoundAxis(path, f"{path}.{member}", number))
+        if number is not None and is_block:
+            modes = op_modes.get(number, 0)
+            values = (f"{path}.NcToPlc.AxisId", number), (f"{path}.NcToPlc.OpModeDWord", modes)
+            found.append(BoundAxis(path, values))
+        elif number is not None:
+            found.append(BoundAxis(path, ((f"{path}.log_ax_nr", number),)))
         elif is_block or path.lower() in given:
             known = ", ".join(axis.name for axis in machine.axes)
             span = program.sources.span(variable.start, variable.start + len(variable.name))
             missing.append(diagnostic(AXIS_REFERENCE_UNBOUND, span, path=path, known=known))
     return found, missing
+
+
+def _op_modes(axis: AxisConfiguration) -> int:
+    """Return the published bits of OpModeDWord (NCTOPLC_AXIS_REF_OPMODE) that lists decide."""
+    has_low, has_high = axis.software_limit_low > -math.inf, axis.software_limit_high < math.inf
+    return axis.is_modulo << 7 | has_low << 18 | has_high << 19
 
 
 def _references(program: Program) -> Iterator[tuple[str, Variable]]:

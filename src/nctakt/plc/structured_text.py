@@ -389,9 +389,10 @@ class StructuredPlc(RealtimePlc):
         if found:
             outside.watch(1e6 / machine.configuration.cycle_time_us)
         for one in found:
-            variable = find_variable(self.program, one.number_path)
-            if variable is not None:
-                self.context.poke(variable.address, self.check(one.number_path, one.number))
+            for path, value in one.values:
+                variable = find_variable(self.program, path)
+                if variable is not None:
+                    self.context.poke(variable.address, self.check(path, value))
 
     def _task_info(self, task: Task) -> tuple[int, tuple[int, ...]]:
         """Fill in what code reads of a task (ST-721); return its number and what it counts in."""

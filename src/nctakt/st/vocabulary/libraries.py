@@ -28,14 +28,15 @@ FILLED = {
     AXIS_REFERENCE: frozenset(("plctonc", "nctoplc", "status")),
     "NCTOPLC_AXIS_REF": frozenset(
         "statedword errorcode axisid actpos actvelo posdiff setpos setvelo setacc targetpos "
-        "actacc".split()
+        "actacc axisstate opmodedword moduloactpos modulosetpos".split()
     ),
     "ST_AxisStatus": frozenset(
         "cyclecounter motionstate error errorid errorstop disabled stopping standstill "
         "discretemotion continuousmotion synchronizedmotion homing constantvelocity accelerating "
         "decelerating operational controlloopclosed hasjob homed homingbusy moving "
-        "positivedirection negativedirection notmoving".split()
+        "positivedirection negativedirection notmoving opmode".split()
     ),
+    "ST_AxisOpModes": frozenset("modulo softlimitminmonitoring softlimitmaxmonitoring".split()),
 }
 #: The library of shared types; the only one here belongs to the system.
 BASE_TYPES = "IBaseLibrary"

@@ -50,7 +50,7 @@ else:
             for name, method in methods.items():
                 if name not in written.__dict__:
                     setattr(cls, name, method)
-            # Python itself leaves None where a class has __eq__ and no __hash__.
+            # Python itself sets None if a class has __eq__ and no __hash__.
             if eq and written.__dict__.get("__hash__") is None:
                 cls.__hash__ = _Method(cls, "__hash__", _hash) if frozen else None
             return cls
@@ -59,7 +59,7 @@ else:
 
 
 def write_initialisers() -> None:
-    """Write ``__init__`` of all classes so far that no one has called yet: some 30 ms."""
+    """Write ``__init__`` of all classes so far that has not been called yet: some 30 ms."""
     for cls in _initialised:
         _ = cls.__init__
 

@@ -57,7 +57,7 @@ class Span:
     """A position in a text: lines and columns count from 1, ``end_column`` is exclusive.
 
     ``file`` is the name as the user wrote it; a span never covers more than one line. Line 0 is the
-    file as a whole, for something that is missing in it.
+    file as a whole, for something missing in it.
     """
 
     file: str
@@ -103,12 +103,12 @@ class Cases:
 class Message:
     """A message of the catalogue, declared in ``messages/``; a slotted class, cheap to make.
 
-    ``id`` is the number that leads: the controller's, or from 900000 on one of nctakt.
-    ``text`` and ``remedy`` are format strings over the names in ``parameters``; ``explained``
-    returns these with their meanings. ``reaction`` and ``clearing`` are the controller's classes
-    for the effect of an error and for clearing it (0: none; ``messages/classes.py`` has their
-    meaning). ``cause`` explains how the error comes about; ``known_as`` are its further numbers,
-    ``cases`` those that lead in some cases instead of ``id``.
+    ``id`` is the leading number: the controller's, or from 900000 on nctakt's. ``text`` and
+    ``remedy`` are format strings over the names in ``parameters``; ``explained`` returns these with
+    their meanings. ``reaction`` and ``clearing`` are the controller's classes for the effect of an
+    error and for clearing it (0: none; ``messages/classes.py`` has their meaning). ``cause``
+    explains how the error comes about; ``known_as`` are its further numbers, ``cases`` those that
+    lead in some cases instead of ``id``.
     """
 
     __slots__ = (
@@ -197,7 +197,7 @@ class Diagnostic:
     ``source_line`` is the whole text line of the span, without its end, for the excerpt.
     ``is_lenient``: an error that is only a warning here. ``entry``: the entry of a list that it
     concerns, which may be missing there. ``number``: that of the case; 0: its values tell it.
-    ``within``: the part of an object that its line belongs to, as the programming system shows it.
+    ``within``: the part of an object that its line belongs to, as shown by the programming system.
 
     >>> run = Controller().run(NcText("part.nc", "G01 X100 F6000 Q1 M30"))
     >>> diagnostic = run.diagnostics[0]

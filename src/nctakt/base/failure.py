@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A request that cannot be carried out, as an exception that carries its diagnostics.
 
-Raised where an input of a user (a file, an option, a machine, a PLC) makes it impossible to go on;
+Raised if an input of a user (a file, an option, a machine, a PLC) makes it impossible to continue;
 the command line turns it into an exit code, a program that uses nctakt as a library catches it.
 """
 
@@ -34,7 +34,7 @@ class Failure(Exception):
 
 
 def error_text(error: Exception, language: Language = "en") -> str:
-    """Return an error as users read it: a ``Failure`` as it is, one of nctakt's own on one line.
+    """Return an error as shown to users: a ``Failure`` unchanged, an internal one on one line.
 
     That of a controller's process has come with its traceback, and is the last line of it.
     """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Ctrl-C and SIGTERM: two ways to end a command, with the same care.
 
-A shell without job control starts what is in the background (``nohup … &``) with SIGINT ignored, so
-that Ctrl-C ends only what is in front. It stays ignored; SIGTERM ends such a command.
+A shell without job control starts background commands (``nohup … &``) with SIGINT ignored, so that
+Ctrl-C ends only the foreground. It stays ignored; SIGTERM ends such a command.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-#: What a signal is answered with, as ``signal.signal`` wants it.
+#: The handler of a signal, as for ``signal.signal``.
 Handler = Callable[[int, FrameType | None], object]
 
 #: The number of the request to the system that a process gets a signal when its parent ends.
@@ -69,7 +69,7 @@ def handling(handler: Handler, *, only_termination: bool = False) -> Iterator[No
 def kept_back() -> Iterator[None]:
     """Keep both from a process that starts meanwhile, until it calls ``ignore``.
 
-    They may go to a whole group while it still imports modules: whoever starts it answers them.
+    They may go to a whole group while it still imports modules: its parent answers them.
     """
     if sys.platform == "win32":
         yield
@@ -82,14 +82,14 @@ def kept_back() -> Iterator[None]:
 
 
 def ignore() -> None:
-    """Ignore both, in a process that is ended by the one that has started it."""
+    """Ignore both, in a process that its parent ends."""
     for number in _BOTH:
         signal.signal(number, signal.SIG_IGN)
     if sys.platform != "win32":
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, _BOTH)  # what was kept back is forgotten
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, _BOTH)  # pending signals are dropped
 
 
 def end_with_parent() -> None:
-    """Let this process, a copy of another one, be killed when that ends, where the system can."""
+    """Have this process, a copy of another, killed when that ends, if the system can."""
     if sys.platform == "linux":
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)

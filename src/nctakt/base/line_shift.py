@@ -17,7 +17,7 @@ _BLOCK = 1 << 14
 
 
 class ReplacedLine(Exception):
-    """A line is one of those that were replaced, so that it has no new number."""
+    """A line was replaced, so that it has no new number."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +62,7 @@ class LineShift:
 
 
 def shift_between(old: Sequence[str], new: Sequence[str]) -> LineShift | None:
-    """Return which lines of ``old`` became others in ``new``, ``None`` if all are equal."""
+    """Return which lines of ``old`` differ in ``new``, ``None`` if all are equal."""
     if isinstance(old, list) and isinstance(new, list):
         shortest = min(len(old), len(new))
         same = _equal_lines(old, new, shortest)

@@ -2,8 +2,8 @@
 """Text files of any length -> their lines, without having all of them in memory.
 
 In: a file. Out: a sequence of lines. The rules are those of ``base/text.py``; a short file is read
-at once. Of a long one the encoding and the offsets of some lines are found in one pass, then lines
-are read when they are asked for: forward without delay, elsewhere from the last offset before them.
+at once. For a long file the encoding and the offsets of some lines are found in one pass, then
+lines are read on request: forward without delay, elsewhere from the last offset before them.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class LinesTooLong(Exception):
 
 
 class TextChanged(Exception):
-    """A file is not there any more as it was when its lines were found; ``path`` is its name."""
+    """A file has changed or gone since its lines were found; ``path`` is its name."""
 
     def __init__(self, path: Path) -> None:
         super().__init__(str(path))
@@ -187,7 +187,7 @@ class LongText(Sequence[str]):
                 with self._opened() as file:
                     self._lines = self._read(file, group)
             except TextChanged:
-                return ""  # it is shown beside a message, and no one knows it any more
+                return ""  # it is shown with a message, and nobody knows it any more
             self._group = group
         return self._lines[index % LINES_PER_GROUP]
 
@@ -199,7 +199,7 @@ class LongText(Sequence[str]):
 
 
 def _state_of(state: os.stat_result) -> tuple[int, int]:
-    """Return what changes with the content of a file: its size and the time of its change."""
+    """Return a key that changes with the content of a file: its size and modification time."""
     return state.st_size, state.st_mtime_ns
 
 

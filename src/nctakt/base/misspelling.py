@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The known name that an unknown one is meant for.
+"""The known name probably meant by an unknown one.
 
 In: known names, and an unknown one. Out: the known name that it is a misspelling of, if any is. A
 letter too many, too few or wrong and two swapped letters are an error each; letter case does not
 count. Names that differ in their numbers, other than by a doubled or swapped digit, are different
-names, as are short ones that begin with different letters: what is suggested must be what was
-meant.
+names, as are short ones that begin with different letters: a suggestion must be the intended name.
 """
 
 from __future__ import annotations
@@ -18,7 +17,7 @@ from typing import NamedTuple
 #: Maximum number of errors of a name, and the lengths from which on it may have them.
 _MAX_ERRORS = 2
 _LENGTHS = ((8, 2), (3, 1))
-#: Farthest that two names are apart of which one is the beginning or the end of the other.
+#: Maximum distance of two names if one is the beginning or the end of the other.
 _FARTHEST = 2 * _MAX_ERRORS + 3
 #: Names up to this length must begin with the right letter.
 _SHORT = 4
@@ -32,10 +31,10 @@ _VARIABLE = re.compile(r"vs?\.[a-z]+\.")
 
 
 def nearest(name: str, names: Iterable[str]) -> str:
-    """Return the known name that ``name`` is meant for; empty if none is, or several might be.
+    """Return the known name probably meant by ``name``; empty if none or several might be.
 
-    Beside errors of typing it may have the parts of a path in another order, or be the beginning
-    or the end of the known name, or the known name of it.
+    Besides typing errors it may have the parts of a path in another order, or be the beginning or
+    the end of the known name, or the known name of it.
     """
     folded = name.casefold()
     best, rank, is_only = "", _FARTHEST + 1, True
@@ -48,19 +47,19 @@ def nearest(name: str, names: Iterable[str]) -> str:
 
 
 def resembles(name: str, names: Iterable[str]) -> bool:
-    """Return whether ``name`` may be meant for one of the known names, or for several."""
+    """Return whether ``name`` may mean one or several of the known names."""
     return any(_rank(name.casefold(), known.casefold()) is not None for known in names)
 
 
 def nearest_first(name: str, names: Iterable[str]) -> list[str]:
-    """Return known names in their order, but first the one that ``name`` is meant for."""
+    """Return known names in order, but first the one meant by ``name``."""
     known = list(names)
     meant = nearest(name, known)
     return sorted(known, key=lambda other: other != meant)
 
 
 def _rank(name: str, known: str) -> int | None:
-    """Return how far two folded names are apart, ``None`` if neither is meant for the other."""
+    """Return the distance of two folded names, ``None`` if neither may mean the other."""
     if name == known:
         return 0
     path, other = _path_of(name), _path_of(known)
@@ -96,7 +95,7 @@ def _path_of(folded: str) -> _Path:
 
 
 def _without_common_parts(parts: tuple[str, ...], others: tuple[str, ...]) -> tuple[str, str]:
-    """Return what is left of two paths without the parts at both ends that they share."""
+    """Return the rest of two paths without the parts shared at both ends."""
     limit = min(len(parts), len(others)) - 1
     begin = 0
     while begin < limit and parts[begin] == others[begin]:
@@ -113,7 +112,7 @@ def allowed_errors(name: str) -> int:
 
 
 def _may_be(name: str, known: str) -> bool:
-    """Return whether a name that differs by a few errors may be meant for the known one."""
+    """Return whether a name that differs by a few errors may mean the known one."""
     has_same_letters = sorted(name) == sorted(known)
     if _numbers(name) != _numbers(known) and not (has_same_letters and len(name) > _SHORT):
         return False
@@ -168,7 +167,7 @@ def _bounds(length: int) -> Iterator[tuple[int, int, int]]:
 
 
 def typing_errors(first: str, second: str, limit: int) -> int:
-    """Return the number of errors between two names; ``limit`` stands for as many and more."""
+    """Return the number of errors between two names; ``limit`` means that many or more."""
     if abs(len(first) - len(second)) >= limit:
         return limit
     shortest = min(len(first), len(second))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Compiled or plain: which form of the realtime part is imported.
 
-Modules with types in a ``.pxd`` beside them, all of ``nctakt.kernel`` and some of other packages,
+Modules with types in a ``.pxd`` next to them, all of ``nctakt.kernel`` and some of other packages,
 are Python files that are compiled at installation where there is a C compiler. ``use_plain``,
 called before the first of them is imported, makes Python import the files themselves: slower, for
 debuggers and coverage, with the same results. The environment variable ``NCTAKT_PLAIN=1`` does the
@@ -22,7 +22,7 @@ _PACKAGE = "nctakt."
 
 
 class _PlainFinder:
-    """Finds the Python file of a module beside its compiled form."""
+    """Finds the Python file of a module next to its compiled form."""
 
     @staticmethod
     def find_spec(

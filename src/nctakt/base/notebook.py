@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What notebooks show of an object: tables, small curves, pictures.
+"""Objects in notebooks: tables, small curves, pictures.
 
 In: texts, numbers. Out: HTML in which all texts are escaped.
 """

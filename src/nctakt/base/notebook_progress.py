@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""How far a run or a study is, shown in a notebook; what it shows changes no result.
+"""The progress of a run or a study in a notebook; it changes no result.
 
 In: how much is done, of how much. Out: a bar below the cell, once that has lasted some seconds.
 """
@@ -32,7 +32,7 @@ class NotebookProgress:
             self._display(_bar(self._name, done, total))
 
     def close(self) -> None:
-        """Remove what is shown."""
+        """Remove the display."""
         if self._handle is not None:
             self._display("")
 
@@ -46,7 +46,7 @@ class NotebookProgress:
 
 
 def notebook_progress(name: str) -> NotebookProgress | None:
-    """Return what shows the progress of something; ``None`` outside of a notebook."""
+    """Return a progress display; ``None`` outside a notebook."""
     ipython = sys.modules.get("IPython")
     shell = None if ipython is None else ipython.get_ipython()
     return NotebookProgress(name) if hasattr(shell, "kernel") else None

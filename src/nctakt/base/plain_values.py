@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Numbers of numpy and of packages like it -> numbers of Python, without loading any of them.
 
-In: a value from a caller. Out: the same value as data of the standard library; what is no scalar or
-array of numbers stays as it is.
+In: a value from a caller. Out: the same value as data of the standard library; other values are
+unchanged.
 """
 
 from __future__ import annotations

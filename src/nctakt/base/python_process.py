@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """How nctakt starts Python: with modules of nctakt and of libraries, not of the folder it is in.
 
-Python looks for modules in the working directory first, for ``-m`` and ``-c``: a ``json.py`` beside
-a program that somebody only opens would run. This module is the only one that names the
-interpreter; ``tests/test_tidy.py`` holds the others to it.
+Python looks for modules in the working directory first, for ``-m`` and ``-c``: a ``json.py`` next
+to a program that somebody only opens would run. Only this module names the interpreter;
+``tests/test_tidy.py`` enforces that.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import os
 import sys
 from pathlib import Path
 
-#: The environment variable that does for Python what the option ``-P`` does.
+#: The environment variable equivalent to Python's option ``-P``.
 _SAFE_PATH = "PYTHONSAFEPATH"
 
 #: The environment variable that says which warnings a Python process prints.
@@ -50,7 +50,7 @@ def at_start() -> tuple[object, ...]:
 def start_resource_tracker() -> None:
     """Start Python's resource tracker, which removes the shared memory of a killed process.
 
-    It is a Python process of its own, which prints no warning.
+    It is a separate Python process, which prints no warning.
     """
     if sys.platform == "win32":
         return

@@ -75,7 +75,7 @@ class SourceFiles:
         return len(self._files) - 1
 
     def copy(self) -> SourceFiles:
-        """Return the texts that are there now, whatever is added later."""
+        """Return the present texts, without later additions."""
         other = SourceFiles()
         other._files, other._by_name = list(self._files), dict(self._by_name)
         return other

@@ -13,7 +13,7 @@ from nctakt.base.dataclass import dataclass
 
 _UTF8_MARK = b"\xef\xbb\xbf"
 _UTF16_MARKS = (b"\xff\xfe", b"\xfe\xff")
-#: What a text begins with that says how it is encoded.
+#: Byte order marks, which give the encoding.
 BYTE_ORDER_MARKS = (_UTF8_MARK, *_UTF16_MARKS)
 
 #: Where Windows-1252 differs from Latin-1. The five bytes that it leaves open stay control

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Units of logs and models and those of signals: how many of one the other is."""
+"""Factors between units of logs and models and units of signals."""
 
 from __future__ import annotations
 
-#: Spellings of units: the quantity, and how many of its first unit one is.
+#: Spellings of units: the quantity, and the factor to its first unit.
 _UNITS: dict[str, tuple[str, float]] = {
     "mm": ("length", 1.0),
     "m": ("length", 1e3),
@@ -39,7 +39,7 @@ _UNITS: dict[str, tuple[str, float]] = {
 
 
 def factor_between(theirs: str, unit: str) -> float | None:
-    """Return how many ``unit`` one of ``theirs`` is; ``None`` for units that do not fit.
+    """Return how many ``unit`` make one of ``theirs``; ``None`` for units that do not match.
 
     A log or model that names no unit is taken to have the signal's.
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Messages: all that nctakt can give, each declared once, in English and German.
 
-A module holds the messages of one subject. A message has the controller's number where it is known,
-else one of nctakt's own, from 900000 on (``scripts/next_message`` prints the next one). In: a
-declared message, a span, the values of its parameters. Out: the ``Diagnostic``.
+A module holds the messages of one subject. A message has the controller's number if it is known,
+else one of nctakt's, from 900000 on (``scripts/next_message`` prints the next one). In: a declared
+message, a span, the values of its parameters. Out: the ``Diagnostic``.
 """
 
 from __future__ import annotations

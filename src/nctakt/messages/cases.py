@@ -2,7 +2,7 @@
 """Messages that the controller numbers by case: which number a finding has.
 
 In: the values of a finding's parameters. Out: ``Cases`` for the declaration of its message; the
-number 0 where the controller has none for the case, so that the message's own one leads.
+number 0 if the controller has none for the case, so that the message's own number leads.
 """
 
 from __future__ import annotations

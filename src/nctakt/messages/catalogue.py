@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The declaration of messages, and the catalogue of all messages by number.
 
-In: the declarations of the modules beside this one. Out: a ``Message`` for each, which is reported
-by its name, and the messages of a number for whoever has only the number: a user who asks for it.
+In: the declarations of the other modules here. Out: a ``Message`` for each, which is reported by
+name, and the messages of a number, for users who ask for it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nctakt.messages.placeholders import COMMON
 #: The range of nctakt's own numbers; all others are the controller's.
 FIRST_OWN, LAST_OWN = 900_000, 999_999
 
-#: Classes of effect and of clearing: of most errors of the controller; of what has none.
+#: Classes of effect and of clearing: of most errors of the controller; of messages without.
 USUAL_CLASSES, NO_CLASSES = (2, 3), (0, 0)
 
 _declared: list[Message] = []

@@ -36,7 +36,7 @@ REACTIONS: Mapping[int, Text] = MappingProxyType(
     }
 )
 
-#: The way to clear it.
+#: How to clear it.
 CLEARINGS: Mapping[int, Text] = MappingProxyType(
     {
         1: Text("nothing: there is nothing to clear", "nicht nötig"),

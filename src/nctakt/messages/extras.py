@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-#: What runs the tests of a project.
+#: The runner of a project's tests.
 PYTEST = "pytest>=9"
 
 #: The requirements of each extra that a message may ask for, as in pyproject.toml.

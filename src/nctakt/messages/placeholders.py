@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the placeholders of messages stand for, where a message says nothing else of them."""
+"""Meanings of the placeholders of messages, unless a message explains them itself."""
 
 from __future__ import annotations
 

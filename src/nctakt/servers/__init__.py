@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""A session that clients on the network find: one loop, several endpoints."""
+"""A session for clients on the network: one loop, several endpoints."""

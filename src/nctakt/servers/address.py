@@ -19,7 +19,7 @@ from nctakt.messages.connections.servers import (
 #: Addresses that begin alike.
 Network = ipaddress.IPv4Network | ipaddress.IPv6Network
 
-#: The address of an endpoint that names none: this computer alone.
+#: The default address of an endpoint: this computer alone.
 LOOPBACK = "127.0.0.1"
 
 _MAX_PORT = 65535
@@ -42,7 +42,7 @@ def read_address(option: str, text: str, port: int) -> tuple[str, int]:
 
 
 def is_loopback(host: str) -> bool:
-    """Return whether an address is this computer's own, which no one else reaches."""
+    """Return whether an address belongs to this computer alone, out of reach of others."""
     with contextlib.suppress(ValueError):
         return ipaddress.ip_address(host).is_loopback
     return host == "localhost"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What stays as long as the servers do is built while the garbage collector waits.
+"""Objects that live as long as the servers are built while the garbage collector waits.
 
 It would look through half a million nodes and types again and again, a quarter of a second each
 time: three quarters of a start with OPC UA, and later the longest wait of a client.
@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator
 def building() -> Iterator[Callable[[], None]]:
     """Let the garbage collector wait until the function that it gives is called.
 
-    From then on it looks only through what came later; at the end all is as before.
+    From then on it scans only later objects; at the end everything is as before.
     """
     was_enabled = gc.isenabled()
     gc.disable()

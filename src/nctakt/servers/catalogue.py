@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The values of a machine by name: what each is, and whether clients may write it.
+"""The values of a machine by name: kind of each, and whether clients may write it.
 
 In: ``MachineNames``. Out: ``Value`` for each signal, V.E and V.CH variable, value of the HLI, and
-V.RTG and V.RTA variable of each channel. Names are found in any case of letters; ``CH2.V.E.X`` is
-one of the second channel.
+V.RTG and V.RTA variable of each channel. Names are found in any case of letters; ``CH2.V.E.X``
+belongs to the second channel.
 """
 
 from __future__ import annotations

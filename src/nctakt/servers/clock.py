@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The times of ticks: all protocols give a tick the same one.
+"""The times of ticks: the same in all protocols.
 
 In: the moment at which a tick begins, once. Out: the UTC of any tick, and the ticks of a UTC.
 """

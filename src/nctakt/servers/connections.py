@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What connections of all protocols have in common: their times, peers that are gone, descriptors.
+"""Common parts of connections of all protocols: timeouts, lost peers, descriptors.
 
-In: bytes that are no message yet, sockets, how many connections there may be. Out: an end for those
-that take too long; enough descriptors that no protocol takes those of another one.
+In: incomplete messages, sockets, the maximum number of connections. Out: an end for those that take
+too long; enough descriptors, so that no protocol takes those of another.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nctakt.messages.connections.servers import TOO_FEW_DESCRIPTORS
 #: How long the first bytes of a message may take, and the others, in seconds.
 HEADER_S, MESSAGE_S = 5.0, 60.0
 
-#: Why a connection ends whose message takes longer.
+#: Why a connection ends if its message takes longer.
 NO_END = "a message did not come to its end"
 
 #: Descriptors for all that is not a connection of a client: files, pipes, the controllers.

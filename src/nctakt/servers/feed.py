@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The one listener of all servers: what the session reports -> calls in the loop of the servers.
+"""The one listener of all servers: reports of the session -> calls in the loop of the servers.
 
 In: frames and notices, in the session's thread. Out: the same in the loop, in their order. The
 session never waits: when the loop is behind, the oldest frames are left out, and counted.

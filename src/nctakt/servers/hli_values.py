@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The state of channels, axes and spindles by the names of the HLI, for endpoints that tell all of
-it.
+"""The state of channels, axes and spindles by the names of the HLI, for endpoints that publish all
+of it.
 
 In: a machine and its catalogue. Out: for each channel, axis and spindle the names of its values
 (``hli/layout.py``) and where the session has them.
@@ -37,7 +37,7 @@ class Part:
 
     @property
     def key(self) -> tuple[str, int, str]:
-        """What distinguishes it from the other parts of its machine."""
+        """The key that distinguishes it from the other parts of its machine."""
         return self.kind, self.channel, self.name
 
 

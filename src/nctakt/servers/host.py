@@ -2,7 +2,7 @@
 """The host of all endpoints: one session, one loop, one store of values, one way to write.
 
 In: commands and values of clients, through the endpoints. Out: inputs of the session, values by
-name, frames and notices. Whatever asks the session waits in a thread of its own, never in the loop.
+name, frames and notices. Requests to the session wait in a separate thread, never in the loop.
 """
 
 from __future__ import annotations
@@ -33,16 +33,16 @@ from nctakt.session.listening import Frame, Notice
 from nctakt.session.session import Session
 from nctakt.st.program import Program
 
-#: Writes that wait for the session at most; one more is refused.
+#: Maximum number of writes waiting for the session; one more is refused.
 MAX_WRITES = 10_000
 
-#: Writes that the session takes at once: between two batches ticks go on.
+#: Writes that the session takes at once: ticks run between two batches.
 MAX_BATCH = 100
 
 #: How long a client waits for its write to be latched at most, in seconds: a session may pause.
 LATCHING_S = 1.0
 
-#: The operator's keys: the value of the HLI that each writes, and what.
+#: The operator's keys: the variable of the HLI that each writes, and the value.
 KEYS: Mapping[str, tuple[str, float]] = {
     "start": ("HLI.START", 1.0),
     "reset": ("HLI.RESET", 1.0),
@@ -50,7 +50,7 @@ KEYS: Mapping[str, tuple[str, float]] = {
     "go_on": ("HLI.FEED_HOLD", 0.0),
 }
 
-#: What is also in the log: clients have no answer that tells them that a write has no effect.
+#: Notices also in the log: no answer tells clients that a write has no effect.
 _OF_INTERFACE = (PATH_HAS_NO_EFFECT.id, UNIT_NOT_ENABLED.id, TRANSITION_DROPPED.id)
 
 Key = Literal["start", "reset", "hold", "go_on"]
@@ -65,13 +65,13 @@ class Endpoint(Protocol):
     max_connections: int
 
     async def prepare(self) -> None:
-        """Do what takes time before clients can come; raises ``Failure``."""
+        """Do slow preparations before clients can connect; raises ``Failure``."""
 
     async def open(self) -> str:
         """Serve clients from now on; return the address. Raises ``Failure``."""
 
     async def close(self) -> None:
-        """Tell the clients that it ends, and serve no one any more."""
+        """Inform the clients that it ends, and stop serving."""
 
 
 class Busy(Exception):
@@ -79,12 +79,12 @@ class Busy(Exception):
 
 
 class Host:
-    """A session and what its endpoints share; open it in a running loop.
+    """A session and the data shared by its endpoints; open it in a running loop.
 
     ``machine``: that of the session. ``catalogue``: its values by name; ``store``: their latest
-    values; ``programs``: those of its PLC in Structured Text, ``marked``: what these mark for
-    clients (``marked_variables``); ``notices``: what clients must know;
-    ``log``: what is logged about clients; ``clock``: the times of ticks.
+    values; ``programs``: those of its PLC in Structured Text, ``marked``: variables that these mark
+    for clients (``marked_variables``); ``notices``: notices for clients; ``log``: the log about
+    clients; ``clock``: the times of ticks.
     """
 
     def __init__(
@@ -118,13 +118,13 @@ class Host:
         return self
 
     async def close(self, *, answers: bool = True) -> None:
-        """Listen no more; the session stays open. ``answers``: it does what it is asked for."""
+        """Stop listening; the session stays open. ``answers``: it still answers requests."""
         feed, self._feed = self._feed, None
         if feed is not None and answers:
             await self.ask(self.session.detach, feed)
         self._executor.shutdown(wait=answers, cancel_futures=not answers)
 
-    # --- what the session tells -----------------------------------------------------------------
+    # --- reports of the session -----------------------------------------------------------------
 
     def _take_frame(self, frame: Frame) -> None:
         self.store.take(frame)
@@ -162,10 +162,10 @@ class Host:
         assert self._feed is not None
         await self.ask(self.session.attach, self._feed, names)
 
-    # --- what clients want ----------------------------------------------------------------------
+    # --- requests of clients --------------------------------------------------------------------
 
     async def ask(self, method: Callable[_P, _T], *words: _P.args, **keywords: _P.kwargs) -> _T:
-        """Return what a method of the session gives, without holding up the loop."""
+        """Return the result of a method of the session, without holding up the loop."""
         return await self.loop.run_in_executor(self._executor, lambda: method(*words, **keywords))
 
     async def write(self, values: Mapping[str, Scalar], endpoint: str, client: str) -> int:
@@ -189,7 +189,7 @@ class Host:
         raise answered
 
     async def latched(self, tick: int) -> None:
-        """Return once all can read what was written for a tick, at once unless it plays."""
+        """Return once all can read the values written for a tick, at once unless it plays."""
         if tick < self.store.tick or not self.session.is_playing:
             return
         latched: asyncio.Future[None] = self.loop.create_future()
@@ -224,7 +224,7 @@ class Host:
         await self.write(self.key_value(key, channel), endpoint, client)
 
     def key_value(self, key: Key, channel: int) -> dict[str, Scalar]:
-        """Return what a key writes in a channel, counted from 1."""
+        """Return the value that a key writes in a channel, counted from 1."""
         name, value = KEYS[key]
         count = len(self.machine.channels)
         prefix = f"CH{channel}." if count > 1 or channel > 1 else ""
@@ -240,11 +240,11 @@ class Host:
             raise
 
     def refuse_later(self, endpoint: str, client: str, reason: str) -> None:
-        """Tell in the log that something of a client was refused, from another thread."""
+        """Log a refusal of a client, from another thread."""
         with contextlib.suppress(RuntimeError):  # the loop has ended
             self.loop.call_soon_threadsafe(self.log.refuse, endpoint, client, reason)
 
     def refuse(self, failure: Failure, endpoint: str, client: str) -> None:
-        """Tell in the log that something of a client was refused."""
+        """Log a refusal of a client."""
         for found in failure.diagnostics[:1]:
             self.log.refuse(endpoint, client, f"{found.id}: {found.text('en')}")

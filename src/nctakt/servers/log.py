@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What the servers tell of their clients: one JSON object a line.
+"""The servers' log about their clients: one JSON object per line.
 
-In: what happened, of which endpoint and client, and why. Out: lines with a time. What comes again
-and again of a client is logged once in ``REPEAT_S`` seconds whatever its port, then with how often
-it came since; an endpoint has ``MAX_LINES`` lines in that time whatever its clients call
-themselves.
+In: events, with endpoint, client and reason. Out: lines with a time. A repeated event of a client
+is logged once in ``REPEAT_S`` seconds, regardless of its port, then with the number of repetitions;
+an endpoint has ``MAX_LINES`` lines in that time, whatever its clients call themselves.
 """
 
 from __future__ import annotations
@@ -30,7 +29,7 @@ MAX_LINES = 100
 #: A client with its port: ``1.2.3.4.1.1:33000``, ``[::1]:4711``.
 _WITH_PORT = re.compile(r"([^:]+|\[.*\]):\d+")
 
-#: What makes lines equal: event, endpoint, client without its port, reason.
+#: The key of equal lines: event, endpoint, client without its port, reason.
 _Key = tuple[str, str, str, str]
 
 
@@ -59,7 +58,7 @@ class _Budget:
 
 
 class ServerLog:
-    """Writes lines; ``write`` ``None``: no one reads them.
+    """Writes lines; ``write`` ``None``: nobody reads them.
 
     ``refused``: how often something was refused, by endpoints.
     """
@@ -76,11 +75,11 @@ class ServerLog:
         self._budgets: dict[str, _Budget] = {}
 
     def note(self, event: str, **words: object) -> None:
-        """Tell what happened."""
+        """Log an event."""
         self._line("info", event, words)
 
     def error(self, event: str, *, endpoint: str = "", reason: str = "", **words: object) -> None:
-        """Tell what went wrong in a server."""
+        """Log an error of a server."""
         shown = (
             {"endpoint": endpoint, **words, "reason": reason}
             if endpoint
@@ -89,12 +88,12 @@ class ServerLog:
         self._bounded("error", (event, endpoint, "", reason), 1, shown)
 
     def visit(self, event: str, endpoint: str, host: str, **words: object) -> None:
-        """Tell that a client of a host has come or gone; not each one of a storm of them."""
+        """Log that a client of a host has come or gone; not every one of many."""
         shown = {"endpoint": endpoint, "host": host, **words}
         self._bounded("info", (event, endpoint, host, ""), MAX_VISITS, shown)
 
     def refuse(self, endpoint: str, client: str, reason: str, **words: object) -> None:
-        """Tell that something of a client was refused."""
+        """Log a refusal of a client."""
         self.refused[endpoint] += 1
         found = _WITH_PORT.fullmatch(client)
         party = client if found is None else found[1]
@@ -102,7 +101,7 @@ class ServerLog:
         self._bounded("warning", ("refused", endpoint, party, reason), 1, shown)
 
     def tell_counts(self) -> None:
-        """Tell how often came what was not written each time."""
+        """Log the numbers of repeated events."""
         self._end_repeats(None)
         self._end_budgets(None)
 
@@ -125,7 +124,7 @@ class ServerLog:
         self._line(level, key[0], {**words, **({"repeated": left_out} if left_out else {})})
 
     def _end_repeats(self, now: float | None) -> None:
-        """Tell the counts whose time is over, of all without ``now``; the oldest come first."""
+        """Log the counts whose time is over, without ``now`` all; the oldest come first."""
         for key, repeats in tuple(self._repeats.items()):
             if now is not None and now - repeats.begin_s < REPEAT_S:
                 return
@@ -144,7 +143,7 @@ class ServerLog:
         return True
 
     def _end_budgets(self, now: float | None) -> None:
-        """Tell how many lines endpoints had too many, as ``_end_repeats``."""
+        """Log how many lines endpoints had too many, like ``_end_repeats``."""
         for endpoint, budget in tuple(self._budgets.items()):
             if now is not None and now - budget.begin_s < REPEAT_S:
                 continue

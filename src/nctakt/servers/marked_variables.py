@@ -83,7 +83,7 @@ def _of_program(program: Program) -> Iterator[Value]:
 def _of_variable(
     path: str, variable: Variable, *, is_marked: bool, is_open: bool
 ) -> Iterator[Value]:
-    """Yield the marked values of a variable; the last two: what it is part of is so."""
+    """Yield the marked values of a variable; the last two: the marks of its parents."""
     if variable.section is Section.IN_OUT or variable.bit >= 0:
         return
     mark = variable.attributes.get(_MARK)

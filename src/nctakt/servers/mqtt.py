@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The endpoint for MQTT: a broker gets what changes in the session, which takes writes from it.
+"""The endpoint for MQTT: a broker gets changes of the session, which accepts writes from it.
 
 In: frames and notices of the host; JSON on the topics ``write`` and ``press``. Out: JSON on topics
 below a root: channels, axes, spindles, variables, texts, and an answer to each request. When the
-broker is away, the session goes on, and the endpoint connects again.
+broker is away, the session continues, and the endpoint reconnects.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ class MqttEndpoint:
         self._broker = broker
         self._topics = _topics_of(host)
         self._task: asyncio.Task[None] | None = None
-        # what the library tells of a broker goes to our own log, with a limit of its rate
+        # reports of the library about a broker go to nctakt's log, at a limited rate
         self._logger = logging.Logger("nctakt mqtt", logging.ERROR)
         self._logger.addHandler(_Unreadable(host.log, broker.host))
 
@@ -95,14 +95,14 @@ class MqttEndpoint:
         return f"{shown_address(broker.host, broker.port)}/{broker.root}"
 
     async def close(self) -> None:
-        """Tell the subscribers that the session is not there any more."""
+        """Inform the subscribers that the session has ended."""
         task, self._task = self._task, None
         if task is not None:
             task.cancel()
             await asyncio.gather(task, return_exceptions=True)
 
     def _waiting(self, maxsize: int) -> RequestQueue:
-        """Return what keeps the requests of a new client, in place of the library's own queue."""
+        """Return a queue for the requests of a new client, in place of the library's."""
         log, broker = self._host.log, self._broker
         return RequestQueue(broker.root, lambda reason: log.refuse(_DOOR, broker.host, reason))
 
@@ -142,7 +142,7 @@ class MqttEndpoint:
         return client
 
     async def _live(self, client: aiomqtt.Client, lost: tuple[type[Exception], ...]) -> None:
-        """Serve one connection after another until the endpoint closes."""
+        """Serve connections in turn until the endpoint closes."""
         retry_s = _FIRST_RETRY_S
         is_connected = True
         loop = asyncio.get_running_loop()
@@ -196,7 +196,7 @@ class MqttEndpoint:
         await client.publish(f"{self._broker.root}/{topic}", text, _AT_LEAST_ONCE, retain=retain)
         _end_if_cancelled()
 
-    # --- what is reported -----------------------------------------------------------------------
+    # --- reports --------------------------------------------------------------------------------
 
     async def _publish_values(self, client: aiomqtt.Client) -> None:
         """Publish each part whose values have changed, at most so often; the broker keeps them."""
@@ -242,10 +242,10 @@ class MqttEndpoint:
             **number,
         }
 
-    # --- what is asked for ----------------------------------------------------------------------
+    # --- requests -------------------------------------------------------------------------------
 
     async def _answer(self, client: aiomqtt.Client) -> None:
-        """Carry out requests one after another; each gets an answer."""
+        """Carry out requests in turn; each gets an answer."""
         async for message in client.messages:
             topic = str(message.topic).removeprefix(f"{self._broker.root}/")
             payload = message.payload
@@ -285,7 +285,7 @@ class MqttEndpoint:
 
 
 class _Unreadable(logging.Handler):
-    """Tells in the log what the library could not read of a broker."""
+    """Logs messages of a broker that the library could not read."""
 
     def __init__(self, log: ServerLog, broker: str) -> None:
         super().__init__(logging.ERROR)
@@ -301,7 +301,7 @@ def _bound(library: Any) -> None:
     """Let the library end the connection of a broker that would fill its memory.
 
     It takes packets of any length, and keeps a message that is to come exactly once until the
-    broker releases it; no one has subscribed to those.
+    broker releases it; there are no subscriptions to those.
     """
     receive = library._sock_recv
 

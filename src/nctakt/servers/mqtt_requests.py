@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the endpoint for MQTT is given: the broker's address, and the requests of clients.
+"""Input of the endpoint for MQTT: the broker's address, and the requests of clients.
 
 In: a URL, bytes of a message. Out: the broker, the values to write, the key to press.
 """
@@ -29,7 +29,7 @@ USER, PASSWORD = "NCTAKT_MQTT_USER", "NCTAKT_MQTT_PASSWORD"
 #: The topics of requests.
 REQUESTS = ("write", "press", "select")
 
-#: Bytes of one request at most.
+#: Maximum bytes of one request.
 _MAX_REQUEST = 65_536
 
 #: How many requests wait for their turn at most.
@@ -47,9 +47,9 @@ class Broker:
 
 
 class RequestQueue(asyncio.Queue[Any]):
-    """Requests of a broker that wait; ``refuse`` tells why one of them is dropped.
+    """Waiting requests of a broker; ``refuse`` reports why one of them is dropped.
 
-    Of one that is too long it keeps as much as shows that it is.
+    It keeps just enough of an overlong request to show its length.
     """
 
     def __init__(self, root: str, refuse: Callable[[str], None]) -> None:
@@ -60,7 +60,7 @@ class RequestQueue(asyncio.Queue[Any]):
     def put_nowait(self, item: Any) -> None:
         """Take a request, unless too many wait."""
         if str(item.topic) not in self._topics:
-            return  # some brokers send what no one has subscribed to
+            return  # some brokers send unsubscribed messages
         if self.full():
             self._refuse(f"more than {MAX_WAITING} requests wait")
             return
@@ -79,12 +79,12 @@ def read_broker(url: str) -> Broker:
             port = parts.port or _PORTS[parts.scheme]
             if not parts.query and not parts.fragment:
                 return Broker(parts.hostname, port, parts.scheme == "mqtts", root)
-    shown = url.rpartition("@")[2] if "@" in url else url  # what comes before may be secret
+    shown = url.rpartition("@")[2] if "@" in url else url  # the part before may be secret
     raise Failure(diagnostic(INVALID_BROKER, text=shown, user=USER, password=PASSWORD))
 
 
 def read_request(payload: bytes) -> dict[str, Any]:
-    """Return the object of a request; raises ``ValueError`` for what is none."""
+    """Return the object of a request; raises ``ValueError`` for anything else."""
     if len(payload) > _MAX_REQUEST:
         raise ValueError(f"a request has at most {_MAX_REQUEST} bytes")
     try:
@@ -97,7 +97,7 @@ def read_request(payload: bytes) -> dict[str, Any]:
 
 
 def values_of(request: Mapping[str, Any]) -> dict[str, Scalar]:
-    """Return the values of a write; raises ``ValueError`` for what is none."""
+    """Return the values of a write; raises ``ValueError`` for anything else."""
     values = request.get("values")
     if not isinstance(values, dict) or not values:
         raise ValueError('write {"values": {"V.E.NAME": 1}}')
@@ -113,7 +113,7 @@ def values_of(request: Mapping[str, Any]) -> dict[str, Scalar]:
 
 
 def program_of(request: Mapping[str, Any], channels: int) -> tuple[str, int]:
-    """Return program and channel of a request; raises ``ValueError`` for what is none."""
+    """Return program and channel of a request; raises ``ValueError`` for anything else."""
     program, channel = request.get("program"), request.get("channel", 1)
     if not isinstance(program, str) or not program or "\0" in program:
         raise ValueError('select {"program": "FILE"}')
@@ -123,7 +123,7 @@ def program_of(request: Mapping[str, Any], channels: int) -> tuple[str, int]:
 
 
 def key_of(request: Mapping[str, Any]) -> tuple[Key, int]:
-    """Return key and channel of a request; raises ``ValueError`` for what is none."""
+    """Return key and channel of a request; raises ``ValueError`` for anything else."""
     key, channel = request.get("key"), request.get("channel", 1)
     if key not in KEYS or type(channel) is not int:
         raise ValueError(f"key must be one of {', '.join(KEYS)}, channel a whole number")

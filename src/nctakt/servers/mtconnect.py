@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The endpoint for MTConnect: an adapter, to which agents connect and which sends them what
-changes.
+"""The endpoint for MTConnect: an adapter to which agents connect and which sends them changes.
 
 In: frames and notices of the host. Out: lines of the adapter's protocol (SHDR) on a socket:
 commands about the device, then its data items, each line with the UTC of its tick. An agent's
@@ -23,7 +22,7 @@ from nctakt.servers.mtconnect_device import data_items, describe_device
 from nctakt.servers.notices import ServerNotice
 from nctakt.session.listening import Frame
 
-#: The port that agents try where none is named.
+#: The default port of agents.
 PORT = 7878
 
 #: The distance of an agent's pings in milliseconds; after two of them without one it has gone.
@@ -34,7 +33,7 @@ MAX_CLIENTS = 64
 _MAX_LINE = 1024
 _MAX_WAITING = 1000
 
-#: How long an agent that has never sent a ping keeps its place where another one needs it.
+#: How long an agent that has never sent a ping keeps its place if another needs it.
 _SILENT_S = 30.0
 
 #: How long an agent may take for its last line when the endpoint closes, in seconds.
@@ -47,7 +46,7 @@ _DOOR = "mtconnect"
 
 
 class MtconnectEndpoint:
-    """Tells agents the state of the machine; nothing can be written through it."""
+    """Sends agents the state of the machine; nothing can be written through it."""
 
     max_connections = MAX_CLIENTS
 
@@ -78,7 +77,7 @@ class MtconnectEndpoint:
         return shown
 
     async def close(self) -> None:
-        """Tell the agents that the device is not available any more."""
+        """Inform the agents that the device is no longer available."""
         self._stop_listening()
         self._stop_hearing()
         self._stop_listening = self._stop_hearing = _nothing
@@ -128,14 +127,14 @@ class MtconnectEndpoint:
         return True
 
     def _take(self, frame: Frame) -> None:
-        """Tell all agents what a frame has changed."""
+        """Send all agents the changes of a frame."""
         if self.clients:
             shown = self._shown()
             for client in self.clients:
                 client.take(frame.tick, shown)
 
     def _shown(self) -> dict[str, str]:
-        """Return the latest values as they are sent, by the keys of the data items."""
+        """Return the latest values as sent, by the keys of the data items."""
         store = self._host.store
         return {item.key: item.show(store.values, store.frame) for item in self._items}
 
@@ -147,7 +146,7 @@ class MtconnectEndpoint:
 
 
 class _Client:
-    """One agent: what it was sent, and what waits for it."""
+    """One agent: the values sent to it, and those waiting."""
 
     def __init__(self, host: Host, writer: asyncio.StreamWriter) -> None:
         peer = writer.get_extra_info("peername") or ("?", 0)
@@ -219,7 +218,7 @@ class _Client:
             await self._writer.drain()
 
     def _changes(self) -> Iterator[str]:
-        """Yield lines with the values that differ from what was sent; a condition has its own."""
+        """Yield lines with the values that differ from those sent; a condition has its own line."""
         fields: list[str] = []
         time = self._host.clock.text(self._tick)
         for key, text in self._shown.items():
@@ -234,7 +233,7 @@ class _Client:
             yield f"{time}|{'|'.join(fields)}\n"
 
     async def _answer(self, reader: asyncio.StreamReader) -> None:
-        """Answer pings; whoever has sent one goes on doing so, or has gone."""
+        """Answer pings; an agent that has sent one continues to do so, or is gone."""
         while not self._writer.is_closing():
             seconds = 2.0 * HEARTBEAT_MS / 1000.0 if self._pinged else None
             late = "no ping"
@@ -260,19 +259,19 @@ class _Client:
                 await asyncio.sleep(0)  # the lines of one client do not hold up the others
 
     def leave(self) -> None:
-        """Tell the agent that the device is not available, and end the connection."""
+        """Inform the agent that the device is not available, and end the connection."""
         with contextlib.suppress(OSError, RuntimeError):
             time = self._host.clock.text(self._host.store.tick)
             self._writer.write(f"{time}|avail|UNAVAILABLE\n".encode())
         self._writer.close()
 
     def abort(self) -> None:
-        """End the connection at once, whatever the agent has not read."""
+        """End the connection at once, even with unread data."""
         self._writer.transport.abort()
 
 
 def _lines_of(notice: ServerNotice) -> Iterator[str]:
-    """Yield what is sent of a notice, without its time: texts for the operator."""
+    """Yield the lines for a notice, without its time: texts for the operator."""
     if notice.message is not None:
         yield f"message||{escaped(notice.message.text)}"
     elif notice.diagnostic is not None:
@@ -280,7 +279,7 @@ def _lines_of(notice: ServerNotice) -> Iterator[str]:
 
 
 def escaped(text: str) -> str:
-    """Return a text as one field: on one line, in quotes where it holds the divider."""
+    """Return a text as one field: on one line, in quotes if it contains the divider."""
     line = " ".join(text.split())
     if "|" not in line:
         return line

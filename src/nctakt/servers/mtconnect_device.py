@@ -2,8 +2,8 @@
 """The device that an MTConnect agent shows: its data items, and its description in XML.
 
 In: a machine. Out: data items, each with the values of the session that it needs and the text that
-is sent; the description, which an agent of version 2 takes from the adapter. What the controller
-does not know is UNAVAILABLE: spindles that the PLC turns.
+is sent; the description, which an agent of version 2 takes from the adapter. Values unknown to the
+controller are UNAVAILABLE: spindles that the PLC turns.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ UNAVAILABLE = "UNAVAILABLE"
 #: The states of ``HLI.STATE``: ready, running, error, reset.
 _READY, _RUNNING, _ERROR, _RESET = range(4)
 
-#: What is sent of an item: the latest values, and the latest frame, if there is one.
+#: Function for the text of an item: takes the latest values, and the latest frame, if there is one.
 Show = Callable[[Mapping[str, Scalar], Frame | None], str]
 
 
@@ -178,7 +178,7 @@ def _sample(key: str, type_: str, attributes: Mapping[str, str], part: Part, nam
 
 
 def number(value: Scalar | None) -> str:
-    """Return a number as it is sent."""
+    """Return a number as sent."""
     return UNAVAILABLE if value is None else f"{float(value):.10g}"
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Notices for clients: what may not be left out; who cannot take them is disconnected.
+"""Notices for clients, which may not be left out; a client that does not read them is disconnected.
 
 In: notices, messages and diagnostics of the session. Out: each of them to each listener at
 once, and to each subscriber in a queue with a limit.
@@ -24,7 +24,7 @@ MAX_WAITING = 1000
 
 @dataclass(frozen=True, slots=True)
 class ServerNotice:
-    """What clients must know.
+    """A notice for clients.
 
     ``kind``: one of the session's, ``message`` of a program, ``diagnostic``, or ``closing``: the
     servers end. ``tick``: after which it happened. ``text_de``: its German where that differs.

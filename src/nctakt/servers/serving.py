@@ -105,14 +105,14 @@ async def serve(
 
 
 def _tell_of_library(log: ServerLog, context: Mapping[str, Any]) -> None:
-    """Tell what a library has raised where no one waits for it; the loop goes on."""
+    """Report an exception of a library that nobody awaits; the loop continues."""
     error = context.get("exception")
     text = error_text(error) if isinstance(error, Exception) else ""
     log.error("loop", reason=text or str(context.get("message", "")))
 
 
 async def _grow(tape: GrowingTape, log: ServerLog) -> None:
-    """Let a tape grow; one that cannot, as on a full disk, begins anew later."""
+    """Let a tape grow; if it cannot, as on a full disk, it restarts later."""
     while True:
         wait_s = _GROWING_S
         try:
@@ -127,7 +127,7 @@ async def _grow(tape: GrowingTape, log: ServerLog) -> None:
 
 async def _pauses(host: Host) -> bool:
     """Pause the session; return whether it answers. If not, its controller is killed."""
-    host.session.interrupt()  # what a client has asked for, such as a long past, ends soon
+    host.session.interrupt()  # requests of clients, such as a long past, end soon
     pausing = asyncio.ensure_future(host.ask(host.session.pause))
     done, _ = await asyncio.wait((pausing,), timeout=PAUSING_S)
     if not done:
@@ -155,7 +155,7 @@ class EndSignal:
         host.notices.listen(self._watch_controller)
 
     def _watch_controller(self, notice: ServerNotice) -> None:
-        """End when a slice has failed: the session goes on no more."""
+        """End when a slice has failed: the session does not continue."""
         if notice.kind in ("refused", "closed") and not self._host.session.is_playing:
             self._reason = notice.text
             self._end.set()

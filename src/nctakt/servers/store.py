@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The latest values of a session, in the loop of the servers: all clients read them here.
 
-In: frames of the session. Out: values by name, all of the same tick, without asking the session.
-A name that no one has read before is subscribed first; then its value comes with each frame.
+In: frames of the session. Out: values by name, all of the same tick, without asking the session. A
+name read for the first time is subscribed; then its value comes with each frame.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ Scalar = float | bool | str
 #: Values that are borrowed at most: each frame brings all of them.
 MAX_BORROWED = 5000
 
-#: Lets the session tell these values from now on.
+#: Makes the session report these values from now on.
 Subscriber = Callable[[Sequence[str]], Awaitable[None]]
 
 
 class Store:
-    """Values by name; ``tick``: the one that comes next, ``frame``: the latest one."""
+    """Values by name; ``tick``: the next one, ``frame``: the latest one."""
 
     def __init__(self, subscribe: Subscriber, log: ServerLog) -> None:
         self._subscribe = subscribe
@@ -40,7 +40,7 @@ class Store:
         self.frame: Frame | None = None
 
     def take(self, frame: Frame) -> None:
-        """Take a frame, and tell those who listen."""
+        """Take a frame, and notify the listeners."""
         self.frame = frame
         self.tick = frame.tick
         self.values = frame.values
@@ -61,10 +61,10 @@ class Store:
         return all(name in values for name in names)
 
     async def subscribe(self, names: Iterable[str], *, is_borrowing: bool = False) -> None:
-        """Let the values of these names be here from now on; raises ``Failure`` for unknown ones.
+        """Subscribe the values of these names; raises ``Failure`` for unknown ones.
 
-        The names are those of the session (``Catalogue.find(...).name``). What is borrowed goes
-        when ``keep_borrowed`` does not name it.
+        The names are those of the session (``Catalogue.find(...).name``). Borrowed values are
+        dropped unless ``keep_borrowed`` names them.
         """
         asked_for = dict.fromkeys(names)
         own = {**self._names, **self._borrowed} if is_borrowing else self._names
@@ -83,7 +83,7 @@ class Store:
             await self._subscribe([*known, *missing])
 
     async def hold(self, names: Iterable[str]) -> None:
-        """Let these values be here until they are released as often; raises as ``subscribe``."""
+        """Hold these values until they are released as often; raises as ``subscribe``."""
         asked_for = list(names)
         async with self._lock:
             await self._let_come(dict.fromkeys(asked_for))
@@ -91,7 +91,7 @@ class Store:
                 self._held[name] = self._held.get(name, 0) + 1
 
     async def release(self, names: Iterable[str]) -> None:
-        """Let values come no more that no one else holds, has subscribed or borrowed."""
+        """Unsubscribe values that nobody else holds, has subscribed or borrowed."""
         async with self._lock:
             for name in names:
                 count = self._held.pop(name, 0) - 1
@@ -105,7 +105,7 @@ class Store:
         """Let only those of the borrowed values come from now on that are used."""
         async with self._lock:
             kept = self._borrowed
-            while True:  # until no one has begun to use one that is let go
+            while True:  # until no released value is in use again
                 asked_for = {name: None for name in used() if name in self._borrowed}
                 if asked_for == kept:
                     break

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about motions of single axes beside the path."""
+"""Messages about independent motions of single axes."""
 
 from __future__ import annotations
 

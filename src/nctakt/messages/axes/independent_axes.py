@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about axes that programs move beside the path: INDP_SYN, INDP_ASYN, OSC."""
+"""Messages about axes that programs move independently: INDP_SYN, INDP_ASYN, OSC."""
 
 from __future__ import annotations
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Messages about what a user asks for: commands, inputs, studies, results."""
+"""Messages about a user's requests: commands, inputs, studies, results."""

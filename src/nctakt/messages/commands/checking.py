@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about what ``nctakt check`` is asked to check."""
+"""Messages about the inputs of ``nctakt check``."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about ``nctakt explain``, ``why`` and ``coverage``: what is asked for and not there."""
+"""Messages about ``nctakt explain``, ``why`` and ``coverage``: requests without a result."""
 
 from __future__ import annotations
 

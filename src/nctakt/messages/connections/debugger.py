@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages of the debugger: its protocol, breakpoints, what it cannot do."""
+"""Messages of the debugger: its protocol, breakpoints, limits."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about kinematic transformations in lists: what makes one unusable."""
+"""Messages about kinematic transformations in lists: defects that make one unusable."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about transformations: ``#KIN ID``, ``#TRAFO``, ``#RTCP`` and what belongs to them."""
+"""Messages about transformations: ``#KIN ID``, ``#TRAFO``, ``#RTCP`` and related commands."""
 
 from __future__ import annotations
 

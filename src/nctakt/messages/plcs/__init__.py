@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Messages about the PLC: its code, its interface, what runs in its place."""
+"""Messages about the PLC: its code, its interface, its replacements."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about a PLC in another process: what it waits for, what it asks of the HLI."""
+"""Messages about a PLC in another process: its waits, its requests to the HLI."""
 
 from __future__ import annotations
 

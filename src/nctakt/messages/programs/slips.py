@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about slips: what the writer meant is known, and so is how this language says it.
+"""Messages about slips: the writer's intention is known, and how this language expresses it.
 
 Each replaces a general message of the parser or checker and has its number where that
 differs from the one here (``nc/slips``). ``found`` is the text as written, ``replacement`` the text

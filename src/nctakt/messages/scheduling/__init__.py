@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Messages about scheduling lists and what comes of them."""
+"""Messages about scheduling lists and their results."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about a controller whose own threads run by a scheduling list on a real clock."""
+"""Messages about a controller whose threads run by a scheduling list on a real clock."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about what a simulation or an analysis of a schedule shows."""
+"""Messages about the results of a simulation or analysis of a schedule."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a client reaches: values at addresses, names, handles, notifications (AD-3, AD-4).
+"""Access of a client: values at addresses, names, handles, notifications (AD-3, AD-4).
 
-In: a client, group, offset, data. Out: bytes from the latest values, values to write. What is not
-in order is an ``AdsError``; values that are not here yet are ``Missing``.
+In: a client, group, offset, data. Out: bytes from the latest values, values to write. Mistakes
+raise ``AdsError``, values not available yet ``Missing``.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ _NUMBER = Struct("<I")
 _RESULT = Struct("<II")
 
 
-#: What never changes while the server is there: version of the symbols; its state, that it runs.
+#: Constants of a running server: version of the symbols; its state, running.
 _CONSTANT: dict[int, bytes] = {Group.VERSION: b"\1", Group.DEVICE_DATA: pack("<HH", State.RUN, 0)}
 
 
@@ -71,7 +71,7 @@ class Access:
         }
 
     def log_refusal(self, client: Client, error: AdsError) -> None:
-        """Tell in the log that something was refused."""
+        """Log a refusal."""
         name = f"{error.code.value:#x} {error.kind}"
         self._host.log.refuse(DOOR, client.name, name, detail=error.reason)
 
@@ -90,7 +90,7 @@ class Access:
         return self.value(self.resolve(client, group, offset, size))
 
     async def fetch(self, names: Iterable[str], read: Callable[[], _T]) -> _T:
-        """Return what reads values that were missing, now that they are here.
+        """Return a reader of values that were missing and are now available.
 
         Where too many are borrowed they are here for this once. Raises ``AdsError``.
         """
@@ -113,7 +113,7 @@ class Access:
             self._once = None
 
     async def _glance(self, names: Sequence[str], read: Callable[[], _T]) -> _T:
-        """Return what reads values that no signal has, and others, all of the same tick."""
+        """Return a reader of values without a signal, and of others, all of the same tick."""
         signals = [name for name in names if not name.startswith(STATE_VIEW)]
         state_view = await self._host.ask(self._host.session.state_view, *signals)
         found: dict[str, Scalar] = dict(zip(signals, state_view.values, strict=True))
@@ -138,10 +138,10 @@ class Access:
         return self._host.store.values if self._once is None else self._once
 
     async def release(self) -> None:
-        """Let values go that no one has read for a while, and no notification sends."""
+        """Release values that nobody has read for a while, and no notification sends."""
         read = dict.fromkeys(
             name for item in self.symbols.used_items() for name in item.names
-        )  # asked once: each time tells what was read since the time before
+        )  # called once: each call returns what was read since the last
 
         def used() -> Iterable[str]:
             sent = (name for item in self.notifier.items() for name in item.names)
@@ -163,7 +163,7 @@ class Access:
             raise Missing(absent)
 
     def resolve(self, client: Client, group: int, offset: int, size: int) -> Readable:
-        """Return what is at an address; raises ``AdsError``."""
+        """Return the item at an address; raises ``AdsError``."""
         if group == Group.VALUE_BY_HANDLE:
             symbol = client.symbol(offset)
             group, offset = symbol.group, symbol.offset
@@ -183,7 +183,7 @@ class Access:
         return Fixed(data[offset : offset + size])
 
     async def present(self, read: Callable[[], _T]) -> _T:
-        """Return what reads values, once they are here; raises ``AdsError``."""
+        """Return a reader of values, once they are available; raises ``AdsError``."""
         try:
             return read()
         except Missing as missing:
@@ -191,7 +191,7 @@ class Access:
         return await self.fetch(names, read)
 
     def read_write(self, client: Client, group: int, offset: int, size: int, data: bytes) -> bytes:
-        """Return what a client asks for with data; raises ``AdsError`` and ``Missing``."""
+        """Return the answer to a request with data; raises ``AdsError`` and ``Missing``."""
         match group:
             case Group.HANDLE_BY_NAME:
                 symbol = self.symbols.find(_name(data))

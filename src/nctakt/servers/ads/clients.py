@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A client of the ADS server: its handles and notifications, which no one else can use.
+"""A client of the ADS server: its handles and notifications, which nobody else can use.
 
-A client is source NetId and port of one connection: a router sends many through the same. What it
-has ends with the connection.
+A client is source NetId and port of one connection: a router sends many through the same
+connection. Its handles and notifications end with the connection.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from nctakt.servers.ads.frames import shown_net_id
 from nctakt.servers.ads.limits import MAX_CONNECTION_HANDLES, MAX_HANDLES
 from nctakt.servers.ads.types import Symbol
 
-#: Sum commands of a client whose parts are remembered at most.
+#: Maximum number of sum commands of a client whose parts are remembered.
 _MAX_PLANS = 64
 
 #: Values in all of them together, unless it is a single one.
@@ -34,8 +34,8 @@ class HasHandles(Protocol):
 class Client:
     """One client; ``name``: NetId and port, as on the tape and in the log.
 
-    ``send``: sends bytes to it. ``connection``: that it comes by. ``plans``: sum commands -> what
-    they read. ``begins``: handles of notifications whose first value is still to be sent.
+    ``send``: sends bytes to it. ``connection``: the one it uses. ``plans``: sum commands -> the
+    items they read. ``begins``: handles of notifications whose first value is still to be sent.
     """
 
     _numbers = count(1)
@@ -86,7 +86,7 @@ class Client:
         self.plans.clear()
 
     def keep_plan(self, parts: bytes, item: Item) -> None:
-        """Remember what a sum command reads."""
+        """Remember the items that a sum command reads."""
         planned = len(item.leaves) + sum(len(plan.leaves) for plan in self.plans.values())
         if len(self.plans) >= _MAX_PLANS or planned > _MAX_PLANNED:
             self.plans.clear()

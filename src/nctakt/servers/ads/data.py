@@ -96,7 +96,7 @@ class Item:
         self._bytes = b""
 
     def read(self, values: Mapping[str, Scalar]) -> bytes:
-        """Return the bytes of the values; they are kept for the next one who reads the same.
+        """Return the bytes of the values; they are kept for the next reader of the same.
 
         Raises ``KeyError`` where one of them is missing.
         """
@@ -111,7 +111,7 @@ class Item:
         return packed
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Return the values in bytes; raises ``AdsError`` for what cannot be written."""
+        """Return the values in bytes; raises ``AdsError`` for a value that cannot be written."""
         if len(data) != self.size_bytes:
             raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
         found: dict[str, Scalar] = {}
@@ -162,13 +162,13 @@ class Scaled:
         return struct.pack(f"<{self._leaf.code}", _clamped(self._leaf, value))
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Return the value in bytes; raises ``AdsError`` for one that cannot be written."""
+        """Return the value in bytes; raises ``AdsError`` if it cannot be written."""
         found = Item([self._leaf], self.size_bytes).write(data)
         return {name: float(value) / self._factor for name, value in found.items()}
 
 
 class Readable(Protocol):
-    """What can be read, and perhaps written; ``names``: the values of the session in it."""
+    """A readable and perhaps writable item; ``names``: the values of the session in it."""
 
     names: tuple[str, ...]
     size_bytes: int

@@ -3,7 +3,7 @@
 
 In: group, offset and data of a request. Out: its answer. Variables of the machine come from the
 latest values; V.P, V.L, V.S, V.CYC, V.G and V.A belong to the decoder's open programs, so the
-session is asked; numbered zero offsets (V.G.NP) are there without one. Structures are resolved
+session is asked; numbered zero offsets (V.G.NP) exist without a program. Structures are resolved
 into their elements; an array of numbers or texts can be taken whole.
 """
 
@@ -137,7 +137,7 @@ class DecoderVariables:
                 yield Described(name, (name,), row.type, size, is_writable=False)
 
     def _zero_offset(self, channel: int, group: int) -> ZeroOffset:
-        """Return the zero offset of all axes; raises ``AdsError`` for a number that is none."""
+        """Return the zero offset of all axes; raises ``AdsError`` for an invalid number."""
         if group >= MAX_GROUPS:
             raise AdsError(Error.SYMBOL, f"there is no zero offset {group}")
         axes = [axis.name for axis in self._machine.channels[channel - 1].axes]
@@ -228,7 +228,7 @@ class DecoderVariables:
         return one.description(handle) + encode(one.name, len(one.name) + 1)
 
     def _full(self, channel: int, axis: int, data: bytes) -> tuple[str, bytes]:
-        """Return the name in data, with the axis of the offset, and what follows it."""
+        """Return the name in data, with the axis of the offset, and the rest."""
         name, rest = _name(data)
         if axis:
             axes = self._machine.channels[channel - 1].axes
@@ -256,7 +256,7 @@ class DecoderVariables:
         return handle
 
     def _of_handle(self, channel: int, data: bytes) -> tuple[Described, tuple[int, ...], bytes]:
-        """Return the variable of a handle, the indices, and what follows them."""
+        """Return the variable of a handle, the indices, and the rest."""
         head = Struct("<II")
         if len(data) < head.size:
             raise AdsError(Error.SIZE, "handle and number of indices are 8 bytes")
@@ -350,7 +350,7 @@ def _variables_of(state: DecoderState) -> Iterator[DecoderVariable]:
 
 
 def _packed(variable: DecoderVariable, value: float | str) -> bytes:
-    """Return an element in bytes; a number that none has yet is 0."""
+    """Return an element in bytes; a number without a value yet is 0."""
     if isinstance(value, str):
         return encode(value, len(value) + 1)
     if variable.type not in NUMERIC or variable.type == "REAL64":
@@ -364,7 +364,7 @@ def _is_of_program(name: str) -> bool:
 
 
 def _filled(one: Described, indices: tuple[int, ...]) -> Readable:
-    """Return what a write reaches; raises ``AdsError`` for one that no one may write."""
+    """Return the target of a write; raises ``AdsError`` for one that nobody may write."""
     if not one.is_writable:
         raise AdsError(Error.ACCESS, f"{one.name} cannot be written")
     return one.item(indices)
@@ -376,7 +376,7 @@ def _fitting(one: Described, data: bytes) -> bytes:
 
 
 def _name(data: bytes) -> tuple[str, bytes]:
-    """Return the text before the first zero byte, and what follows it."""
+    """Return the text before the first zero byte, and the rest."""
     text, _, rest = data.partition(b"\0")
     if len(text) > MAX_NAME:
         raise AdsError(Error.SIZE, f"a name of {len(text)} characters")

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The bytes of a connection <-> the frames of AMS, whole ones only (AD-1).
 
-In: bytes in pieces of any length. Out: frames; ``FrameError`` for bytes that are none, after which
-nothing on the connection can be understood any more. A frame that announces more than it may have
-is refused by its announcement; nothing is kept for it.
+In: bytes in pieces of any length. Out: frames; ``FrameError`` for other bytes, after which nothing
+on the connection can be understood any more. A frame that announces more than allowed is refused on
+its announcement; nothing is kept for it.
 """
 
 from __future__ import annotations

@@ -27,7 +27,7 @@ from nctakt.servers.store import Scalar
 GROUPS: Mapping[str, int] = {"gpPform": 0x4050, "gpCh": 0x4051, "gpAx": 0x4052}
 CONSTANTS = 0x4053
 
-#: What PLC programs write before the name of a constant.
+#: Prefix of a constant's name in PLC programs.
 _CONSTANT_LIST = "HLI_GLOBAL_CONSTANTS."
 
 #: Bytes from one area of a group to the next.
@@ -68,7 +68,7 @@ class InterfaceItem:
         return bytes.fromhex(str(values[self.names[0]]))
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Return what is written, by name; raises ``AdsError``."""
+        """Return the values to write, by name; raises ``AdsError``."""
         try:
             self._area.checked(self._offset, data)
         except NotWritable as refused:
@@ -95,7 +95,7 @@ class InterfaceSymbols:
     def all(self) -> Iterator[Symbol]:
         """Yield the symbols that are uploaded: the elements of all areas, and the constants.
 
-        What has no value here is not among them.
+        Elements without a value here are left out.
         """
         for root, found in self.areas.items():
             elements = [_whole(one) for one in table.patterns().values() if _is_listed(one, root)]
@@ -209,10 +209,10 @@ class InterfaceSymbols:
 
 
 def _whole(element: Element) -> Element:
-    """Return the array of which an element is the first one; any other element as it is."""
+    """Return the array that begins with an element; any other element unchanged."""
     return table.find(element.path[:-3]) if element.path.endswith("[0]") else element
 
 
 def _is_listed(element: Element, root: str) -> bool:
-    """Return whether an element of the table is listed: one with a row of its own."""
+    """Return whether an element of the table is listed: it has a separate row."""
     return element.root == root and element.row is not None and element.inner is None

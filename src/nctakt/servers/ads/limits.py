@@ -3,8 +3,8 @@
 
 from __future__ import annotations
 
-#: Connections at a time. A further one takes the place of one that has asked for nothing for that
-#: many seconds, and gets no notifications; if there is none, it is closed at once.
+#: Connections at a time. A further connection replaces one that has made no request for that many
+#: seconds and gets no notifications; if there is none, it is closed at once.
 MAX_CONNECTIONS, IDLE_S = 256, 30.0
 
 #: Clients (source NetId and port) of a connection.
@@ -17,7 +17,7 @@ MAX_NOTIFICATIONS = 4096
 #: Handles of all clients of a connection.
 MAX_CONNECTION_HANDLES = 20_000
 
-#: Notifications of all clients; beyond, the connection that has most of them loses its oldest one.
+#: Notifications of all clients; beyond, the connection with most of them loses its oldest.
 MAX_ALL_NOTIFICATIONS = 32_768
 
 #: Requests of a connection that wait for the session; then nothing more is read from it.

@@ -82,7 +82,7 @@ class Notifier:
         cycle_units: int,
         sends_changes: bool,
     ) -> int:
-        """Return the handle of a new notification; ``own``: the address that it comes from.
+        """Return the handle of a new notification; ``own``: the address it comes from.
 
         ``cycle_units``: the distance in 100 ns, at least a tick. Raises ``AdsError``.
         """
@@ -119,7 +119,7 @@ class Notifier:
             self.delete(oldest.series.client, oldest.handle)
 
     def items(self) -> Iterator[Readable]:
-        """Yield what is sent."""
+        """Yield the frames to send."""
         for one in self._all.values():
             yield one.item
 
@@ -151,7 +151,7 @@ class Notifier:
             self.delete(client, handle)
 
     def take(self, values: Mapping[str, Scalar], tick: int) -> None:
-        """Send what is due before a tick."""
+        """Send notifications due before a tick."""
         queue = self._queue
         if tick < self._tick:  # the session has gone back
             for series in self._series.values():

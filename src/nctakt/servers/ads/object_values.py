@@ -18,7 +18,7 @@ from nctakt.servers.store import Scalar
 #: How many units of 0.1 µm and 0.0001° a mm or a degree is.
 INCREMENTS = 10_000.0
 
-#: What begins the names of values that no signal has: they are asked of the session at each read.
+#: Prefixes of the names of values without a signal: the session is asked at each read.
 STATE_VIEW = ASKED
 #: The name of the tick in the values that are asked.
 TICK = f"{STATE_VIEW}tick"
@@ -63,7 +63,7 @@ class Shown(_Value):
 
 
 class Viewed(_Value):
-    """What no signal shows, but the session knows: the feed of a channel, its zero offset."""
+    """Values without a signal that the session knows: the feed of a channel, its zero offset."""
 
     def __init__(self, word: str, channel: int, type_: str) -> None:
         self.names = (f"{STATE_VIEW}{channel}.{word}",)
@@ -87,7 +87,7 @@ class Ticks(_Value):
 
 
 class Asked(_Value):
-    """An element of the interface; ``is_unit``: what the HMI asks a control unit for."""
+    """An element of the interface; ``is_unit``: a request of the HMI to a control unit."""
 
     def __init__(self, area: AreaShape, path: str, type_: str, *, is_unit: bool) -> None:
         name = f"{area.name}.{path}"
@@ -101,7 +101,7 @@ class Asked(_Value):
         return number_bytes(self._type, float(values[self.names[0]]))
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Return what the control unit is asked for; raises ``AdsError``."""
+        """Return the request to the control unit; raises ``AdsError``."""
         if not self._is_unit:
             raise AdsError(Error.ACCESS, "it cannot be written")
         if len(data) != self.size_bytes:
@@ -111,7 +111,7 @@ class Asked(_Value):
 
 
 class Pressed(Asked):
-    """A key of a control unit: whatever is written presses it."""
+    """A key of a control unit: any write presses it."""
 
     def write(self, data: bytes) -> dict[str, Scalar]:
         """Return the key that is pressed; raises ``AdsError``."""

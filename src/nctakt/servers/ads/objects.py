@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """CNC objects: values of the controller's tasks by their numbers and names (AD-4).
 
-In: group and offset. Out: what can be read and written there, and the list of all objects. Numbers,
-types and lengths that are public are in ``objects.tsv`` and hold; further elements are nctakt's
-own, from a round number on. Element 0 of a class is the highest of its numbers, its name that of
-the instance; a number without an element is 0x703, one that is refused for a reason, too.
+In: group and offset. Out: the items that can be read and written there, and the list of all
+objects. Public numbers, types and lengths are in ``objects.tsv`` and are kept; further elements are
+nctakt's, from a round number on. Element 0 of a class is the highest of its numbers, its name that
+of the instance; a number without an element is 0x703, one that is refused for a reason, too.
 
 ==========  ========================================================================================
 ``class``   where the group is: ``channel``, ``channel_axis``, ``platform``, ``axis`` at the COM
@@ -50,16 +50,16 @@ from nctakt.servers.ads.object_values import (
 )
 from nctakt.servers.catalogue import Catalogue, Value
 
-#: The first group of objects, and what logical addressing adds.
+#: The first group of objects, and the offset of logical addressing.
 BASE, LOGICAL = 0x20300, 0x100000
 
-#: What the classes add to the group.
+#: Offsets of the classes in the group.
 POSITION_CONTROL, INTERPOLATION, DECODER, HLD, PREPARATION, SPINDLE = range(0, 0x6000, 0x1000)
 
-#: What the attributes add.
+#: Offsets of the attributes.
 VALUE, NAME, TYPE, LENGTH, UNIT, WRITABLE, ADDRESS = range(0, 0x700, 0x100)
 
-#: The groups of the COM task, without what logical addressing adds: channels, axes, the list.
+#: The groups of the COM task, without the offset of logical addressing: channels, axes, the list.
 COM_CHANNELS, COM_AXES, LISTS = 0x20100, 0x20200, 0x130100
 
 #: Axes in the offset of an element.
@@ -170,7 +170,7 @@ def object_rows() -> tuple[Row, ...]:
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """An element: its name, type, unit, and what is there; ``refused``: why nothing is."""
+    """An element: its name, type, unit, and its item; ``refused``: why there is none."""
 
     name: str
     type: str
@@ -180,7 +180,7 @@ class Element:
     refused: str = ""
 
     def item(self) -> Readable:
-        """Return what is there; raises ``AdsError`` (0x703) for what is refused."""
+        """Return the item; raises ``AdsError`` (0x703) if it is refused."""
         if self.refused:
             raise AdsError(Error.OFFSET, f"{self.name}: {self.refused}")
         return self.value
@@ -239,7 +239,7 @@ class Objects:
         self._add_spindles()
         self._lists: dict[int, list[bytes]] = {}
 
-    # --- what there is --------------------------------------------------------------------------
+    # --- content --------------------------------------------------------------------------------
 
     def _add_machine(self) -> None:
         """Add the platform, the axes of the machine and position control."""
@@ -333,7 +333,7 @@ class Objects:
         return found
 
     def _readable(self, row: Row, area: AreaShape, index: int, axis: str) -> Readable | None:
-        """Return what is behind a row, ``None`` for a signal that the axis does not have."""
+        """Return the item of a row, ``None`` for a signal that the axis does not have."""
         kind, _, word = row.tie.partition(" ")
         size, type_ = size_of(row.type), row.type.partition(" ")[0]
         match kind:
@@ -442,7 +442,7 @@ class Objects:
         rest = (group & ~LOGICAL) - BASE
         class_, attribute, instance = rest & 0xF000, rest & 0xF00, rest & 0xFF
         if attribute == ADDRESS and not instance and (class_, 1) in self._instances:
-            instance = 1  # whose address is asked for is in the data
+            instance = 1  # the requested address is in the data
         if attribute > ADDRESS or (class_, instance) not in self._instances:
             raise AdsError(Error.GROUP, f"no object in group {group:#x}")
         return class_, attribute, instance

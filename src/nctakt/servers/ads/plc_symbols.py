@@ -59,7 +59,7 @@ _KINDS: Mapping[int, tuple[str, int]] = {
 }
 _WIDE_STRING_TYPE = 31
 
-#: Values in one range of bytes at most, and ranges that are kept at most.
+#: Maximum number of values in one range of bytes, and of ranges kept.
 _MAX_PARTS, _MAX_ITEMS = 5000, 20_000
 
 
@@ -91,7 +91,7 @@ class PlcItem:
         return bytes(data)
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Return the values in bytes; raises ``AdsError`` for what cannot be written."""
+        """Return the values in bytes; raises ``AdsError`` for a value that cannot be written."""
         if len(data) != self.size_bytes:
             raise AdsError(Error.SIZE, f"{len(data)} bytes for {self.size_bytes}")
         if not self.parts:
@@ -190,7 +190,7 @@ class PlcSymbols:
         return min(longer, key=operator.itemgetter(0))[1]
 
     def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
-        """Return data for a text with zero bytes up to its end; any other data as they are."""
+        """Return data for a text with zero bytes up to its end; other data unchanged."""
         return data.ljust(self._texts.get((group, offset), 0), b"\0")
 
     def used_items(self) -> Iterator[PlcItem]:

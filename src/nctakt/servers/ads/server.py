@@ -2,8 +2,8 @@
 """The ADS server: connections, their limits, their end (AD-1, AD-6).
 
 In: bytes of connections. Out: answers and notifications. A connection holds many clients and many
-requests in flight; each answer carries the number of its request. Who sends what is no frame, or
-does not take what it asked for, is disconnected, and it is logged.
+requests in flight; each answer carries the number of its request. A client that sends anything but
+frames, or does not read its answers, is disconnected, and that is logged.
 """
 
 from __future__ import annotations
@@ -43,10 +43,10 @@ from nctakt.session.listening import Frame as SessionFrame
 
 PORT = TCP_PORT
 
-#: How often values that no one has read since the last time are let go, in seconds.
+#: How often values that nobody has read meanwhile are released, in seconds.
 RELEASE_S = 30.0
 
-#: Where addresses that stand for all of a machine are reached from itself.
+#: Where addresses that mean all interfaces of a machine can be reached from itself.
 _EVERYWHERE = ("0.0.0.0", "::")
 
 
@@ -78,7 +78,7 @@ class AdsEndpoint:
         self._server: asyncio.Server | None = None
 
     async def prepare(self) -> None:
-        """Name what clients can reach."""
+        """Return a text with the reachable items."""
         self.service = Service(self.host, Notifier(self.host.clock))
 
     async def open(self) -> str:
@@ -95,7 +95,7 @@ class AdsEndpoint:
         return f"{shown}/{shown_net_id(self.net_id)}"
 
     def make_room(self) -> bool:
-        """End the connection that has asked for nothing for longest; return whether there was one.
+        """End the connection that has been idle longest; return whether there was one.
 
         Those that get notifications, or have asked lately, stay.
         """
@@ -110,7 +110,7 @@ class AdsEndpoint:
         self.service.notifier.take(frame.values, frame.tick)
 
     async def _release(self) -> None:
-        """Let values go that are read no more."""
+        """Release values that are no longer read."""
         while True:
             await asyncio.sleep(RELEASE_S)
             with contextlib.suppress(Failure):  # the session has ended
@@ -309,7 +309,7 @@ class Connection(asyncio.Protocol):
         self._endpoint.host.loop.call_soon(self._pace)
 
     def _broken(self, client: Client, frame: Frame, error: Exception) -> bytes:
-        """Return the answer to a request in which an error of nctakt's own came up."""
+        """Return the answer to a request that hit an internal error of nctakt."""
         self._log.error("request", endpoint=DOOR, client=client.name, reason=error_text(error))
         return frame.answer(b"", Error.INTERNAL)
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Requests of ADS -> answers: from the latest values, or as writes of the host (AD-1 … AD-6).
 
-In: a client, a frame. Out: the data of the answer, at once where all values are here; else
-something to wait for. It knows no socket. All values of one request are of the same tick, and what
-one sum command writes is latched by the same tick.
+In: a client, a frame. Out: the data of the answer, at once if all values are available; else
+something to wait for. It knows no socket. All values of one request are of the same tick, and the
+writes of one sum command are latched by the same tick.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _NUMBER = Struct("<I")
 _RESULT = Struct("<II")
 _CONTROL = Struct("<HHI")
 
-#: What is waited for where values are missing, or a write is on its way.
+#: The future to await if values are missing, or a write is on its way.
 Later = Coroutine[Any, Any, bytes]
 
 _PORTS = frozenset(Port)
@@ -73,9 +73,9 @@ class Service:
         }
 
     def answer(self, client: Client, frame: Frame) -> bytes | Later:
-        """Return the data of the answer to a request, or what gives it later.
+        """Return the data of the answer to a request, or a future for it.
 
-        Raises ``AdsError`` for a request whose header is not in order; other mistakes are answers.
+        Raises ``AdsError`` for a request with a wrong header; other mistakes are answers.
         """
         answer = self._answers.get(frame.command)
         if answer is None:
@@ -95,7 +95,7 @@ class Service:
         return _RESULT.pack(error.code, 0) if has_length else _NUMBER.pack(error.code)
 
     async def _after_subscribing(self, client: Client, frame: Frame, names: Iterable[str]) -> bytes:
-        """Let the values that a request reads be here, then answer it."""
+        """Wait until the values of a request are available, then answer it."""
         try:
             answer = await self.access.fetch(names, partial(self.answer, client, frame))
         except AdsError as error:
@@ -252,7 +252,7 @@ class Service:
         return _RESULT.pack(0, handle)
 
     def begin_notifications(self, client: Client) -> None:
-        """Let the first values of what was added follow the answer with the handles.
+        """Send the first values of new notifications after the answer with the handles.
 
         A moment later: clients take a notification only once they have read its handle.
         """

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Sum commands: many requests in one, each with an error of its own (AD-3).
+"""Sum commands: many requests in one, each with its own error (AD-3).
 
-In: the number and the bytes of the parts. Out: the bytes of their answers. What reads only symbols
-is worked out once for a client: the next sum command with the same bytes takes one step for all
-parts.
+In: the number and the bytes of the parts. Out: the bytes of their answers. A command that only
+reads symbols is prepared once for a client: the next sum command with the same bytes takes one step
+for all parts.
 """
 
 from __future__ import annotations
@@ -139,7 +139,7 @@ async def write_parts(access: Access, client: Client, count: int, data: bytes) -
     together = {name: value for values in writes for name, value in values.items()}
     if together:
         refused = await access.write_values(client, together)
-        if refused == Error.PARAMETER:  # one of them: each by itself shows which
+        if refused == Error.PARAMETER:  # one of them: each one separately shows which
             for index, values in enumerate(writes):
                 if values:
                     errors[index] = await access.write_values(client, values)

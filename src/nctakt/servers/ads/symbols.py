@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""The symbols of a machine: names -> addresses, types and values; what clients upload (AD-3).
+"""The symbols of a machine: names -> addresses, types and values; the uploads of clients (AD-3).
 
 In: the values of the session, the declarations of V.E. Out: ``SymbolTable``. Symbols are V.E and
 V.CH with their structures, arrays and elements, the values of the HLI, the signals of the machine
-and the variables of a PLC in Structured Text. Each area has a group of its own; variables are
-there one after the other, inside as a PLC sees them in memory (P-STUP-00145).
+and the variables of a PLC in Structured Text. Each area has its own group; its variables follow
+each other, laid out as a PLC sees them in memory (P-STUP-00145).
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ class SymbolTable:
         self._types_by_upper = {name.upper(): type_ for name, type_ in self.types.items()}
         self._by_upper = {name.upper(): symbol for name, symbol in self.symbols.items()}
 
-    # --- what there is --------------------------------------------------------------------------
+    # --- content --------------------------------------------------------------------------------
 
     def _add_variables(self, machine: Machine) -> None:
         is_alone = len(machine.channels) == 1
@@ -112,7 +112,7 @@ class SymbolTable:
         self._add_symbols(node, name, group, first, is_element=False)
 
     def _add_packed(self, machine: Machine) -> None:
-        """Add the V.E variables as the PLC finds them behind gpVEGlob and gpVECh."""
+        """Add the V.E variables as the PLC finds them through gpVEGlob and gpVECh."""
         is_alone = len(machine.channels) == 1
         for section in sections(machine):
             first = _SECTION_STEP * section.channel
@@ -234,7 +234,7 @@ class SymbolTable:
         return found
 
     def filled_up(self, group: int, offset: int, data: bytes) -> bytes:
-        """Return data for a text with zero bytes up to its end; any other data as they are."""
+        """Return data for a text with zero bytes up to its end; other data unchanged."""
         if group not in self._starts:
             return self.plc.filled_up(group, offset, data)
         index = bisect.bisect_left(self._starts[group], offset)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Symbols and their data types: what a client of ADS learns of them (AD-3)."""
+"""Symbols and their data types, as published to ADS clients (AD-3)."""
 
 from __future__ import annotations
 

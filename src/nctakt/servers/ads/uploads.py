@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Symbols and data types as clients upload them: their entries in bytes (AD-3).
 
-In: a symbol or a type. Out: its entry, and all entries one after the other.
+In: a symbol or a type. Out: its entry, and all entries in sequence.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ def symbol_entry(symbol: Symbol) -> bytes:
 
 
 def handle_description(symbol: Symbol) -> bytes:
-    """Return what follows a handle for clients that leave room: size and type of its symbol."""
+    """Return the data after a handle for clients that leave room: size and type of its symbol."""
     (length,), name = _names(symbol.type.name)
     return pack("<IIH", symbol.type.size_bytes, 0, length) + name
 
@@ -80,7 +80,7 @@ def type_entry(type_: DataType, name: str = "", offset: int = 0) -> bytes:
 
 
 class Uploads:
-    """What clients upload, made when the first one asks for it."""
+    """The uploads of clients, made on the first request."""
 
     def __init__(self, table: SymbolTable) -> None:
         self._table = table

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages and alarms: what a program says, and what went wrong, until somebody acknowledges it.
+"""Messages of programs, and alarms about errors, until somebody acknowledges them.
 
 In: notices of the host, the error of each channel. Out: events of CncMessageType and CncAlarmType
 to all that subscribe, and the same as messages and alerts of the machine tool. An alarm is active
@@ -121,10 +121,10 @@ class Alarms:
             for number in machine.channels
         }
 
-    # --- what happens ---------------------------------------------------------------------------
+    # --- events ---------------------------------------------------------------------------------
 
     def take(self, notice: ServerNotice) -> None:
-        """Tell a notice to those who subscribe."""
+        """Send a notice to the subscribers."""
         if notice.kind == "message" and notice.message is not None:
             self._tell_message(notice.message)
         elif notice.kind == "diagnostic" and notice.diagnostic is not None:
@@ -163,7 +163,7 @@ class Alarms:
             del self._alarms[(idle or list(self._alarms))[0]]
 
     def look(self) -> None:
-        """Give alarms the channel that has their error; let them be over when it does not."""
+        """Assign alarms the channel that has their error; end them when it no longer has it."""
         values = self._host.store.values
         for number, name in self.error_names.items():
             error, before = int(values.get(name, 0.0)), self._errors.get(number, 0)
@@ -226,7 +226,7 @@ class Alarms:
         }
 
     def _send_alert(self, event: Event) -> None:
-        """Tell an alarm as an alert of the machine tool."""
+        """Publish an alarm as an alert of the machine tool."""
         type_ = self._tool.type("AlertType")
         fields = self._as_the_tools(event.values, type_)
         fields["ErrorCode"] = event.values["AlarmIdentifier"]
@@ -312,7 +312,7 @@ class Alarms:
         return 0
 
     def refresh(self, session: Client, number: int, item: int | None) -> int:
-        """Tell all alarms that are not over once more to a subscription; return the status."""
+        """Send all active alarms again to a subscription; return the status."""
         subscription = self._subscriptions.subscriptions.get(number)
         if subscription is None or subscription.session_id != session.session_id:
             return int(ua.StatusCodes.BadSubscriptionIdInvalid)
@@ -337,7 +337,7 @@ class Alarms:
 
 
 def notice_text(notice: ServerNotice) -> Text:
-    """Return what a notice of the session says."""
+    """Return the text of a notice of the session."""
     kind = _NOTICES[notice.kind]
     state = _RUN_STATES.get(notice.text) if notice.kind == "ended" else None
     german = notice.text_de or notice.text if state is None else state

@@ -124,7 +124,7 @@ class OpcuaEndpoint:
             await asyncio.sleep(_CYCLES_S)
 
     async def close(self) -> None:
-        """Tell clients that it ends, and serve no one any more."""
+        """Inform clients that it ends, and stop serving."""
         for task in self._tasks:
             task.cancel()
         while self._unlisten:

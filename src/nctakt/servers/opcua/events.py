@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Events as clients select their fields, and their filters.
 
-In: what happened, with its texts in both languages. Out: the fields of an event in the language of
-a client; whether it passes the client's filter.
+In: an event, with its texts in both languages. Out: the fields of an event in the language of a
+client; whether it passes the client's filter.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class SeenEvent:
         return self._event.field(path, self._language)
 
     def passes(self, clause: Any) -> bool:
-        """Return whether the event passes a filter; one that cannot be evaluated lets none pass."""
+        """Return whether the event passes a filter; an invalid filter lets none pass."""
         if clause is None or not clause.Elements:
             return True
         try:

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The past of signals for clients: between two times, or at certain ones.
+"""The past of signals for clients: between two times, or at certain times.
 
 In: requests with times, which are those of ticks. Out: values, a limited number in one answer for
-all its nodes; the rest by continuation points. The session runs its past again for it, in short
-parts with the requests of other clients between them, and stays where it is.
+all its nodes; the rest by continuation points. The session reruns its past for it, in short parts
+with the requests of other clients between them, and does not move.
 """
 
 from __future__ import annotations
@@ -160,7 +160,7 @@ def _given(moment: datetime | None) -> datetime | None:
 
 
 def _point(content: bytes, low: int, high: int) -> tuple[int, int]:
-    """Return the stretch of a continuation point; raises ``ValueError`` for what is none."""
+    """Return the stretch of a continuation point; raises ``ValueError`` if it is not one."""
     found = json.loads(content)
     fits = isinstance(found, list) and len(found) == 2 and all(type(one) is int for one in found)
     if not fits or not low <= found[0] <= found[1] <= high:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """All that reaches inside the library for OPC UA; nothing else imports its modules.
 
-Its public interface is a server with sessions, subscriptions and connections of its own; ours take
-their places, which its classes have no other way for. The names below are those of version 2.1;
-pyproject.toml holds the library below 2.2, and ``tests/servers/opcua`` look at what they do.
+Its public interface is a server with its own sessions, subscriptions and connections; nctakt
+replaces these, for which its classes offer no other method. The names below are those of version
+2.1; pyproject.toml limits the library to below 2.2, and ``tests/servers/opcua`` test their
+behaviour.
 """
 
 from __future__ import annotations
@@ -60,7 +61,7 @@ class LibraryProcessor(UaProcessor):
         return await self.handle(typeid, header, sequence, body)
 
     async def handle(self, typeid: Any, header: Any, sequence: Any, body: Any) -> Any:
-        """Answer a request as the library does; return whether the connection goes on."""
+        """Answer a request as the library does; return whether the connection continues."""
         return await super()._process_message(typeid, header, sequence, body)
 
     @property
@@ -78,7 +79,7 @@ class LibraryProcessor(UaProcessor):
 
     @property
     def publish_requests(self) -> deque[PublishRequestData]:
-        """The publish requests that wait for something to tell, the oldest first."""
+        """The publish requests that wait for something to report, the oldest first."""
         requests: deque[PublishRequestData] = self._publish_requests
         return requests
 
@@ -93,7 +94,7 @@ class LibraryProcessor(UaProcessor):
         self._evict_publish_request()
 
     def send_body(self, body: bytes, request: PublishRequestData) -> None:
-        """Answer a request with what is written already."""
+        """Answer a request with an encoded message."""
         data = self._connection.message_to_binary(
             body, message_type=MessageType.SecureMessage, request_id=request.seqhdr.RequestId
         )
@@ -101,13 +102,13 @@ class LibraryProcessor(UaProcessor):
 
 
 class LibraryConnection(OPCUAProtocol):
-    """One connection, whose messages ``process`` takes one after another."""
+    """One connection, whose messages ``process`` takes in turn."""
 
     async def _process_one_msg(self, header: Any, buf: Any) -> bool:
         return await self.process(header, buf)
 
     async def process(self, header: Any, message: Any) -> bool:
-        """Take a message as the library does; return whether the connection goes on."""
+        """Take a message as the library does; return whether the connection continues."""
         return bool(await super()._process_one_msg(header, message))
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The values of a session's nodes, shared by all clients: what is monitored, and what is read once.
+"""The values of a session's nodes, shared by all clients, whether monitored or read once.
 
-In: frames of the host's store, answers of the session. Out: samples and data values. Only names
-that somebody monitors are subscribed; what is only read is asked for at that moment.
+In: frames of the host's store, answers of the session. Out: samples and data values. Only monitored
+names are subscribed; values that are only read are requested at that moment.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from nctakt.servers.opcua.library import AddressSpace, variant_to_binary
 from nctakt.servers.opcua.values import Live, Moment, Sample
 from nctakt.session.listening import Frame
 
-#: How old what is known of realtime cycles and channels may be, in seconds.
+#: Maximum age of the data about realtime cycles and channels, in seconds.
 _GLANCE_AGE_S = 0.02
 
-#: Ticks whose blocks are remembered: frames that come while a look at the session is under way.
+#: Ticks whose blocks are remembered: frames that come during a request to the session.
 _REMEMBERED = 1000
 
-#: How long values that no one watches any more still come, in seconds.
+#: How long values that nobody watches any more still come, in seconds.
 _RELEASE_S = 1.0
 
 
@@ -57,13 +57,13 @@ class LiveSpace:
         self.live[node] = live
 
     def remove(self, node: ua.NodeId) -> None:
-        """Let a node be gone."""
+        """Remove a node."""
         self.live.pop(node, None)
 
     # --- monitored values -----------------------------------------------------------------------
 
     async def watch(self, lives: Sequence[Live]) -> Moment:
-        """Let the values of these nodes be here from now on, for one watcher more.
+        """Subscribe the values of these nodes for one more watcher.
 
         Return a moment that has them.
         """
@@ -80,7 +80,7 @@ class LiveSpace:
         return await self.refresh(lives)
 
     def unwatch(self, live: Live) -> None:
-        """Let a node have one watcher less."""
+        """Remove one watcher of a node."""
         _, count = self._watched.get(id(live), (live, 0))
         if count > 1:
             self._watched[id(live)] = live, count - 1
@@ -90,7 +90,7 @@ class LiveSpace:
                 self._releasing = asyncio.get_running_loop().create_task(self._release())
 
     async def _release(self) -> None:
-        """Let what no one watches any more come no more: all of it at once, a little later."""
+        """Unsubscribe unwatched values: all at once, a little later."""
         await asyncio.sleep(_RELEASE_S)
         self._releasing = None
         names, self._unheld = self._unheld, []
@@ -105,7 +105,7 @@ class LiveSpace:
     async def refresh(self, lives: Sequence[Live]) -> Moment:
         """Return a moment for nodes that somebody watches.
 
-        It is the latest; where one needs cycles and channels, that of the latest look at them.
+        It is the latest; if cycles and channels are needed, that of their latest request.
         """
         store = self._host.store
         if not any(live.needs_glance for live in lives):
@@ -129,7 +129,7 @@ class LiveSpace:
         try:
             self._glanced = await self._glance(names)
         except Failure:
-            return  # the session has ended; what was seen last stays
+            return  # the session has ended; the last values stay
         finally:
             self._asking = None
         self._glance_s = asyncio.get_running_loop().time()
@@ -147,7 +147,7 @@ class LiveSpace:
         return live.sample(moment, self.clock, now_units())
 
     def report(self, error: Exception) -> None:
-        """Tell in the log what went wrong."""
+        """Log an error."""
         self._host.log.error("opcua", reason=error_text(error) or repr(error))
 
     # --- values that are read once --------------------------------------------------------------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What all sessions of clients share: the values, methods and past of a machine, the limits."""
+"""Services shared by all client sessions: values, methods and past of a machine, limits."""
 
 from __future__ import annotations
 

@@ -141,7 +141,7 @@ def _argument(name: str, data_type: int = 12) -> ua.Argument:
 
 
 async def _done(session: Client, command: Awaitable[None]) -> tuple[int, list[ua.Variant]]:
-    """Return what came of a command: for a refused one its reason in the client's language."""
+    """Return the result of a command: for a refused one the reason in the client's language."""
     reason, status = "", 0
     try:
         await command

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The library's server with our services in place of its own: sessions, subscriptions, connections.
+"""The library's server with nctakt's services: sessions, subscriptions, connections.
 
 In: the services of a machine, an address. Out: a server that listens there.
 """
@@ -30,7 +30,7 @@ from nctakt.servers.opcua.machine_services import MachineServices
 #: The name that clients see.
 _NAME = "nctakt"
 
-# What the library tells of clients goes to our own log, with a limit of its rate.
+# Reports of the library about clients go to nctakt's log, at a limited rate.
 logging.getLogger("asyncua").setLevel(logging.CRITICAL + 1)
 
 
@@ -38,7 +38,7 @@ class CncInternalServer(LibraryInternalServer):
     """Makes our sessions; ``services``: set before the first client comes.
 
     ``security``: ``None`` on this computer, where anybody may come in. ``asking``: the address of
-    the client whose password is looked at.
+    the client whose password is being checked.
     """
 
     def __init__(self, limits: Limits, security: Security | None) -> None:
@@ -64,14 +64,14 @@ class CncInternalServer(LibraryInternalServer):
         return session
 
     def refuse(self, session_id: ua.NodeId, reason: str) -> None:
-        """Tell in the log that something of a session was refused."""
+        """Log a refusal for a session."""
         assert self.services is not None
         for one in self.client_sessions:
             if one.session_id == session_id:
                 self.services.host.log.refuse(DOOR, one.client, reason)
 
     def make_room(self) -> bool:
-        """End a session that no one uses; return whether there was any."""
+        """End an unused session; return whether there was any."""
         assert self.services is not None
         found = self._unused()
         if found is None:
@@ -127,7 +127,7 @@ class CncServer(LibraryServer):
             self.set_identity_tokens(NAMED)
 
     async def publish_limits(self) -> None:
-        """Write into the address space what this server is, and what its limits are."""
+        """Write the server's description and its limits into the address space."""
         capabilities = "Server_ServerCapabilities_"
         operations = f"{capabilities}OperationLimits_"
         calls = self._own.nodes_per_call

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the nodes of a machine show: values of the session -> values on the wire.
+"""Values of a machine's nodes: values of the session -> values on the wire.
 
 In: moments, which are the values of a session that belong to one tick. Out: for each node a sample,
-made once for a moment, however many clients look at it.
+made once for a moment, however many clients read it.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ Value = Any
 #: Units of the times of OPC UA in a second.
 UNITS_S = 10_000_000
 
-#: What a data value has: value, status, source's and server's time.
+#: The parts of a data value: value, status, source's and server's time.
 _HAS_ALL, _HAS_STATUS = 0x0F, 0x0E
 
 #: How scalars of these types are on the wire, after the number of their type.
@@ -45,7 +45,7 @@ _FORMATS = {
 }
 
 
-#: What makes a value of Python one of these types.
+#: Conversions of Python values to these types.
 _CASTS: dict[Any, Callable[[Any], Any]] = {
     ua.VariantType.Boolean: bool,
     ua.VariantType.Double: float,
@@ -67,7 +67,7 @@ class NotSupported(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """A session at a tick, all of it of this one.
+    """A session at a single tick.
 
     ``blocks``: the place of the current block of each channel. ``state_view``: cycles and channels,
     where somebody wants them.

@@ -27,7 +27,7 @@ _BEGIN_PEM, _BEGIN_CRL = b"-----BEGIN", b"-----BEGIN X509 CRL"
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """Why a certificate is refused: for the log; ``status``: what the client gets."""
+    """Why a certificate is refused: for the log; ``status``: the code for the client."""
 
     reason: str
     status: int
@@ -57,7 +57,7 @@ ANOTHER_CERTIFICATE = Refusal(
 
 
 def read_trust_list(files: Mapping[str, bytes]) -> TrustList:
-    """Return what files hold, DER or PEM; raises ``ValueError`` for one that holds neither."""
+    """Return the content of files, DER or PEM; raises ``ValueError`` if it is neither."""
     certificates: list[x509.Certificate] = []
     revocations = []
     for name, content in files.items():
@@ -143,7 +143,7 @@ def _uris(certificate: x509.Certificate) -> list[str]:
 
 
 def _is_for_clients(certificate: x509.Certificate) -> bool:
-    """Return whether it may sign, and authenticate a client, as far as it says what it is for."""
+    """Return whether it may sign, and authenticate a client, as far as it states its purpose."""
     for extension in certificate.extensions:
         value = extension.value
         if isinstance(value, x509.KeyUsage) and not value.digital_signature:

@@ -2,7 +2,7 @@
 """The connections of clients: bounded in what they may send at once and leave unread.
 
 In: bytes of clients. Out: requests to their session, responses. A client that breaks a limit is
-disconnected, and it is logged; no one else notices.
+disconnected, and that is logged; others do not notice.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ _REGISTER = (
     ua.NodeId(ua.ObjectIds.RegisterServer2Request_Encoding_DefaultBinary),
 )
 
-#: What a client may ask without security: how it gets some.
+#: Requests that a client may make without security: how to get it.
 _DISCOVERY = (
     ua.NodeId(ua.ObjectIds.GetEndpointsRequest_Encoding_DefaultBinary),
     ua.NodeId(ua.ObjectIds.FindServersRequest_Encoding_DefaultBinary),
@@ -68,7 +68,7 @@ class Processor(LibraryProcessor):
         self.client = client
 
     async def handle(self, typeid: ua.NodeId, header: Any, sequence: Any, body: Any) -> Any:
-        """Answer a request; return whether the connection goes on."""
+        """Answer a request; return whether the connection continues."""
         if typeid in _REGISTER:
             raise ServiceError(ua.StatusCodes.BadServiceUnsupported)
         self._check_security(typeid, body)
@@ -130,7 +130,7 @@ class Processor(LibraryProcessor):
         self.publish_requests.append(request)
 
     def forward_publish_response(self, body: bytes, request: PublishRequestData) -> None:
-        """Answer a publish request with what is written already."""
+        """Answer a publish request with an encoded message."""
         self.send_body(body, request)
 
     def send_response(
@@ -180,7 +180,7 @@ class Connection(LibraryConnection):
         return age_s > self._own.activation_s and (session is None or not session.is_activated())
 
     def _make_room(self) -> bool:
-        """Let the oldest connection without a session go; return whether there was one."""
+        """End the oldest connection without a session; return whether there was one."""
         oldest = next((one for one in self.clients if one.is_waiting), None)
         if oldest is None:
             return False
@@ -237,7 +237,7 @@ class Connection(LibraryConnection):
         return True
 
     async def process(self, header: Any, message: Any) -> bool:
-        """Take a message; what cannot be read ends the connection."""
+        """Take a message; an unreadable one ends the connection."""
         try:
             return await super().process(header, message)
         except Exception as error:  # noqa: BLE001 - whatever the library does not expect of a client

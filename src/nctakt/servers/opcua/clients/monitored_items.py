@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The monitored items of all subscriptions, sampled at their paces.
 
-In: requests of clients, moments of the session. Out: samples that wait in the items. Only what
-somebody monitors is asked of the session, once for all that monitor it.
+In: requests of clients, moments of the session. Out: samples that wait in the items. Only monitored
+values are requested from the session, once for all clients.
 """
 
 from __future__ import annotations
@@ -215,7 +215,7 @@ class MonitoredItems:
             del self._paces[item.interval_ms]
 
     def report(self, error: Exception) -> None:
-        """Tell in the log what went wrong while items were sampled."""
+        """Log an error in sampling items."""
         self._space.report(error)
 
     def stop(self) -> None:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a client monitors: the values and events that wait for its next publish response.
+"""Monitored items of a client: values and events waiting for its next publish response.
 
-In: samples of nodes at the pace of the client, events. Out: notifications as they are on the
-wire. An item keeps the latest ones; what it had to leave out is marked in the one beside it.
+In: samples of nodes at the pace of the client, events. Out: encoded notifications. An item keeps
+the latest ones; a dropped one is marked in its neighbour.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ class Item:
         waiting.append(content)
 
     def take(self, found: list[bytes]) -> None:
-        """Add what waits to ``found``, as it is on the wire."""
+        """Add the waiting notifications to ``found``, encoded."""
         if self.waiting and self.mode == ua.MonitoringMode.Reporting:
             head = struct.pack("<I", self.handle)
             found += [head + content for content in self.waiting]
@@ -103,7 +103,7 @@ class Item:
 
 
 def overflown(wire: bytes) -> bytes:
-    """Return a data value whose status says that others beside it were left out."""
+    """Return a data value whose status says that neighbouring ones were left out."""
     at = len(wire) - 20
     (status,) = struct.unpack_from("<I", wire, at)
     return wire[:at] + struct.pack("<I", status | OVERFLOW) + wire[at + 4 :]

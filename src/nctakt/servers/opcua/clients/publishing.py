@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The messages that tell clients what has changed, written as they are on the wire.
+"""The encoded messages with changes for clients.
 
 A value is written once for all clients that monitor it; here it is put after its handle.
 """

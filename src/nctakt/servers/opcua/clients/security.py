@@ -2,8 +2,8 @@
 """Who may connect: on this computer anybody, from elsewhere only encrypted and with a password.
 
 In: the folder of the server's certificate and users. Out: both, made by the first start; whether a
-user's password is right. Passwords are there as scrypt hashes; the first one, which the first
-start chooses, also in a file that its reader shall delete.
+user's password is right. Passwords are there as scrypt hashes; the first one, which the first start
+chooses, also in a file that the reader is to delete.
 """
 
 from __future__ import annotations
@@ -48,13 +48,14 @@ _MAX_TRUSTED = 1000
 #: Cost of a hash: about 10 ms.
 _SCRYPT = {"n": 4096, "r": 8, "p": 1}
 
-#: Wrong passwords that the clients of one address may try in this many seconds.
+#: Number of wrong passwords that the clients of one address may try in this many seconds.
 MAX_FAILURES, _FAILURE_S = 10, 60.0
 
 #: Addresses whose wrong passwords are remembered; beyond, the one that failed first is forgotten.
 _MAX_ADDRESSES = 1000
 
-#: The bits of an address of IPv6 that name a network: whoever has one has all of its addresses.
+#: The bits of an address of IPv6 that name a network: whoever has a network has all of its
+#: addresses.
 _NETWORK_BITS = 64
 
 _PRIVATE = 0o600
@@ -126,7 +127,7 @@ class Security:
         return users
 
     def is_user(self, name: str | None, password: str | None, address: str) -> bool:
-        """Return whether a user's password is right; after too many wrong ones none is there."""
+        """Return whether a user's password is right; after too many wrong ones none is."""
         now, source = time.monotonic(), _network(address)
         failures = self.failures.get(source, deque())
         while failures and now - failures[0] > _FAILURE_S:
@@ -147,8 +148,8 @@ class Security:
     def trusted(self) -> TrustList | None:
         """Return whose certificates are trusted, ``None`` if all are: without a folder of them.
 
-        No one's are while it cannot be read. It is read anew for each session: what is put there or
-        taken away counts at once.
+        Nobody's are while it cannot be read. It is reread for each session: added and removed files
+        count at once.
         """
         try:
             return self._read_trusted()
@@ -192,7 +193,7 @@ class Anybody:
         return User(role=UserRole.User)
 
 
-#: What clients may identify themselves with, on this computer and elsewhere.
+#: Means of identification for clients, on this computer and elsewhere.
 ANONYMOUS, NAMED = [ua.AnonymousIdentityToken], [ua.UserNameIdentityToken]
 
 
@@ -201,7 +202,7 @@ def _hash(password: str, salt: bytes) -> bytes:
 
 
 def _network(address: str) -> str:
-    """Return what stands for a client's address: of IPv6 its network, of others itself."""
+    """Return the key for a client's address: for IPv6 its network, else the address."""
     try:
         found = ipaddress.ip_address(address.partition("%")[0])
     except ValueError:
@@ -214,7 +215,7 @@ def _network(address: str) -> str:
 
 
 def _write_private(path: Path, content: bytes) -> None:
-    """Write a file that no one else may read; raises ``OSError``."""
+    """Write a file that nobody else may read; raises ``OSError``."""
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL
     try:
         with os.fdopen(os.open(path, flags, _PRIVATE), "wb") as file:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The session of a client: what it reads, writes, calls and asks of the past.
+"""The session of a client: its reads, writes, calls and history requests.
 
 In: requests. Out: answers. A write of a client is an input of the controller: it is answered once a
 tick has latched it and all can read it, or at once if the session is not playing.
@@ -31,7 +31,7 @@ class ClientSession(InternalSession):
 
     ``left_s``: when it lost its connection, by the loop's clock; ``None`` while it has one. It
     stays for its client to come back, until its time is over or another client needs its place.
-    ``heard_s``: when its client asked for something last.
+    ``heard_s``: when its client made its last request.
     """
 
     def __init__(self, services: MachineServices, *words: Any, **keywords: Any) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One subscription of a client: what it monitors, published when the client asks.
+"""One subscription of a client: its monitored items, published on request.
 
 In: notifications that wait in its items, publish requests. Out: publish responses. A client that
 does not ask loses the oldest notifications, and in the end its subscription.
@@ -96,7 +96,7 @@ class Subscription:
         )
 
     def publish(self, request: Any = None) -> bool:
-        """Answer a request of the client if there is something to tell; return whether it did."""
+        """Answer a request of the client if there is something to report; return whether it did."""
         if not self._has_something():
             if request is None:
                 self._idle_count += 1
@@ -135,7 +135,7 @@ class Subscription:
         self.pub_result_callback(body, request)
 
     def _parts(self) -> tuple[list[bytes], bool]:
-        """Return what waits as notifications, and whether more waits than fits."""
+        """Return the waiting notifications, and whether there are more than fit."""
         values: list[bytes] = []
         events: list[bytes] = []
         limit = self.max_notifications or 1 << 30

@@ -25,7 +25,7 @@ class Subscriptions:
     """The subscriptions of all sessions, by their numbers.
 
     ``make_room``: ends a session whose connection is gone, and returns whether there was one;
-    ``refuse``: notes in the log of a session that something of it was refused.
+    ``refuse``: logs a refusal for a session.
     """
 
     def __init__(
@@ -168,7 +168,7 @@ class Subscriptions:
         self._untold = {number: one for number, one in untold if one.session_id != session_id}
 
     def expire(self, subscription: Subscription) -> None:
-        """Delete a subscription whose client asks for nothing any more."""
+        """Delete a subscription whose client no longer makes requests."""
         self.subscriptions.pop(subscription.data.SubscriptionId, None)
         self._forget(subscription)
 

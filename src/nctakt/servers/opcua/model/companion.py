@@ -18,7 +18,7 @@ MANDATORY, OPTIONAL, PLACEHOLDER = 78, 80, 11508
 
 #: Types of variables and of base objects, as numbers of their nodes in namespace 0.
 BASE_OBJECT, BASE_VARIABLE, PROPERTY, DATA_ITEM, ANALOG_ITEM = 58, 63, 68, 2365, 2368
-#: An analog item that must have a unit; one that must have a range, too.
+#: An analog item that must have a unit; one that must also have a range.
 ANALOG_UNIT, ANALOG_RANGE = 17497, 17570
 
 #: The type of a position, its data type, the encodings of that, and their dictionaries.
@@ -26,7 +26,7 @@ POSITION_VARIABLE, POSITION, POSITION_BINARY, POSITION_XML = 2001, 3007, 5001, 5
 BINARY_SCHEMA, BINARY_DESCRIPTION, BINARY_NAMESPACE = 6022, 6042, 6035
 XML_SCHEMA, XML_DESCRIPTION, XML_NAMESPACE = 6038, 6043, 6040
 
-#: The fields of a position, each a Double and a component of its own.
+#: The fields of a position, each a Double and a separate component.
 POSITION_FIELDS = ("ActPos", "CmdPos", "RemDist")
 
 
@@ -51,7 +51,7 @@ class Component(NamedTuple):
     ``type``: a number of namespace 0, or a name of this model. ``dimensions``: of an array, 0 where
     any length is allowed; empty for a scalar. ``below``: numbers of the nodes below it.
     ``units_rule``: that of an analog item's EngineeringUnits. ``surplus``: further components.
-    ``events``: what it generates, as in its type. ``rights``: 1 read, 3 write, too.
+    ``events``: those it generates, as in its type. ``rights``: 1 read, 3 write, too.
     ``is_standard``: its name is one of namespace 0.
     """
 
@@ -72,7 +72,7 @@ class Component(NamedTuple):
 class ObjectType(NamedTuple):
     """A type; ``base``: a number of namespace 0, or a name of this model.
 
-    ``events``: what it generates, in the same way.
+    ``events``: those it generates, likewise.
     """
 
     name: str

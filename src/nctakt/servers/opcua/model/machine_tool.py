@@ -2,8 +2,8 @@
 """OPC UA for Machine Tools (OPC 40501-1, 1.02): the types that nctakt shows, as facts.
 
 Out: ``TYPES``, ``ENUMERATIONS``, ``STATES`` with their published numbers, all of the namespace
-``MACHINE_TOOL_URI``, and those of the models below it. Types that no instance here has, and what
-hangs below their optional parts, are not among them.
+``MACHINE_TOOL_URI``, and those of the models below it. Types without an instance here, and the
+nodes below their optional parts, are left out.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 """Nodes put into an address space at once, each with its attributes and references.
 
 In: an address space of asyncua. Out: nodes in it. A description of a node as its neighbours show it
-is made once, so that thousands of nodes are there in a fraction of a second.
+is made once, so that thousands of nodes are built in a fraction of a second.
 """
 
 from __future__ import annotations
@@ -167,7 +167,7 @@ class Nodes:
     # --- references -----------------------------------------------------------------------------
 
     def refer(self, source: ua.NodeId, kind: int, target: ua.NodeId, *, both: bool = True) -> None:
-        """Let a node refer to another one; and the other one back, unless ``both`` is false."""
+        """Add a reference from a node to another, and back unless ``both`` is false."""
         reference = standard(kind)
         self.space[source].references.append(self._shown(target, reference, is_forward=True))
         if both and kind not in (HAS_TYPE, HAS_RULE):

@@ -20,7 +20,7 @@ class CncPositionDataType:
 
 
 def register_position(index: int) -> None:
-    """Let the library know the structure as one of the namespace ``index``."""
+    """Register the structure with the library in the namespace ``index``."""
     CncPositionDataType.data_type = ua.NodeId(POSITION, index)  # type: ignore[attr-defined]
     ua.register_extension_object(
         "CncPositionDataType",

@@ -72,7 +72,7 @@ _TYPES = {known.name: known for known in (*OBJECT_TYPES, *machine_tool.TYPES)}
 class _Encoding:
     """How positions are encoded.
 
-    ``numbers``: of the encoding, its schema, what describes that, and the schema's namespace.
+    ``numbers``: of the encoding, its schema, the schema's description, and its namespace.
     ``location``: of the type in the schema. ``folder``: where the schema is listed.
     """
 
@@ -245,7 +245,7 @@ class CompanionTypes:
         )
 
     def _add_encoding(self, encoding: _Encoding) -> None:
-        """Add an encoding of positions, with its schema and what describes that."""
+        """Add an encoding of positions, with its schema and the schema's description."""
         number, schema, description, namespace = encoding.numbers
         name = self.name(encoding.name, is_standard=True)
         self._nodes.add_object(self.id(number), name, standard(_ENCODING_TYPE))
@@ -294,7 +294,7 @@ class CompanionTypes:
         number: int,
         below: Iterator[int],
     ) -> None:
-        """Add a component of a type, or a copy of it, with what is below it."""
+        """Add a component of a type, or a copy of it, with its children."""
         if isinstance(component.type, str) and not component.data_type:
             self._nodes.add_object(
                 self.id(number), self.name(component.name), self.type(component.type)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What the components of axes, spindles and channels show: which values of the session, and how.
+"""Values of the components of axes, spindles and channels, taken from the session.
 
-In: a machine as its lists describe it, moments of its session. Out: values of the companion model.
-What nctakt does not model raises ``NotSupported``: it has no value, least of all 0.
+In: a machine as described by its lists, moments of its session. Out: values of the companion model.
+A quantity that nctakt does not model raises ``NotSupported``: it has no value, least of all 0.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ Reader = Callable[[Moment], Value]
 
 @dataclass(frozen=True, slots=True)
 class Shown:
-    """What a component shows; ``unit``, ``low`` and ``high``: of an analog one.
+    """The value of a component; ``unit``, ``low`` and ``high``: of an analog one.
 
-    ``names``: of the session. ``write_name``: what a client writes. ``signal``: whose past it has,
-    times ``factor``.
+    ``names``: of the session. ``write_name``: the value that a client writes. ``signal``: the one
+    whose past it has, times ``factor``.
     """
 
     read: Reader
@@ -303,7 +303,7 @@ def channel_components(
 
 
 def _operation(prefix: str, max_pct: float) -> Mapping[str, Shown]:
-    """Return what the operator commands of a channel, and whether it runs."""
+    """Return the operator's commands of a channel, and whether it runs."""
     hli = {
         word: f"{prefix}HLI.{word}"
         for word in ("STATE", "PAUSED", "ARMED", "OVERRIDE", "FEED_HOLD", "SINGLE_BLOCK")
@@ -365,7 +365,7 @@ def _functions_in_force(number: int) -> Mapping[str, Shown]:
 def _program_places(
     number: int, texts: ProgramTexts, latest: Callable[[], StepResult]
 ) -> Mapping[str, Shown]:
-    """Return where a channel is in its main program and in the one that it has called."""
+    """Return where a channel is in its main program and in the program it has called."""
 
     def span(moment: Moment) -> Span:
         found = moment.blocks.get(number)

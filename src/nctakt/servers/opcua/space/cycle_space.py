@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Realtime cycles as nodes: their state, and how often the bodies of their branches ran.
 
-In: what is known of cycles at a moment. Out: an object for each that has lived since the server's
-start. One that is gone keeps its object, whose state says so.
+In: the cycles at a moment. Out: an object for each that has existed since the server's start. A
+cycle that is gone keeps its object, whose state says so.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from nctakt.session.engine import BranchState, CycleState
 #: Cycles that get nodes at most; programs without end could define cycles without end.
 MAX_CYCLES = 500
 
-#: What identifies a cycle: its name and where it is.
+#: The key of a cycle: its name and its place.
 Key = tuple[str, str, int]
 
 _STRING, _COUNT = ua.VariantType.String, ua.VariantType.UInt64
 
 
 def key_of(cycle: CycleState) -> Key:
-    """Return what identifies a cycle."""
+    """Return the key of a cycle."""
     return cycle.name, cycle.span.file, cycle.span.line
 
 

@@ -43,10 +43,10 @@ from nctakt.servers.opcua.space.components import (
 )
 from nctakt.servers.opcua.values import Live, Moment, NotSupported, Value
 
-#: The namespace of the instance, and of what is ours.
+#: The namespace of the instance, and of nctakt's own nodes.
 OWN_URI = "urn:nctakt"
 
-#: How fast a client can have a value, in ms, as nodes tell it.
+#: The shortest interval for a value, in ms, as published by nodes.
 _INTERVAL_MS = 10.0
 
 #: The properties with a value's unit and range -> their data types.
@@ -79,7 +79,7 @@ _VARIANTS = {
 class MachineSpace:
     """The nodes of a machine; ``interface``: the object above them, ``channels``: by number.
 
-    ``shown``: what the components of axes, spindles and channels show, by their paths.
+    ``shown``: the values of the components of axes, spindles and channels, by their paths.
     """
 
     def __init__(
@@ -254,7 +254,7 @@ class MachineSpace:
         def read(moment: Moment) -> CncPositionDataType:
             if not own.actual:
                 raise NotSupported
-            # a value without a name is one that nctakt does not have: it is not 0
+            # nctakt does not have a value without a name: it is not 0
             numbers = [float(moment.values[name]) if name else math.nan for name in names]
             return CncPositionDataType(*numbers)
 
@@ -355,7 +355,7 @@ class MachineSpace:
 
 
 def bool_to_number(value: Value) -> float:
-    """Return 1 for true and 0 for false: what the session takes."""
+    """Return 1 for true and 0 for false, as the session expects."""
     return 1.0 if value else 0.0
 
 
@@ -369,7 +369,7 @@ def _reader(name: str) -> Any:
 
 
 def _text_reader(name: str) -> Any:
-    """Return what reads a text, or an enumeration, which is a number where no item has it."""
+    """Return the reader of a text, or of an enumeration, which is a number if no item has it."""
     return lambda moment: str(moment.values[name])
 
 

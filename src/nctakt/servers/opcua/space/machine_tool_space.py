@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The machine as OPC UA for Machine Tools shows it: monitoring, production, notifications.
 
-In: what the nodes of the CNC model show, the states of channels. Out: an object below ``Machines``,
-as dashboards look for it, whose IDs are names (``MachineTool.Monitoring.Channel_1.ChannelState``).
-What nctakt does not know has no node where the model leaves it open.
+In: the values of the nodes of the CNC model, the states of channels. Out: an object below
+``Machines``, as dashboards look for it, whose IDs are names
+(``MachineTool.Monitoring.Channel_1.ChannelState``). Values unknown to nctakt have no node if the
+model makes it optional.
 """
 
 from __future__ import annotations
@@ -200,7 +201,7 @@ class MachineToolSpace:
             modifiers,
             "ChannelModifierType",
             {
-                "DryRun": fixed(False),  # nctakt has none: it is never on
+                "DryRun": fixed(False),  # nctakt does not have it: it is never on
                 "OptionalStop": Shown(lambda moment: moment.values[optional], (optional,)),
                 "SingleStep": shown["BlockMode"],
             },
@@ -305,7 +306,7 @@ class MachineToolSpace:
         is_own: bool = False,
         is_notifier: bool = False,
     ) -> str:
-        """Add an object below another one; ``is_own``: its name is ours. Return its path."""
+        """Add an object below another one; ``is_own``: its name is nctakt's. Return its path."""
         path = f"{parent}.{name}"
         named = self._machine.name(name) if is_own else self._types.name(name)
         node = self._nodes.add_object(

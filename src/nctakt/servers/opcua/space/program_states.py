@@ -26,8 +26,8 @@ class ProgramStates:
     """The state of the program of the first channel.
 
     ``names``: the values that it needs. ``parts``: programs that have ended since the start of the
-    server. ``first_program``: the one that it was started with, "" for none; ``has_run``: whether
-    any has begun.
+    server. ``first_program``: the one it was started with, "" for none; ``has_run``: whether any
+    has begun.
     """
 
     def __init__(self, host: Host) -> None:

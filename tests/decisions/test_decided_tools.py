@@ -10,6 +10,7 @@ from support.check_machine import demo_channel
 from support.decided import numbers, perform
 
 from nctakt.checking.program import check_program
+from nctakt.checking.program_pass import ProgramChannel
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.schemas import CHANNEL, TOOLS
 from nctakt.lists.declared.tools import Tool, tools_configuration
@@ -218,12 +219,11 @@ def test_tools_that_are_too_small() -> None:
     collector, channel = Collector(), controller.machine.channels[0]
     check_program(
         Source("p.nc", ("D5", "D0", "M30")),
-        demo_channel().names,
-        channel.parameters,
-        StepLimits(201, 200),
+        ProgramChannel(
+            demo_channel().names, channel.parameters, StepLimits(201, 200), channel.tools
+        ),
         collector,
         access=FileAccess(),
-        tools=channel.tools,
     )
     assert [one.id for one in collector.diagnostics] == [21426, 21427]
     assert perform("D5\nM30", machine(LONG, min_length=20.0, min_radius=5.0)).state == "ended"

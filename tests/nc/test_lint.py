@@ -16,6 +16,7 @@ from support.nc_chunks import Chunk, compare, read_chunks
 from nctakt import machines
 from nctakt.base.diagnostics import Diagnostic, Message, Severity
 from nctakt.checking.program import check_program
+from nctakt.checking.program_pass import ProgramChannel
 from nctakt.files.access import FileAccess
 from nctakt.lists.declared.tools import NO_TOOL
 from nctakt.messages import Collector
@@ -47,12 +48,9 @@ def lints(*programs: tuple[str, ...], limits: StepLimits = LIMITS) -> list[Diagn
     uses = [
         check_program(
             Source(f"{number}.nc", lines),
-            channel.names,
-            channel.parameters,
-            limits,
+            ProgramChannel(channel.names, channel.parameters, limits),
             collector,
             access=FILES,
-            tools={},
         ).global_cycles
         for number, lines in enumerate(programs, start=1)
     ]
@@ -91,9 +89,8 @@ def test_each_extension_of_ours_is_a_warning_of_one_class() -> None:
     channel = demo_channel()
     lines = tuple(EXTENDED.splitlines())
     source = Source("p.nc", lines)
-    check_program(
-        source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools={}
-    )
+    checked = ProgramChannel(channel.names, channel.parameters, LIMITS)
+    check_program(source, checked, collector, access=FILES)
     found = [one for one in collector.diagnostics if one.id == EXTENSION_USED.id]
     assert [one.span.line for one in found if one.span] == [1, 3, 6]
     assert {one.severity for one in found} == {Severity.WARNING}
@@ -158,9 +155,8 @@ def test_statement_by_statement_finds_what_the_whole_tree_tells(chunk: Chunk) ->
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", chunk.lines)
-    check_program(
-        source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools={}
-    )
+    checked = ProgramChannel(channel.names, channel.parameters, LIMITS)
+    check_program(source, checked, collector, access=FILES)
     found = [
         one.headline()
         for one in collector.diagnostics
@@ -185,9 +181,8 @@ def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> 
     collector = Collector()
     channel = demo_channel()
     source = Source("p.nc", lines)
-    check_program(
-        source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools={}
-    )
+    checked = ProgramChannel(channel.names, channel.parameters, LIMITS)
+    check_program(source, checked, collector, access=FILES)
     found = [one.headline() for one in collector.diagnostics if one.id not in LINTS]
     assert sorted(found) == sorted(one.headline() for one in findings(lines, role="either"))
 
@@ -252,9 +247,8 @@ def test_a_number_of_a_tool_is_looked_up_in_the_list(text: str, found: list[int]
     tool = replace(NO_TOOL, valid=True, number=1)
     for tools, expected in (({1: tool, 2: NO_TOOL}, found), ({}, [])):
         collector = Collector()
-        check_program(
-            source, channel.names, channel.parameters, LIMITS, collector, access=FILES, tools=tools
-        )
+        checked = ProgramChannel(channel.names, channel.parameters, LIMITS, tools)
+        check_program(source, checked, collector, access=FILES)
         ids = [one.id for one in collector.diagnostics if one.id != 900201]
         assert ids == expected
 
@@ -268,7 +262,6 @@ def test_tools_of_an_external_tool_management_are_not_looked_up() -> None:
         selection = replace(channel.parameters.tool_selection, is_external=True, by_t=by_t)
         parameters = replace(channel.parameters, tool_selection=selection)
         collector = Collector()
-        check_program(
-            source, channel.names, parameters, LIMITS, collector, access=FILES, tools=tools
-        )
+        checked = ProgramChannel(channel.names, parameters, LIMITS, tools)
+        check_program(source, checked, collector, access=FILES)
         assert [one.id for one in collector.diagnostics if one.id != 900201] == []

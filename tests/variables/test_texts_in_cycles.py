@@ -11,6 +11,7 @@ from support.variable_machines import machine_with
 from support.variable_programs import Machine, errors
 
 from nctakt.checking.program import check_program
+from nctakt.checking.program_pass import ProgramChannel
 from nctakt.files.access import FileAccess
 from nctakt.messages import Collector
 from nctakt.nc.lint.realtime_cycles import StepLimits
@@ -372,9 +373,8 @@ def test_members_of_the_definition_are_told_as_frozen(lists: Lists) -> None:
     (names,) = Layout([declared], 0).tables
     limits, collector = StepLimits(201, 200), Collector()
     source = Source("p.nc", tuple(text_of("V.E.CELL[0] = V.E.THEN").text.splitlines()))
-    check_program(
-        source, names, channel.parameters, limits, collector, access=FileAccess(), tools={}
-    )
+    checked = ProgramChannel(names, channel.parameters, limits)
+    check_program(source, checked, collector, access=FileAccess())
     notes = [one for one in collector.diagnostics if one.message.id == 900236]
     assert [one.values["name"] for one in notes] == [
         "V.E.THEN.NUMBER",

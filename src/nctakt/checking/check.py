@@ -456,18 +456,10 @@ class _Checker:
         collector = Collector()
         checked = check_program(
             Source(name, lines),
-            target.names,
-            target.parameters,
-            target.limits,
+            target.for_program(role),
             collector,
             target.folder,
             access=self._access,
-            tools=target.tools,
-            role=role,
-            axes=target.axes,
-            is_shifted=target.is_shifted,
-            number=target.channel,
-            speed_limits=target.speed_limits,
             poll=self._poll,
             memory=memory,
         )

@@ -8,29 +8,22 @@ is in memory at a time, so that a program of any length can be checked.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from types import MappingProxyType
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Span
 from nctakt.checking.check_memory import FileMemory, Poll
 from nctakt.checking.program_pass import ProgramChannel, ProgramPass
 from nctakt.files.access import FileAccess
-from nctakt.lists.declared.tools import Tool
-from nctakt.lists.machine.axis_configuration import AxisConfiguration
-from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages import Collector, diagnostic
 from nctakt.messages.programs.program_structure import PROGRAM_ENDS_AS_SUBPROGRAM
-from nctakt.nc.check.blocks import Role
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.inspection import polled
 from nctakt.nc.lint.cycle_uses import CycleUse
 from nctakt.nc.lint.linter import GlobalCycles
-from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.outline import AxisUse, SignalUse
 from nctakt.nc.source import Source
-from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.program_loader import find_program, missing, search_folders
 from nctakt.testing.expectations import Script, parse_script
 
@@ -60,45 +53,35 @@ class Checked:
 
 def check_program(
     source: Source,
-    names: NameTable,
-    channel: ChannelParameters,
-    limits: StepLimits,
+    channel: ProgramChannel,
     collector: Collector,
     machine_folder: Path = Path(),
     *,
     access: FileAccess,
-    tools: Mapping[int, Tool],
-    role: Role = "either",
-    axes: Mapping[str, AxisConfiguration] = MappingProxyType({}),
-    is_shifted: bool = False,
-    number: int = 1,
-    speed_limits: Mapping[str, float] = MappingProxyType({}),
     poll: Poll | None = None,
     memory: FileMemory | None = None,
 ) -> Checked:
     """Check a program with its local subprograms and return its links to others.
 
-    ``access`` admits the files that may be read. ``tools``, ``axes``, ``number``, ``speed_limits``:
-    those of the channel. ``is_shifted``: offsets act from the start. ``role``: ``called`` if it is
-    only called by others. ``poll`` is called at regular intervals. ``memory``: the state kept of
-    it. Called files must exist, as well as those that the channel list runs with each main program.
+    ``access`` admits the files that may be read. ``poll`` is called at regular intervals.
+    ``memory``: what is kept of the program. Called files must exist, as well as those that the
+    channel list runs with each main program.
     """
-    data = ProgramChannel(
-        names, channel, limits, tools, role, axes, is_shifted, number, speed_limits
-    )
     if memory is not None:
-        reading = memory.of_channel(data).read(source, poll)
+        reading = memory.of_channel(channel).read(source, poll)
     else:
-        reading = ProgramPass(source, data)
+        reading = ProgramPass(source, channel)
         reading.inspection.read(polled(poll))
     found = [*reading.of_lint.diagnostics, *reading.inspection.finish()]
     ends = reading.path.subprogram_ends
-    if role == "main" or not ends:
+    if channel.role == "main" or not ends:
         found += reading.of_path.diagnostics
     calls = [(call.name, call.span) for call in reading.inspection.program.calls]
-    if role != "called":
-        calls += [(name, reading.inspection.main) for name in channel.implicit_programs.names]
-    folders = search_folders(source.file, channel, machine_folder)
+    if channel.role != "called":
+        calls += [
+            (name, reading.inspection.main) for name in channel.parameters.implicit_programs.names
+        ]
+    folders = search_folders(source.file, channel.parameters, machine_folder)
     called, lost = _called(calls, folders, access, source)
     found += [item for item in lost if not _has(found, item)]
     marked = None if memory is None else memory.scripts.of(source.lines)
@@ -106,7 +89,7 @@ def check_program(
     found.sort(key=_position)
     collector.diagnostics += found
     note = None
-    if role == "either" and ends:
+    if channel.role == "either" and ends:
         line, word = source.line_of(ends[-1]), Findings(source, collector).written(ends[-1])
         note = diagnostic(PROGRAM_ENDS_AS_SUBPROGRAM, ends[-1], line, word=word)
     return _checked(reading, tuple(called), note, script, has_all_files=not lost)

@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
-from nctakt.base.dataclass import dataclass
+from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Span
 from nctakt.base.line_shift import LineShift
 from nctakt.checking.path_checker import MAX_LINES, PathChecker, PathState
@@ -45,12 +45,12 @@ class ProgramChannel:
     names: NameTable
     parameters: ChannelParameters
     limits: StepLimits
-    tools: Mapping[int, Tool]
-    role: Role
-    axes: Mapping[str, AxisConfiguration]
-    is_shifted: bool
-    number: int
-    speed_limits: Mapping[str, float]
+    tools: Mapping[int, Tool] = field(default_factory=dict)
+    role: Role = "either"
+    axes: Mapping[str, AxisConfiguration] = field(default_factory=dict)
+    is_shifted: bool = False
+    number: int = 1
+    speed_limits: Mapping[str, float] = field(default_factory=dict)
 
     def is_same(self, other: ProgramChannel) -> bool:
         """Return whether it is the same channel of the same machine as loaded then."""

@@ -12,9 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from nctakt.checking.program_pass import ProgramChannel
 from nctakt.decoder.blocks.axes.spindles import DEGREES_PER_S
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.lists.machine.machine import Machine
+from nctakt.nc.check.blocks import Role
 from nctakt.nc.lint.realtime_cycles import StepLimits
 from nctakt.nc.vocabulary.variables.variable_table import NameTable
 from nctakt.run.program_loader import program_folder
@@ -52,6 +54,20 @@ class Target:
             own += [one.spindle.logical_number for one in other.spindles if one.index is not None]
             for logical in own:
                 self.owners.setdefault(logical, number)
+
+    def for_program(self, role: Role) -> ProgramChannel:
+        """Return the data for the check of a program with this part in the run."""
+        return ProgramChannel(
+            self.names,
+            self.parameters,
+            self.limits,
+            self.tools,
+            role,
+            self.axes,
+            self.is_shifted,
+            self.channel,
+            self.speed_limits,
+        )
 
     def searches(self, folder: Path) -> bool:
         """Return whether the channel's list names this folder of programs."""

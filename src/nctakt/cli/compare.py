@@ -19,7 +19,7 @@ from nctakt.base.diagnostics import Severity, Text
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.common.help import described, option
 from nctakt.cli.common.log_options import LogWords, log_options, opened_log
-from nctakt.cli.common.options import FORMAT_OPTION
+from nctakt.cli.common.options import FORMAT_OPTION, take_words
 from nctakt.cli.common.request import Options, Request, read_request
 from nctakt.cli.common.running import (
     TIMES_NOTE,
@@ -121,11 +121,9 @@ _CODES = (
         "Den Ordner von --share schreiben; ohne dies wird nur gezeigt, was er enthielte.",
     ),
 )
-def command(log: str, picture: str | None, **words: Any) -> int:
+def command(picture: str | None, **words: Any) -> int:
     """Compare."""
-    own = LogWords(
-        log, *(words.pop(name) for name in ("mapping", "tolerances", "offset", "align", "drift"))
-    )
+    own = take_words(words, LogWords)
     said = {name: words.pop(name) for name in ("proposes", "share", "yes")}
     return carry_out(words, lambda options, access: _compare(options, access, own, picture, **said))
 

@@ -78,7 +78,7 @@ STIMULI = (("3.5s", f"{AREA}=0"), ("3.9s", f"{AREA}=1"))
 def command(port: int, stays_closed: bool, language: Language) -> int:
     """Show the cell on a page."""
     own = Words(
-        ("127.0.0.1", port), None, False, not stays_closed, False, "slice", None, has_tour=True
+        "127.0.0.1", port, None, False, not stays_closed, False, "slice", None, has_tour=True
     )
     try:
         with tempfile.TemporaryDirectory(prefix="nctakt-demo-") as folder, contextlib.chdir(folder):

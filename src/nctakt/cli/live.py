@@ -29,6 +29,7 @@ from nctakt.cli.common.options import (
     RETAIN_OPTION,
     TRUST_OPTION,
     table_options,
+    take_words,
 )
 from nctakt.cli.common.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.common.retaining import RetainedSession
@@ -143,27 +144,13 @@ _LONGEST = "24 h"
     text=Text("Open the page in the browser.", "Die Seite im Browser öffnen."),
 )
 @MODE_OPTION
-def command(
-    host: str,
-    port: int,
-    debug_port: int | None,
-    is_embedded: bool,
-    opens_browser: bool,
-    acknowledge: bool,
-    pace: str,
-    tape: str | None,
-    log: str | None,
-    mapping: str | None,
-    tolerances: tuple[str, ...],
-    offset: str | None,
-    align: str | None,
-    drift: float | None,
-    **words: Any,
-) -> int:
+def command(**words: Any) -> int:
     """Show a run on a page."""
-    shown = is_embedded, opens_browser
-    read = None if log is None else LogWords(log, mapping, tolerances, offset, align, drift)
-    own = Words((host, port), debug_port, *shown, acknowledge, pace, tape, read)
+    has_log = words["log"] is not None
+    log = take_words(words, LogWords)
+    own = take_words(words, Words)
+    if has_log:
+        own = replace(own, log=log)
     return carry_out(
         words,
         lambda options, access: show_page(options, access, own),
@@ -174,7 +161,8 @@ def command(
 class Words:
     """The words that only this command has; ``has_tour``: the page has that of the demo cell."""
 
-    address: tuple[str, int]
+    host: str
+    port: int
     debug_port: int | None
     is_embedded: bool
     opens_browser: bool
@@ -216,9 +204,9 @@ def _share(
 
 def show_page(options: Options, access: FileAccess, own: Words) -> int:
     """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
-    from nctakt.live.server import check_library, serve, usable_port  # noqa: PLC0415 - seldom
+    from nctakt.live import server  # noqa: PLC0415 - seldom needed
 
-    check_library()
+    server.check_library()
     if STANDARD_INPUT in (*options.programs, *(program for _, program in options.others)):
         raise Failure(diagnostic(PAGE_NEEDS_FILES))
     choose_mode(options)
@@ -228,7 +216,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
     request = read_request(options, access)
     if options.machine_note is not None and not options.quiet:
         print_diagnostics([options.machine_note], options.language)
-    host, port = own.address[0], usable_port(*own.address)
+    address = own.host, server.usable_port(own.host, own.port)
     _check_tape(own, access)
     folders = options.confined or _folders_of(options)
     checker = Checker(options.machine, folders)
@@ -250,18 +238,19 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
         if own.debug_port is not None:
             ends.callback(_let_attach(shared, own.debug_port, options).close)
         with contextlib.suppress(KeyboardInterrupt):  # the way to end it
-            serve(
+            server.serve(
                 shared,
                 documents,
                 Texts(options.language),
-                (host, port),
-                has_plc=bool(options.plcs),
-                has_tour=own.has_tour,
-                opens_browser=own.opens_browser,
-                is_embedded=own.is_embedded,
+                address,
+                shown=server.Shown(
+                    bool(options.plcs), own.has_tour, own.opens_browser, own.is_embedded
+                ),
                 tell=click.echo,
-                tell_error=lambda found: print_diagnostics([found], options.language),
-                refused=lambda _, reason: refused.update([reason]),
+                reports=server.Reports(
+                    lambda found: print_diagnostics([found], options.language),
+                    lambda _, reason: refused.update([reason]),
+                ),
             )
         if refused and not options.quiet:
             print_diagnostics([_refusals(refused, options.language)], options.language)

@@ -23,7 +23,13 @@ from nctakt.base.diagnostics import Diagnostic, Severity, Text
 from nctakt.base.failure import Failure
 from nctakt.cli import EXIT_NC_ERROR, EXIT_RAN
 from nctakt.cli.common.help import NumberRange, described, option
-from nctakt.cli.common.options import MODE_OPTION, PACE_OPTION, TRUST_OPTION, table_options
+from nctakt.cli.common.options import (
+    MODE_OPTION,
+    PACE_OPTION,
+    TRUST_OPTION,
+    table_options,
+    take_words,
+)
 from nctakt.cli.common.request import STANDARD_INPUT, Options, Request, read_request
 from nctakt.cli.common.running import choose_mode
 from nctakt.cli.common.settings import carry_out
@@ -226,30 +232,9 @@ if TYPE_CHECKING:
     ),
 )
 @MODE_OPTION
-def command(
-    ads: str | None,
-    ads_net_id: str | None,
-    ads_networks: tuple[str, ...],
-    ads_permitted: tuple[str, ...],
-    live: str | None,
-    mtconnect: str | None,
-    mqtt: str | None,
-    opcua: str | None,
-    opcua_folder: str,
-    acknowledge: bool,
-    speed: float,
-    pace: str,
-    tape: str | None,
-    ready_file: str | None,
-    log: str | None,
-    **words: Any,
-) -> int:
+def command(**words: Any) -> int:
     """Serve a session."""
-    endpoints = {"ads": ads, "mtconnect": mtconnect, "mqtt": mqtt, "opcua": opcua}
-    clients = _AdsWords(ads_net_id, ads_permitted, ads_networks)
-    own = _Words(
-        endpoints, live, clients, opcua_folder, acknowledge, speed, pace, tape, ready_file, log
-    )
+    own = take_words(words, _Words)
 
     def show(options: Options, access: FileAccess) -> int:
         with building() as built:
@@ -259,21 +244,21 @@ def command(
 
 
 @dataclass(frozen=True, slots=True)
-class _AdsWords:
-    """The NetId of the ADS server, those of its clients, and where these connect from."""
-
-    net_id: str | None
-    permitted: tuple[str, ...]
-    networks: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class _Words:
-    """The words that only this command has; ``endpoints``: the words of their options."""
+    """The words that only this command has.
 
-    endpoints: Mapping[str, str | None]
+    ``ads_net_id``: of the ADS server, ``ads_permitted``: those of its clients, which connect from
+    ``ads_networks``.
+    """
+
+    ads: str | None
+    ads_net_id: str | None
+    ads_networks: tuple[str, ...]
+    ads_permitted: tuple[str, ...]
     live: str | None
-    ads: _AdsWords
+    mtconnect: str | None
+    mqtt: str | None
+    opcua: str | None
     opcua_folder: str
     acknowledge: bool
     speed: float
@@ -281,6 +266,16 @@ class _Words:
     tape: str | None
     ready_file: str | None
     log: str | None
+
+    @property
+    def endpoints(self) -> dict[str, str | None]:
+        """The words of the options of all endpoints but the page."""
+        return {
+            "ads": self.ads,
+            "mtconnect": self.mtconnect,
+            "mqtt": self.mqtt,
+            "opcua": self.opcua,
+        }
 
 
 def _plc_programs(options: Options) -> Sequence[Program]:
@@ -413,9 +408,9 @@ def _ads(word: str, own: _Words) -> EndpointOpener:
     from nctakt.servers.ads.server import PORT, AdsEndpoint  # noqa: PLC0415 - as above
 
     address = read_address("--ads", word, PORT)
-    net_id = None if own.ads.net_id is None else _net_id(own.ads.net_id)
-    clients = [_net_id(text) for text in own.ads.permitted]
-    networks = [read_network("--ads-from", text) for text in own.ads.networks]
+    net_id = None if own.ads_net_id is None else _net_id(own.ads_net_id)
+    clients = [_net_id(text) for text in own.ads_permitted]
+    networks = [read_network("--ads-from", text) for text in own.ads_networks]
     if not networks and not is_loopback(address[0]):
         raise Failure(diagnostic(ADS_NEEDS_SOURCES, host=address[0]))
     return lambda host: AdsEndpoint(host, address, net_id, clients, networks)
@@ -442,17 +437,17 @@ def _who_commands(own: _Words) -> Iterator[Diagnostic]:
         "any program of this computer, without a password",
         "jedes Programm dieses Rechners, ohne Passwort",
     )
-    if own.endpoints["ads"] is not None:
-        networks = ", ".join(own.ads.networks)
+    if own.ads is not None:
+        networks = ", ".join(own.ads_networks)
         remote = Text(
             f"whoever connects from {networks}, without a password",
             f"wer sich von {networks} verbindet, ohne Passwort",
         )
         yield diagnostic(WHO_COMMANDS, endpoint="ADS", who=remote if networks else local)
-    if own.endpoints["opcua"] is not None:
+    if own.opcua is not None:
         users = Text(f"the users of {own.opcua_folder}", f"die Benutzer von {own.opcua_folder}")
         yield diagnostic(WHO_COMMANDS, endpoint="OPC UA", who=local if is_local("opcua") else users)
-    if own.endpoints["mqtt"] is not None:
+    if own.mqtt is not None:
         writers = Text(
             "whoever may write to the topics of the broker",
             "wer auf die Topics des Brokers schreiben darf",
@@ -462,7 +457,7 @@ def _who_commands(own: _Words) -> Iterator[Diagnostic]:
 
 def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> EndpointOpener:
     """Return what opens the page; raises ``Failure`` (901477) without a program."""
-    from nctakt.live.server import check_library  # noqa: PLC0415 - only where it is asked for
+    from nctakt.live.server import Reports, check_library  # noqa: PLC0415 - only where asked for
 
     check_library()
     from nctakt.live.document import Checker  # noqa: PLC0415 - as above
@@ -484,8 +479,10 @@ def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> E
         options.language,
         acknowledges=not own.acknowledge,
         has_plc=bool(options.plcs),
-        tell_error=lambda found: print_diagnostics([found], options.language),
-        refused=lambda client, reason: host.refuse_later("live", client, reason.get("en")),
+        reports=Reports(
+            lambda found: print_diagnostics([found], options.language),
+            lambda client, reason: host.refuse_later("live", client, reason.get("en")),
+        ),
     )
 
 

@@ -12,12 +12,11 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 
-from nctakt.base.diagnostics import Diagnostic, Language
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.live.access.connections import MAX_CONNECTIONS
-from nctakt.live.access.guard import Refused
 from nctakt.live.document import Checker, Document
-from nctakt.live.server import end_page, serve, usable_port
+from nctakt.live.server import Reports, Shown, end_page, serve, usable_port
 from nctakt.live.shared import SharedSession
 from nctakt.live.texts import Texts
 from nctakt.messages import diagnostic
@@ -28,7 +27,7 @@ from nctakt.session.session import Session
 class PageEndpoint:
     """The page of a session at an address; ``programs``: by channel, at least one.
 
-    ``tell_error`` and ``refused`` are called from the page's own thread.
+    ``reports`` are called from the page's own thread.
     """
 
     max_connections = MAX_CONNECTIONS
@@ -43,16 +42,14 @@ class PageEndpoint:
         *,
         acknowledges: bool,
         has_plc: bool,
-        tell_error: Callable[[Diagnostic], None],
-        refused: Refused,
+        reports: Reports,
     ) -> None:
         self._session = session
         self._address = address
         self._language: Language = language
         self._acknowledges = acknowledges
         self._has_plc = has_plc
-        self._tell_error = tell_error
-        self._refused = refused
+        self._reports = reports
         self._documents = {
             number: [Document(program, checker) for program in own]
             for number, own in programs.items()
@@ -104,10 +101,9 @@ class PageEndpoint:
                 self._documents,
                 Texts(self._language),
                 address,
-                has_plc=self._has_plc,
+                shown=Shown(self._has_plc),
                 tell=self._address_told.set_result,
-                tell_error=self._tell_error,
-                refused=self._refused,
+                reports=self._reports,
             )
         except BaseException as error:  # noqa: BLE001 - whoever opens the endpoint gets it
             if not self._address_told.done():

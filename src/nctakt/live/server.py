@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.live.access.guard import LOCAL, WORD, Access, Guard, Refused
@@ -62,50 +63,65 @@ def usable_port(host: str, port: int) -> int:
         raise Failure(found) from error
 
 
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """How the page is shown.
+
+    ``has_tour``: with the tour of the demo cell. ``is_embedded``: an editor shows it in a panel.
+    """
+
+    has_plc: bool
+    has_tour: bool = False
+    opens_browser: bool = False
+    is_embedded: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Reports:
+    """What the server calls: ``error`` for messages of browsers that cannot be understood.
+
+    ``refused``: for requests and connections that were refused, with the client and the reason.
+    """
+
+    error: Callable[[Diagnostic], None]
+    refused: Refused
+
+
 def serve(
     shared: SharedSession,
     documents: Mapping[int, list[Document]],
     texts: Texts,
     address: tuple[str, int],
     *,
-    has_plc: bool,
-    has_tour: bool = False,
-    opens_browser: bool = False,
-    is_embedded: bool = False,
+    shown: Shown,
     tell: Callable[[str], None],
-    tell_error: Callable[[Diagnostic], None],
-    refused: Refused,
+    reports: Reports,
 ) -> None:
-    """Serve the page until Ctrl-C.
-
-    ``has_tour``: with the tour of the demo cell. ``is_embedded``: an editor shows it in a panel.
-    ``tell`` gets its address once, ``tell_error`` unreadable data from browsers, ``refused`` whose
-    requests and connections were refused, and why.
-    """
+    """Serve the page until Ctrl-C; ``tell`` gets its address once."""
     from nicegui import Client, app, background_tasks, context, ui  # noqa: PLC0415 - only the page needs it
 
     from nctakt.live.access.compressing import Compression  # noqa: PLC0415 - as above
     from nctakt.live.access.connections import protocol  # noqa: PLC0415
     from nctakt.live.page import Page  # noqa: PLC0415
 
-    (host, port), places = address, Places(Client.instances, refused)
-    access = Access(new_token(), host not in LOCAL, is_embedded)
-    word = f"?{WORD}={access.token}" if access.is_closed or is_embedded else ""
+    (host, port), places = address, Places(Client.instances, reports.refused)
+    access = Access(new_token(), host not in LOCAL, shown.is_embedded)
+    word = f"?{WORD}={access.token}" if access.is_closed or shown.is_embedded else ""
 
     @ui.page("/", title="nctakt live")
     def show() -> None:
         places.let_wait(context.client)
-        Page(shared, documents, texts, has_plc=has_plc, has_tour=has_tour)
+        Page(shared, documents, texts, has_plc=shown.has_plc, has_tour=shown.has_tour)
 
-    shown = f"[{host}]" if ":" in host else host
+    written = f"[{host}]" if ":" in host else host
 
     async def begin() -> None:
         gc.freeze()  # existing objects stay: this keeps garbage collection short
-        background_tasks.create(_announce(f"http://{shown}:{port}/{word}", host, port, tell))
+        background_tasks.create(_announce(f"http://{written}:{port}/{word}", host, port, tell))
 
     sys.setswitchinterval(_SWITCH_S)
-    tell_errors(tell_error)
-    _guard(access, places, texts, refused)
+    tell_errors(reports.error)
+    _guard(access, places, texts, reports.refused)
     app.on_startup(begin)
     ui.run(
         host=host,
@@ -113,10 +129,10 @@ def serve(
         title="nctakt live",
         language="de" if texts.language == "de" else "en-US",
         reload=False,
-        show=f"/{word}" if opens_browser else False,
+        show=f"/{word}" if shown.opens_browser else False,
         show_welcome_message=False,
         uvicorn_logging_level="critical",
-        http=protocol(refused),
+        http=protocol(reports.refused),
         ws_max_size=_MAX_MESSAGE,
         ws_per_message_deflate=False,  # a few bytes would become as many as a message may have
         tailwind=False,  # the page has its own styles: these would delay the first paint

@@ -8,6 +8,7 @@ the words of a run among the words of a command.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import fields
 from typing import Any, TypeVar
 
 import click
@@ -32,9 +33,16 @@ from nctakt.run.option_kinds import (
 from nctakt.run.options import BY_NAME, READ_NAMES, RunOption, accepted_by
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
+_Record = TypeVar("_Record")
 
 #: The options whose words become options of ``Controller.run``; ``signals`` need a file.
 READ_OPTIONS = tuple(BY_NAME[name] for name in (*READ_NAMES, "blocks", "stays"))
+
+
+def take_words(words: dict[str, Any], record: type[_Record]) -> _Record:
+    """Take those words of a command that are fields of a dataclass; return them as one."""
+    names = [field.name for field in fields(record) if field.name in words]  # type: ignore[arg-type]
+    return record(**{name: words.pop(name) for name in names})
 
 
 def _attributes(kind: Kind) -> dict[str, Any]:

@@ -8,9 +8,9 @@ chooses the mode before anything of the realtime part is imported, and runs.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar, Unpack
 
 from nctakt.base.diagnostics import Language, Severity, Text
 from nctakt.base.failure import Failure
@@ -30,11 +30,8 @@ from nctakt.messages.commands.command_line import (
 from nctakt.messages.scheduling.scheduled_runs import OPTION_WITHOUT_SCHEDULE
 
 if TYPE_CHECKING:
-    from nctakt.decoder.cycles.builder import CycleDefinition
     from nctakt.lists.machine.machine import Machine
     from nctakt.results.run import ProgramMessage, Run
-    from nctakt.results.trace.sinks import Sink
-    from nctakt.run.access.inputs import InputListener
     from nctakt.run.controller import Controller
     from nctakt.run.options import RunKeywords
     from nctakt.schedule.open_schedule import RunSchedule
@@ -131,18 +128,12 @@ def run_programs(
     request: Request,
     controller: Controller,
     *,
-    sinks: Sequence[Sink] = (),
-    why: bool = False,
-    on_message: Callable[[ProgramMessage], None] | None = None,
-    on_cycle: Callable[[str, CycleDefinition], None] | None = None,
-    record: InputListener | None = None,
     is_drawn: bool = False,
-    blocks: bool = False,
-    condition_signals: bool = False,
+    **further: Unpack[RunKeywords],
 ) -> Run | None:
     """Return the result; ``None`` if the user's PLC failed, which has been reported.
 
-    ``is_drawn``: it records all that pictures show; ``blocks``: the events of blocks.
+    ``is_drawn``: it records all that pictures show; ``further``: what the command itself wants.
     """
     from nctakt.cli.common.comment_inputs import tell_unused_inputs  # noqa: PLC0415 - as below
     from nctakt.plc.error import PlcError  # noqa: PLC0415 - the mode is chosen before
@@ -162,15 +153,12 @@ def run_programs(
                 "plc": request.plc,
                 "fmu": request.fmu,
                 "signals": request.signals,
-                "sinks": sinks,
+                **further,
                 "memory_trace": is_drawn,
-                "why": why or is_drawn,
-                "on_message": _without_bar(bar, on_message),
+                "why": further.get("why", False) or is_drawn,
+                "on_message": _without_bar(bar, further.get("on_message")),
                 "on_progress": show_progress,
-                "on_cycle": on_cycle,
-                "blocks": given["blocks"] or is_drawn or blocks,
-                "condition_signals": condition_signals,
-                "record": record,
+                "blocks": given["blocks"] or is_drawn or further.get("blocks", False),
                 "replay": options.tape,
             }
             return controller.run(*request.programs, channels=request.channels, **run_keywords)

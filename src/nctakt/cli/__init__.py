@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command ``nctakt``: subcommands, each in a file of its own, and the exit codes.
+"""The command ``nctakt``: subcommands, each in its own file, and the exit codes.
 
 In: the words of the command line. Out: 0 for success, 1 for an NC error or an interrupt, 2 for
 wrong usage (an invalid option, file or machine), 3 for an internal error of nctakt. SIGTERM

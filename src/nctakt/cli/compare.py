@@ -206,7 +206,7 @@ def _run_again(
     """Return the run with a change; ``None`` if it is not possible."""
     from nctakt.proposals.changed_run import changed_run  # noqa: PLC0415 - as above
 
-    request = replace(read_request(options, access), signals=signals)  # a PLC of its own
+    request = replace(read_request(options, access), signals=signals)  # its own PLC
     schedule = schedule_of(options, access)
     return changed_run(machine, schedule, access, request, change, value)
 
@@ -221,7 +221,7 @@ def _share(
     *,
     writes: bool,
 ) -> None:
-    """Show what the folder holds, and write it; raises ``Failure``."""
+    """Show the content of the folder, and write it; raises ``Failure``."""
     from nctakt.comparison.sharing.share import SharedRun, share_lines, share_of  # noqa: PLC0415
 
     channels = {1: request.programs, **request.channels}

@@ -2,7 +2,7 @@
 """``nctakt demo``: a handling cell on a page in the browser, with a guided tour.
 
 In: the programs and the PLC of ``nctakt.live.demo``, the machine ``cell``. Out: as ``nctakt live``.
-The programs are copied for the time of the page: what somebody saves there is gone afterwards.
+The programs are copied for the time of the page: anything saved there is gone afterwards.
 """
 
 from __future__ import annotations

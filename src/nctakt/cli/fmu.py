@@ -110,7 +110,7 @@ def _pack(
     inputs: tuple[str, ...] | None,
     outputs: tuple[str, ...] | None,
 ) -> int:
-    """Check the run, write the FMU and say what it has; raises ``Failure``."""
+    """Check the run, write the FMU and list its content; raises ``Failure``."""
     choose_mode(options)
     from nctakt.fmu.exporting import build_cell, cell_variables, gather  # noqa: PLC0415 - as above
     from nctakt.run.tape_words import words_of_run  # noqa: PLC0415

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """``nctakt init``: a project file, a first test and a CI file for a folder that has lists.
 
-In: a folder. Out: what was found below it (standard output), and the files; one that is there
-already stays as it is. The first test takes a program without errors. No one's code is run: PLCs
-in Python are found by reading them.
+In: a folder. Out: the findings below it (standard output), and the files; existing ones are not
+changed. The first test uses a program without errors. No user code is run: PLCs in Python are found
+by reading them.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ from nctakt.run.options import BY_NAME
 
 #: Maximum number of names in a line.
 _MAX_NAMED = 5
-#: Maximum number of programs that are checked until one has no errors.
+#: Maximum number of programs checked until one has no errors.
 _MAX_CHECKED = 20
 _END = re.compile(rb"\bM0*(?:2|30)\b", re.IGNORECASE)
 _OTHER_CHANNEL = re.compile(rb"#[ \t]*WAIT\b", re.IGNORECASE)
@@ -78,7 +78,7 @@ _PATHS = Text("what nctakt check checks", "was nctakt check prüft")
 
 @dataclass(frozen=True, slots=True)
 class _Content:
-    """What a folder has, seen from there; ``remarks``: what is unusual about its lists."""
+    """The content of a folder, with relative paths; ``remarks``: notes on its lists."""
 
     machines: tuple[str, ...]
     programs: tuple[str, ...]
@@ -117,7 +117,7 @@ def command(folder: str, ci: str | None, language: Language, quiet: bool) -> int
     found: Sequence[Diagnostic] = ()
     try:
         for line in _init(Path(folder), ci, language):
-            lines.append(line)  # all is written before whoever reads the answer can end it
+            lines.append(line)  # all is written before a reader of the output can end it
     except Failure as failure:
         found = failure.diagnostics
     for line in () if quiet else lines:
@@ -127,7 +127,7 @@ def command(folder: str, ci: str | None, language: Language, quiet: bool) -> int
 
 
 def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
-    """Write the files; yield what was found and written. Raises ``Failure``."""
+    """Write the files; yield the findings and the files written. Raises ``Failure``."""
     if not folder.is_dir():
         raise Failure(diagnostic(FILE_MISSING, file=str(folder)))
     content = _content(folder)
@@ -157,7 +157,7 @@ def _init(folder: Path, ci: str | None, language: Language) -> Iterator[str]:
 
 
 def _content(folder: Path) -> _Content:
-    """Return what lies below a folder, in the order of the names."""
+    """Return the content below a folder, in the order of the names."""
     access = FileAccess()
     found = gather([folder], access, [])
 
@@ -178,7 +178,7 @@ def _content(folder: Path) -> _Content:
 
 
 def _remarks(folder: Path, startups: Sequence[Path], count: int) -> list[Diagnostic]:
-    """Return what is said of lists of which none has the name of a start-up list."""
+    """Return the note for lists none of which has the name of a start-up list."""
     usual = ", ".join(name for name in STARTUP_NAMES if name.endswith(LIST_SUFFIX))
     if not startups:
         return [diagnostic(NO_STARTUP_LIST, folder=str(folder), count=count, names=usual)]
@@ -190,8 +190,8 @@ def _remarks(folder: Path, startups: Sequence[Path], count: int) -> list[Diagnos
 def _main_program(folder: Path, programs: Sequence[str], machines: Sequence[str]) -> str:
     """Return the first program with M2 or M30 and without errors, else the first with M2 or M30.
 
-    A machine that is the only one counts for all programs, as the project file says then. Those
-    of the folder itself come first, those that wait for another channel last.
+    A single machine counts for all programs, as the project file then says. Those of the folder
+    itself come first, those that wait for another channel last.
     """
     texts = {name: FileAccess().read_bytes(folder / name) for name in programs}
     ends = sorted(
@@ -233,7 +233,7 @@ def _plays_plc(node: ast.ClassDef) -> bool:
 
 
 def _project_text(content: _Content, language: Language) -> str:
-    """Return the project file; an entry that is not clear is a comment with what there is."""
+    """Return the project file; an ambiguous entry is a comment with the candidates."""
     rows = [
         _row("machine", content.machines, "demo", _MACHINE.get(language)),
         _row("plc", content.plcs, "cell_plc.py", _PLC.get(language)),
@@ -281,7 +281,7 @@ def _write(path: Path, text: str) -> bool:
 
 
 def _next_commands(folder: Path, content: _Content) -> Iterator[str]:
-    """Yield the commands from here on, with the folder's files; what they lack comes before."""
+    """Yield the commands from here on, with the folder's files; missing parts come before."""
     yield f"nctakt check {folder.as_posix()}"
     if not content.main_program:
         return
@@ -297,7 +297,7 @@ def _next_commands(folder: Path, content: _Content) -> Iterator[str]:
 
 
 def _shown(names: Sequence[str], language: Language) -> str:
-    """Return names in a line, those beyond the first ones counted."""
+    """Return names on a line, those beyond the first few as a number."""
     if not names:
         return _NONE.get(language)
     further = f" … (+{len(names) - _MAX_NAMED})" if len(names) > _MAX_NAMED else ""

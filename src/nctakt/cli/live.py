@@ -262,7 +262,7 @@ def show_page(options: Options, access: FileAccess, own: Words) -> int:
 
 
 def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[LoggedCurve]:
-    """Return the curves of a log beside those of a run as it begins; raises ``Failure``.
+    """Return the curves of a log, compared with those of a starting run; raises ``Failure``.
 
     The run ends with the log at the latest.
     """
@@ -277,7 +277,7 @@ def _laid_over(options: Options, access: FileAccess, words: LogWords) -> list[Lo
     samples = opened.log.read([pair.column for pair in opened.pairs])
     begin = min(one.first_us for one in samples)
     end = max(one.last_us for one in samples)
-    request = replace(read_request(quiet, access), signals=opened.signals)  # a PLC of its own
+    request = replace(read_request(quiet, access), signals=opened.signals)  # its own PLC
     if request.options["until"] is None:
         request.options["until"] = f"{int(end - begin) + 1}us"
     columns = RecordedColumns()
@@ -310,10 +310,10 @@ def _session_opener(
     folders: Sequence[str],
     kept: RetainedSession | None,
 ) -> Callable[[str | None, bool], Session]:
-    """Return what opens a session of the documents as they are, with what the one before keeps.
+    """Return a function that opens a session of the documents, with values retained before.
 
     It is called with the program of channel 1, ``None`` for all, and whether the PLC acknowledges
-    by itself.
+    automatically.
     """
     from nctakt.run.program_loader import NcText  # noqa: PLC0415 - the mode is chosen before
     from nctakt.session.session import Session  # noqa: PLC0415 - as above

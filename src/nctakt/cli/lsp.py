@@ -67,7 +67,7 @@ from nctakt.messages.connections.editor import EDITOR_LIBRARY_MISSING
 @language_option()
 def command(stdio: bool, port: int | None, host: str, language: Language) -> int:
     """Serve an editor."""
-    gc.disable()  # what is imported stays
+    gc.disable()  # imported modules stay
     try:
         try:
             import pygls  # noqa: F401, PLC0415 - only this command needs it

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``nctakt replay``: a recorded run again, from its inputs, without the PLC.
 
-In: a tape of ``nctakt run --record``, files to write. Out: what ``nctakt run`` prints, byte for
+In: a tape of ``nctakt run --record``, files to write. Out: the output of ``nctakt run``, byte for
 byte, and whether the events were the same. Exit codes as ``nctakt run``; 1 also where they were
 not.
 """
@@ -89,7 +89,7 @@ def command(tape: str, anyway: bool, **words: Any) -> int:
 
 
 def _replay(name: str, anyway: bool, words: dict[str, Any]) -> int:
-    """Read the tape and run; raises ``Failure`` for what cannot be used."""
+    """Read the tape and run; raises ``Failure`` for unusable inputs."""
     from nctakt.base import mode  # noqa: PLC0415 - the mode is chosen before the imports below
 
     if words["compiled"] is False:

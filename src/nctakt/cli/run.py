@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run``: run NC programs one after another on a machine and report the results.
+"""``nctakt run``: run NC programs in turn on a machine and report the results.
 
 In: programs, machine, values of variables at times, limits, files to write. Out: the programs'
 messages as they come and a summary (standard output), diagnostics (standard error), the files, and
@@ -173,7 +173,7 @@ class _Taping:
             self.writer.finish("broken" if run is None else run.state, controller.tick, files)
 
     def tell(self, run: Run) -> int:
-        """Tell whether a replay had the recorded events; the exit code of that."""
+        """Report whether a replay had the recorded events; return the exit code."""
         if self._options.tape is None:
             return EXIT_RAN
         from nctakt.cli.common.tapes import verdict  # noqa: PLC0415 - as above

@@ -290,7 +290,7 @@ def _plc_programs(options: Options) -> Sequence[Program]:
 def _serve(options: Options, access: FileAccess, own: _Words, built: Callable[[], None]) -> int:
     """Open the session and serve it, ``built`` once all endpoints are open.
 
-    Raises ``Failure`` for what cannot be used.
+    Raises ``Failure`` for unusable inputs.
     """
     _check_words(options, own)
     choose_mode(options)
@@ -358,9 +358,9 @@ def _check_words(options: Options, own: _Words) -> None:
 def _check_outputs(own: _Words, access: FileAccess) -> None:
     """Check that all outputs can be written, and remove an old ready file.
 
-    Raises ``Failure`` for one that cannot, or that is an input.
+    Raises ``Failure`` for one that cannot be written, or that is an input.
     """
-    with contextlib.ExitStack() as stack:  # each can be written, and is none of the other files
+    with contextlib.ExitStack() as stack:  # each can be written, and is not one of the other files
         for option, file in (
             ("--record", own.tape),
             ("--ready-file", own.ready_file),
@@ -369,11 +369,11 @@ def _check_outputs(own: _Words, access: FileAccess) -> None:
             if file is not None:
                 stack.enter_context(OutputFile(file, option, access))
     if own.ready_file is not None and Path(own.ready_file).is_file():
-        Path(own.ready_file).unlink()  # an earlier start has left it: this one is not ready yet
+        Path(own.ready_file).unlink()  # left by an earlier start: this one is not ready yet
 
 
 def _setup(options: Options, request: Request, own: _Words, folders: Sequence[str]) -> Setup:
-    """Return what the session is opened with."""
+    """Return the setup of the session."""
     from nctakt.run.options import merged  # noqa: PLC0415 - the mode is chosen before
     from nctakt.session.setup import Setup  # noqa: PLC0415 - the mode is chosen before
 
@@ -391,7 +391,7 @@ def _setup(options: Options, request: Request, own: _Words, folders: Sequence[st
 
 
 def _endpoints(own: _Words) -> dict[str, EndpointOpener]:
-    """Return what opens each endpoint that is asked for; raises ``Failure`` for wrong addresses."""
+    """Return openers of the requested endpoints; raises ``Failure`` for wrong addresses."""
     endpoints: dict[str, EndpointOpener] = {}
     for name, word in own.endpoints.items():
         if word is not None:
@@ -515,7 +515,7 @@ def _opcua(word: str, own: _Words) -> EndpointOpener:
 #: The port of the page.
 _PAGE_PORT = 8765
 
-#: The option of each endpoint, and what its word opens.
+#: The option of each endpoint, and the function that opens it.
 _ENDPOINTS: Mapping[str, Callable[[str, _Words], EndpointOpener]] = {
     "ads": _ads,
     "mtconnect": _mtconnect,
@@ -541,7 +541,7 @@ def served_folders(options: Options) -> tuple[str, ...]:
 
 @contextlib.contextmanager
 def _log_writer(file: str | None) -> Iterator[Callable[[str], object] | None]:
-    """Yield what writes a line of the log, each at once."""
+    """Yield a function that writes a line of the log at once."""
     if file is None:
         yield None
     elif file == "-":
@@ -554,7 +554,7 @@ def _log_writer(file: str | None) -> Iterator[Callable[[str], object] | None]:
 def _ready_teller(
     file: str | None, built: Callable[[], None]
 ) -> Callable[[Mapping[str, str]], None]:
-    """Return what tells the addresses of all endpoints, and that all is built."""
+    """Return a function that reports the addresses of all endpoints, and that all are built."""
 
     def tell(addresses: Mapping[str, str]) -> None:
         built()
@@ -572,7 +572,7 @@ def _ready_teller(
 def _growing(
     tape: str | None, session: Session, setup: Setup, options: Options, access: FileAccess
 ) -> GrowingTape | None:
-    """Return the tape that grows meanwhile; ``None`` beside none, and beside a device or a pipe.
+    """Return the tape that grows meanwhile; ``None`` without a tape, and for a device or a pipe.
 
     Raises ``Failure`` (900507) if it cannot be written.
     """

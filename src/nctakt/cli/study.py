@@ -41,7 +41,7 @@ SUFFIXES = (".parquet", ".csv", ".jsonl")
 #: Ending of the file with the rows while they are made, after the name of the results.
 ROWS = ".rows"
 
-#: The run options of a program without a plan, which are entries of one.
+#: The run options of a program without a plan; in a plan they are entries.
 _OF_PROGRAM = tuple(row for row in accepted_by("study") if "plan" in row.front_ends)
 
 
@@ -226,7 +226,7 @@ def _language_of_project(files: Sequence[str]) -> Language:
 
 
 def _study(file: str, words: dict[str, Any]) -> int:
-    """Make the runs; raises ``Failure`` for what cannot be used."""
+    """Make the runs; raises ``Failure`` for unusable inputs."""
     from nctakt.cli.results.study_progress import StudyProgress  # noqa: PLC0415 - needs the controller
 
     _check_words(file, words)
@@ -336,7 +336,7 @@ def _tell_no_effect_shown(study: Study, result: StudyResult, words: dict[str, An
 
 
 def _part(words: dict[str, Any]) -> Part | None:
-    """Return the part that is asked for, whose file ``--out`` is then.
+    """Return the requested part, whose file is then ``--out``.
 
     Raises ``click.UsageError`` for a wrong one.
     """
@@ -396,7 +396,7 @@ def _check_files(study: Study, file: str, words: dict[str, Any]) -> None:
     """Check the outputs; raises ``Failure`` as ``_check_outputs``."""
     outputs = {name: words[name] for name in ("out", "report", "corpus")}
     if _is_folder(words):
-        outputs["out"] = None  # its parts have names of their own
+        outputs["out"] = None  # its parts have their own names
     _check_outputs(study, [file], outputs)
 
 
@@ -450,7 +450,7 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
 
 
 def _rows_of_parts(folder: str, words: dict[str, Any]) -> StreamedRows:
-    """Return the rows of the parts in a folder; tell which are missing (902535)."""
+    """Return the rows of the parts in a folder; report missing ones (902535)."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - as above
     from nctakt.messages.commands.studies import NO_PARTS, PARTS_MISSING  # noqa: PLC0415
     from nctakt.studies.rows.parts import RowsOfParts  # noqa: PLC0415
@@ -504,7 +504,7 @@ def _find(study: Study, file: str, words: dict[str, Any]) -> int:
 def _search(
     study: Study, words: dict[str, Any], budget: int, search: Callable[[SearchRuns], _T]
 ) -> _T | int:
-    """Return what a search finds in at most ``budget`` runs, or the exit code of a broken-off one.
+    """Return the result of a search of at most ``budget`` runs, or the exit code if interrupted.
 
     Raises ``Failure`` as ``search_with_rows`` if no rows are kept.
     """
@@ -521,7 +521,7 @@ def _search(
 
 
 def _executor(words: dict[str, Any], store: RowStore | FolderStore | None) -> Any:
-    """Return what makes the runs on a cluster; ``None``: this machine."""
+    """Return the maker of runs on a cluster; ``None``: this machine."""
     address = words["scheduler"]
     if address is None:
         return None
@@ -538,7 +538,7 @@ def _interrupted(
     store: RowStore | FolderStore | None,
     words: dict[str, Any],
 ) -> int:
-    """Say why a study has ended early, and how many runs are kept; raise what leaves none."""
+    """Say why a study has ended early, and how many runs are kept; raise if there are none."""
     from nctakt.messages import diagnostic  # noqa: PLC0415 - few studies are interrupted
     from nctakt.messages.commands.studies import STUDY_INTERRUPTED  # noqa: PLC0415
 
@@ -564,7 +564,7 @@ def _is_folder(words: dict[str, Any]) -> bool:
 def _results(
     study: Study, words: dict[str, Any], *, searches: bool = False
 ) -> RowStore | FolderStore:
-    """Return what keeps the rows of ``--out``."""
+    """Return the store for the rows of ``--out``."""
     purpose = "cover" if words["cover"] else ""
     if not _is_folder(words):
         return _store(study, words, purpose)

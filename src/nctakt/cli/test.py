@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """``nctakt test``: expectations of NC files, suites in Structured Text, and Python tests.
 
-In: files and folders, which of their tests. Out: what pytest shows with the plugins of nctakt, a
+In: files and folders, the selected tests. Out: the output of pytest with the plugins of nctakt, a
 JUnit file if asked for, and the exit code as that of ``nctakt check``.
 """
 
@@ -42,7 +42,7 @@ _CODES = {
     5: EXIT_USAGE,
 }
 _NO_TESTS = 5
-#: What pytest takes from folders above, and runs of those that are named.
+#: Files that pytest reads from parent folders, and runs in named ones.
 _SETTINGS = (
     "conftest.py",
     *(f"{dot}pytest.{kind}" for dot in ("", ".") for kind in ("ini", "toml")),
@@ -133,7 +133,7 @@ def command(
 
 @contextlib.contextmanager
 def _telling_in(language: Language) -> Iterator[None]:
-    """Let tests tell what is wrong in a language, also in the processes that they start."""
+    """Make tests report mistakes in a language, also in the processes that they start."""
     before = os.environ.get(LANGUAGE_VARIABLE)
     if language == language_of_tests():
         yield
@@ -157,7 +157,7 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
     _check_trusted(paths)
     known = {one.name for one in entry_points(group="pytest11")}
     plugins = [] if "nctakt" in known else [part for name in _PLUGINS for part in ("-p", name)]
-    # This process has imported what pytest would rewrite: no assert of nctakt is a test's.
+    # This process has imported modules that pytest would rewrite: nctakt's asserts are not tests.
     plugins += ["-W", "ignore::pytest.PytestAssertRewriteWarning"]
     if _is_parallel(paths):
         plugins += ["--dist", "loadfile"]  # the suites of a file run together
@@ -191,7 +191,7 @@ def _tested(paths: list[str], words: list[str], junit: str | None, language: Lan
 
 
 def _check_trusted(words: list[str]) -> None:
-    """Raise ``Failure`` (902971) if pytest would run what may be somebody else's.
+    """Raise ``Failure`` (902971) if pytest would run code that may be somebody else's.
 
     It takes settings and ``conftest.py`` from the folders of the tests and all above.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt time``: where the machining time of programs goes, and what limits each block.
+"""``nctakt time``: where the machining time of programs goes, and the limit of each block.
 
 In: programs, machine, values of variables at times, limits. Out: tables on standard output, files
 for other tools. Exit codes as of ``nctakt run``.
@@ -106,7 +106,7 @@ if TYPE_CHECKING:
 def command(
     what_if: bool, table: str | None, flame: str | None, picture: str | None, **words: Any
 ) -> int:
-    """Tell where the time goes."""
+    """Report where the time goes."""
     names = {"--csv": table, "--flame": flame, "--plot": picture}
     files = {option: name for option, name in names.items() if name is not None}
     return carry_out(words, lambda options, access: _time(options, access, files, what_if))

@@ -118,7 +118,7 @@ def command(
 
 @dataclass(frozen=True, slots=True)
 class _Asked:
-    """What the report is narrowed to."""
+    """The selection of the report."""
 
     cycle: str | None
     line: int | None
@@ -126,7 +126,7 @@ class _Asked:
     state: str | None
 
     def select(self, report: WhyReport) -> WhyReport:
-        """Return what is asked of a report; raises ``Failure`` where it has no such thing."""
+        """Return the selected part of a report; raises ``Failure`` if it has no such part."""
         if self.variable is not None:
             report = report.select_plc(self.variable)
         return report.select(self.cycle, self.line)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Who calls a program, and what it calls: main programs, local subprograms, programs in files.
+"""Callers and calls of a program: main programs, local subprograms, programs in files.
 
 In: a document and a position, or an item of an earlier answer. Out: items of the call hierarchy. A
 program is also called by a G function or M6 that the channel list or ``#FILE NAME`` gives one.
@@ -43,7 +43,7 @@ class _Call:
 
 
 class CallHierarchy:
-    """The calls of the programs of one machine; ``programs`` returns those that are searched."""
+    """The calls of the programs of one machine; ``programs`` returns those to search."""
 
     def __init__(
         self, work: Workspace, loaded: LoadedMachine, programs: Callable[[], Iterable[Document]]
@@ -65,7 +65,7 @@ class CallHierarchy:
         return [_item(document, section_of(document.lines, position.line))]
 
     def outgoing(self, item: CallHierarchyItem) -> list[CallHierarchyOutgoingCall]:
-        """Return what a program calls, in the order of its text."""
+        """Return the calls of a program, in the order of its text."""
         document = self._document(item.uri)
         if document is None:
             return []

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Checks documents while they are typed: after a pause, beside all requests, cancelled by a change.
+"""Checks documents during typing: after a pause, in parallel with requests, cancelled by a change.
 
-In: changed documents. Out: findings of the text as it is then; those of an older text are never
+In: changed documents. Out: findings of the present text; those of an older text are never
 published.
 """
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A text that is open in an editor, and its positions.
 
-In: the text as it was opened, then changes. Out: lines, as the check counts them. A change touches
-only its own lines, so that a program of a million lines is edited as fast as a short one.
+In: the opened text, then changes. Out: lines, as the check counts them. A change touches only its
+own lines, so that a program of a million lines is edited as fast as a short one.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ STRUCTURED_LANGUAGE = "nctakt-st"
 class Document:
     """An open text; ``lines`` are without their ends, the last one may be empty.
 
-    ``path`` is ``None`` for a text without a file. ``name`` is what findings call it. ``encoding``
+    ``path`` is ``None`` for a text without a file. ``name`` is its name in findings. ``encoding``
     counts the characters of positions.
     """
 
@@ -77,7 +77,7 @@ class Document:
     def program_lines(self) -> list[str]:
         """Return the lines as the check counts them: an end of line begins no other line.
 
-        They are copied once for each change, and stay as they are while the text changes.
+        They are copied once for each change, and are not affected by later changes.
         """
         changes, lines = self._copy
         if changes != self._changes:
@@ -98,7 +98,7 @@ class Document:
         """Apply a change of the editor."""
         self._changes += 1
         self._apply(event)
-        self._changes += 1  # a copy made meanwhile, beside this thread, is not used again
+        self._changes += 1  # a copy made meanwhile, in another thread, is not used again
 
     def _apply(self, event: TextDocumentContentChangeEvent) -> None:
         if not isinstance(event, TextDocumentContentChangePartial):
@@ -159,7 +159,7 @@ class Document:
         return self.range(span.line - 1, span.column - 1, span.end_column - 1)
 
     def whole_lines(self, first: int, last: int) -> Range:
-        """Return the range from the start of a line to the end of another one."""
+        """Return the range from the start of a line to the end of another."""
         text = self.line(last)
         return Range(Position(first, 0), Position(last, self.character_of(text, len(text))))
 
@@ -181,7 +181,7 @@ def path_of(uri: str) -> Path | None:
 
 
 def name_of(uri: str, folders: Sequence[Path]) -> str:
-    """Return what findings call a document: its file, or where a text without one would lie.
+    """Return a document's name in findings: its file, or where a text without one would be.
 
     That is the first folder of the editor, so that its project, its machine and the programs in it
     are those of the text.

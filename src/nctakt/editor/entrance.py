@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The ways in which an editor comes to the language server: standard streams, or a port.
+"""How an editor connects to the language server: by standard streams, or a port.
 
 In: a server. Out: its end, with the editor or by a signal. At a port the first message has to be
-``initialize`` with the token in its ``initializationOptions``; whatever begins otherwise, such as a
-page in a browser, is refused and left.
+``initialize`` with the token in its ``initializationOptions``; any other start, such as from a page
+in a browser, is refused and disconnected.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.messages.connections.ports import TOKEN_NEEDED
 from nctakt.ports.endpoint import Endpoint, Visitor
 from nctakt.ports.framing import Message, MessageReader
 
-#: What the file of a token is called by.
+#: The name of a token's file.
 KIND = "lsp"
 
 #: The code of an error of JSON-RPC: a request that is not valid.
@@ -46,7 +46,7 @@ def serve_port(
 ) -> None:
     """Serve the first editor that comes with the token, until it goes.
 
-    ``tell`` gets address and token. Raises ``Failure`` (901920) if the system refuses the port.
+    ``tell`` receives address and token. Raises ``Failure`` (901920) if the system refuses the port.
     """
     endpoint = Endpoint(KIND, host, port, max_guests=1)
     entered: queue.SimpleQueue[tuple[Visitor, Message]] = queue.SimpleQueue()
@@ -76,11 +76,11 @@ def serve_port(
 
 
 def _first_message(visitor: Visitor, server: Server) -> Message | None:
-    """Return the request that brings the token, ``None`` where the visitor is refused."""
+    """Return the request that brings the token, ``None`` if the visitor is refused."""
     try:
         message = MessageReader(visitor.reading, is_strict=True).read()
     except Failure:
-        return None  # nothing of the protocol, and no one to tell
+        return None  # not the protocol, and nobody to notify
     if message is None:
         return None
     parameters = message.get("params")

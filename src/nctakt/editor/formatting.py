@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Lines of a program as the printer writes them, with their comments and numbers as written.
 
-In: lines. Out: edited lines. A line is printed on its own, inside the structure that it belongs to;
-where the printed one would not give the same tree again, or has a comment in its middle, only its
+In: lines. Out: edited lines. A line is printed separately, inside the structure that it belongs to;
+if the printed line would not give the same tree again, or has a comment in its middle, only its
 indentation changes.
 """
 
@@ -25,7 +25,7 @@ _NUMBER = re.compile(
 )
 _CLOSING = frozenset(ENDS.values())
 
-#: What is put around a line that divides or closes a structure while it is parsed.
+#: Text put around a line that divides or closes a structure, for parsing.
 _AROUND: dict[str, tuple[list[str], list[str]]] = {
     "$ELSEIF": (["$IF 1"], ["$ENDIF"]),
     "$ELSE": (["$IF 1"], ["$ENDIF"]),
@@ -91,7 +91,7 @@ def format_line(line: str, level: int, word: str = "", in_declarations: bool = F
 
 
 def _printed(code: str, word: str, in_declarations: bool) -> str:
-    """Return the code as the printer writes it, or as it is where that says something else."""
+    """Return the code as printed, or unchanged if that would change its meaning."""
     before, after = _AROUND.get(word, ([], []))
     if word in ENDS:
         after = [ENDS[word] + (" 1" if word in ("$DO", "$REPEAT") else "")]

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What an editor sends, read ahead by a thread of its own.
+"""Data from an editor, read ahead by a separate thread.
 
 In: bytes of standard input or of a port. Out: lines and bodies, as pygls reads them. A thread that
-waits for an editor cannot be ended; the one that waits here can.
+waits for an editor cannot be ended; a thread that waits here can.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from collections.abc import Callable
 #: has some thirty million.
 MAX_LINE, MAX_MESSAGE = 1024, 256 * 1024 * 1024
 
-#: Bytes that are read at once, and that wait at most beside those that are asked for.
+#: Bytes read at once, and maximum waiting beyond those requested.
 _CHUNK, _MAX_WAITING = 65536, 1 << 20
 
-#: What stands for a message that is too long: it is none of the protocol, and reported as such.
+#: Replacement for a message that is too long: not valid in the protocol, and reported as such.
 _NOTHING = b"null"
 
 
 class Incoming:
     """Bytes of an editor from ``read``, which returns some, and none at the end; ``first``: before.
 
-    ``end`` lets whoever waits for more find the end.
+    ``end`` wakes the waiting reader with the end of data.
     """
 
     def __init__(self, read: Callable[[int], bytes], first: bytes = b"") -> None:
@@ -58,7 +58,7 @@ class Incoming:
             self._changed.notify_all()
 
     def readline(self) -> bytes:
-        """Return the next line, or what there is of one that is too long; nothing at the end."""
+        """Return the next line, or the start of an overlong one; nothing at the end."""
         with self._changed:
             self._changed.wait_for(
                 lambda: b"\n" in self._data or len(self._data) >= MAX_LINE or self._is_ended

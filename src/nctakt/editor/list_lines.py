@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Lines of a list: the names that they give, what they may say, how they are written in columns.
+"""Lines of a list: their names, possible values, and layout in columns.
 
 In: lines of an ASCII list. Out: occurrences of variables and axes, values for completion, formatted
-lines, groups of entries to fold. Lists in XML are left as they are.
+lines, groups of entries to fold. Lists in XML are not changed.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from nctakt.lists.declared.variables import SCALARS
 from nctakt.lists.format.parameter import Parameter, ValueType, pattern_of
 from nctakt.lists.format.schema import Schema
 
-#: Column of the values in a list that has none of its own.
+#: Default column of the values in a list.
 VALUE_COLUMN = 40
 
 _ENTRY = re.compile(r"^[ \t]*(?P<key>[^\s#<\"(]+)(?P<gap>[ \t]+)(?P<rest>\S.*?)[ \t]*$")
@@ -57,7 +57,7 @@ def parameter_of(key: str, schema: Schema) -> Parameter | None:
 
 
 def values_of(parameter: Parameter) -> dict[str, str]:
-    """Return the values that a parameter may have where they are few, and what each is."""
+    """Return the values that a parameter may have if they are few, and the meaning of each."""
     values: dict[str, str] = {}
     if parameter.type is ValueType.BOOLEAN:
         values = dict.fromkeys(("TRUE", "FALSE") if parameter.names else ("1", "0"), "")
@@ -79,8 +79,8 @@ def values_of(parameter: Parameter) -> dict[str, str]:
 def format_list(lines: Sequence[str], first: int, last: int) -> list[str]:
     """Return the lines from ``first`` to ``last`` (exclusive), values in one column.
 
-    The column is that of most entries. Values and what comes after them stay as written, as do
-    comments and what follows the end of the list.
+    The column is that of most entries. Values and text after them stay as written, as do comments
+    and text after the end of the list.
     """
     column = _column(lines)
     end = next((n for n, line in enumerate(lines) if line.strip() in LIST_ENDS), len(lines))

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The protocol, with an answer to each message that is none of it.
+"""The protocol, with an answer to each malformed message.
 
-In: what an editor sends, as JSON. Out: an error to whoever asked, and to no one where the message
-has no ID; the texts of errors have no traceback. pygls itself only writes such messages to its log,
-and a client that waits for its answer would wait forever.
+In: messages of an editor, as JSON. Out: an error to the sender, or none if the message has no ID;
+the texts of errors have no traceback. pygls itself only writes such messages to its log, and a
+client that waits for its answer would wait forever.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from lsprotocol import types
 from pygls.exceptions import JsonRpcException
 from pygls.protocol import LanguageServerProtocol
 
-#: Longest text of an error that names what was sent.
+#: Maximum length of an error that quotes the message.
 _LONGEST_TEXT = 200
 
 
@@ -27,7 +27,7 @@ class Refused(JsonRpcException):
 
 
 class _Malformed(NamedTuple):
-    """A message that is none of the protocol; ``identity``: its ID, ``is_awaited``: it has one."""
+    """A malformed message; ``identity``: its ID, ``is_awaited``: it has one."""
 
     identity: str | int | None
     is_awaited: bool
@@ -35,7 +35,7 @@ class _Malformed(NamedTuple):
 
 
 class TolerantProtocol(LanguageServerProtocol):
-    """Answers malformed messages, and what is refused with its reason alone."""
+    """Answers malformed messages, and refused ones, with the reason alone."""
 
     def __init__(self, *arguments: Any) -> None:
         super().__init__(*arguments)
@@ -73,7 +73,7 @@ class TolerantProtocol(LanguageServerProtocol):
         super()._send_response(msg_id, result, error)
 
     def answer(self, identity: str | int | None, error: JsonRpcException) -> None:
-        """Send an error; ``identity``: that of the request, ``None`` where no one can read it."""
+        """Send an error; ``identity``: that of the request, ``None`` if it cannot be read."""
         shown = {"code": error.code, "message": error.message[:_LONGEST_TEXT]}
         # A dictionary: an object of the library would leave out an ID that is null.
         self._send_data({"jsonrpc": self.VERSION, "id": identity, "error": shown})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The names of a program: what the one at the cursor stands for, and all places that mean it.
+"""The names of a program: the symbol at the cursor, and all its occurrences.
 
 In: a document and a position. Out: ``Symbol``, and its occurrences: where it is defined and where
 it is used. Cycle IDs, labels, local subprograms, called files, parameters, variables and axes.
@@ -158,7 +158,7 @@ def symbol_at(
 
 
 def _up_to(item: Occurrence, line: str, index: int) -> Symbol:
-    """Return the variable, or the member of one, whose part of a path has the index."""
+    """Return the variable or member at an index of a path."""
     written = _INDEX.sub(lambda text: " " * len(text[0]), line[item.start : item.end])
     count = max(3, 1 + written.count(".", 0, index - item.start))
     return Symbol("variable", ".".join(item.symbol.name.split(".")[:count]))
@@ -258,7 +258,7 @@ def occurrences(
 
 
 def read_comments(lines: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Yield what comments with inputs and expectations say, at its columns, with the lines."""
+    """Yield the content of comments with inputs and expectations, in its columns, with lines."""
     for number, line in enumerate(lines):
         comment = READ_COMMENT.search(line) if ";" in line else None
         if comment is not None:
@@ -279,14 +279,14 @@ def called_files(lines: Sequence[str]) -> list[str]:
 
 
 def same(one: Symbol, other: Symbol) -> bool:
-    """Return whether two symbols are one; a member belongs to its variable."""
+    """Return whether two symbols are the same; a member belongs to its variable."""
     return one == other or (
         one.kind == other.kind == "variable" and one.name.startswith(f"{other.name}.")
     )
 
 
 def _needle(symbol: Symbol) -> str:
-    """Return what a line must contain, in upper case, to have the symbol."""
+    """Return the text, in upper case, that a line must contain to have the symbol."""
     if symbol.kind == "cycle":
         return "CYCLE"
     if symbol.kind in ("label", "parameter"):

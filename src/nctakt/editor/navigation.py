@@ -49,7 +49,7 @@ _LETTERS = Text(
     "a name has letters, digits and _, a letter or _ first",
     "ein Name hat Buchstaben, Ziffern und _, zuerst einen Buchstaben oder _",
 )
-#: Kind of a name -> what it may be, and how that is said.
+#: Kind of a name -> its valid forms, and their description.
 _FORMS = {
     "cycle": (
         re.compile(r"0*([1-9]\d{0,9})"),
@@ -167,7 +167,7 @@ def is_own(symbol: Symbol) -> bool:
 
 
 def can_rename(symbol: Symbol) -> bool:
-    """Return whether the name is one of the program or of the machine's lists."""
+    """Return whether the name belongs to the program or to the machine's lists."""
     if symbol.kind == "variable":
         return is_own(symbol) or re.fullmatch(r"V\.(?:E|CH)\.\w+", symbol.name) is not None
     return symbol.kind != "file"
@@ -183,7 +183,7 @@ def renamed_part(document: Document, item: Occurrence) -> tuple[int, int]:
 def rename(
     document: Document, position: Position, new: str, loaded: LoadedMachine, programs: Programs
 ) -> WorkspaceEdit | None:
-    """Return the edits that rename what is at a place; ``None`` where there is no name.
+    """Return the edits that rename the symbol at a place; ``None`` if there is no name.
 
     A name of the machine changes in its lists and in all its programs, one of a program in all
     programs that it calls and that call it. Raises ``Failure`` for a name that must not become the
@@ -299,7 +299,7 @@ def _check_fixed(symbol: Symbol, loaded: LoadedMachine) -> None:
 def _new_symbol(
     symbol: Symbol, new: str, places: Sequence[tuple[Document, Sequence[Occurrence]]]
 ) -> Symbol:
-    """Return the symbol that a text names; raises ``Failure`` if it cannot be one of this kind."""
+    """Return the symbol named by a text; raises ``Failure`` if it cannot be of this kind."""
     kind, name = symbol
     text = new.strip()
     pattern, form = _FORMS[kind]
@@ -338,7 +338,7 @@ def _check_free(
     document: Document,
     loaded: LoadedMachine,
 ) -> None:
-    """Raise ``Failure`` where the new name, or a computed one, would join two names."""
+    """Raise ``Failure`` if the new name, or a computed one, would merge two names."""
     machine = loaded.machine
     taken: dict[str, None] = {}
     if symbol.kind == "axis":

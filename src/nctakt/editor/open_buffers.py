@@ -11,7 +11,7 @@ from nctakt.files.access import BEGIN_BYTES, FileAccess
 #: The lines of a file that is open in the editor, ``None`` for any other file.
 Buffers = Callable[[Path], Sequence[str] | None]
 
-#: The state of a file: of an open one its number of lines and content, else time and size.
+#: The state of a file: for an open one its number of lines and content, else time and size.
 _Stamp = tuple[object, ...]
 
 
@@ -47,11 +47,11 @@ class OpenBuffers(FileAccess):
 
     def is_outdated(self) -> bool:
         """Return whether a file that was read as a whole has changed since."""
-        noted = list(self._noted.items())  # a check beside this thread may note another one
+        noted = list(self._noted.items())  # a check in another thread may note another one
         return any(self.state_of(path) != stamp for path, stamp in noted)
 
     def state_of(self, path: Path) -> _Stamp:
-        """Return what changes with the text of a file, open or not."""
+        """Return a key that changes with the text of a file, open or not."""
         lines = self._buffers(path)
         if lines is not None:
             return (len(lines), hash(tuple(lines)))

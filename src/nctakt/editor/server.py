@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The server itself: requests of an editor -> answers of the other modules.
 
-In: messages of the Language Server Protocol, from ``entrance``. Out: answers, and
-findings after each change. Documents are kept here and not by pygls, which would copy a long text
-at each keystroke. The modules of the answers are loaded beside the first check, so that the editor
-need not wait for them at the start.
+In: messages of the Language Server Protocol, from ``entrance``. Out: answers, and findings after
+each change. Documents are kept here and not by pygls, which would copy a long text at each
+keystroke. The modules of the answers are loaded during the first check, so that the editor need not
+wait for them at the start.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ class Server(LanguageServer):
         self.start_io(cast("BinaryIO", incoming), outgoing)
 
     def shutdown(self) -> None:
-        """End: no one waits for the editor any more."""
+        """End: nobody waits for the editor any more."""
         if self._incoming is not None:
             self._incoming.end()
         super().shutdown()  # type: ignore[no-untyped-call]
@@ -178,7 +178,7 @@ class Server(LanguageServer):
 
     @property
     def folders(self) -> list[Path]:
-        """The folders of the editor that are there."""
+        """The existing folders of the editor."""
         paths = (path_of(folder.uri) for folder in self.workspace.folders.values())
         return [path for path in paths if path is not None and path.is_dir()]
 
@@ -265,7 +265,7 @@ def _register_lifecycle(server: Server) -> None:
 
 
 def _register_help(server: Server) -> None:
-    """Register what explains and completes words."""
+    """Register requests that explain and complete words."""
     feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_HOVER)
@@ -306,7 +306,7 @@ def _register_help(server: Server) -> None:
 
 
 def _register_navigation(server: Server) -> None:
-    """Register what finds the places of a name."""
+    """Register requests that find the places of a name."""
     feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_DEFINITION)
@@ -355,7 +355,7 @@ def _register_navigation(server: Server) -> None:
 
 
 def _register_calls(server: Server) -> None:
-    """Register who calls a program, and what it calls."""
+    """Register requests for callers and calls of a program."""
     feature = server.feature
 
     def hierarchy(uri: str) -> CallHierarchy | None:
@@ -451,7 +451,7 @@ def _register_renaming(server: Server) -> None:
 
 
 def _register_structure(server: Server) -> None:
-    """Register what shows how texts are structured."""
+    """Register requests for the structure of texts."""
     feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
@@ -498,7 +498,7 @@ def _register_structure(server: Server) -> None:
 
 
 def _register_edits(server: Server) -> None:
-    """Register what changes a text: its format, remedies of findings."""
+    """Register requests that change a text: its format, remedies of findings."""
     feature = server.feature
 
     @feature(types.TEXT_DOCUMENT_FORMATTING)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The structures of a text, closed or not: what opens, divides and closes in which line.
+"""The structures of a text, closed or not: lines that open, divide and close them.
 
 In: lines. Out: ``Structure``, for folding, symbols, indentation and the place of a missing end.
 """
@@ -20,7 +20,7 @@ _WORD = re.compile(
 )
 _JUMP_IN_LINE = re.compile(r"\$(?:GOTO|BREAK|CONTINUE)\b", re.IGNORECASE)
 
-#: What opens a structure -> what closes it.
+#: Opening word of a structure -> closing word.
 ENDS = {
     "$IF": "$ENDIF",
     "$FOR": "$ENDFOR",
@@ -41,7 +41,7 @@ DIVIDERS = ("$ELSEIF", "$ELSE", "$CASE", "$DEFAULT", "#ELSEIF", "#ELSE")
 
 @dataclass(slots=True)
 class Structure:
-    """A structure: what opens it, its first and last line from 0, the lines that divide it.
+    """A structure: its opening word, its first and last line from 0, the lines that divide it.
 
     ``is_closed``: its end is there; else ``last`` is the last line before what ends it.
     """
@@ -55,7 +55,7 @@ class Structure:
 
 
 def structure_word(line: str) -> str:
-    """Return what a line opens, divides or closes, in one spelling; empty for any other line."""
+    """Return the structure word of a line, in one spelling; empty for any other line."""
     if "$" not in line and "#" not in line and "%" not in line:
         return ""
     code = without_comments(line)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The open documents, their machines, and the check of each.
 
-In: documents, the project files around them. Out: the findings of a document, those that
-``nctakt check`` has for its text as it is in the editor.
+In: documents, the project files around them. Out: the findings of a document, those of ``nctakt
+check`` for its present text in the editor.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from nctakt.project.machine_choice import MachineChoice
     from nctakt.run.realtime.assembly import AssembledMachine
 
-# The modules of the check are loaded with the first one, beside the start of the server.
+# The modules of the check are loaded with the first check, in parallel with the server's start.
 
 
 #: Programs of the editor's folders that are searched, by the ends of their names.
@@ -155,7 +155,7 @@ class Workspace:
         return choose_machine(path, find_project(path or Path(), access), access)
 
     def machine_of(self, document: Document) -> LoadedMachine:
-        """Return the machine of a program, loaded anew where one of its lists has changed."""
+        """Return the machine of a program, reloaded if one of its lists has changed."""
         try:
             choice = self.choice_of(document.location)
         except Failure as failure:
@@ -186,7 +186,7 @@ class Workspace:
         return known.machine, known.access
 
     def warm_up(self) -> None:
-        """Load what the first answers need."""
+        """Load the modules for the first answers."""
         import importlib  # noqa: PLC0415 - as above
 
         self._demo()

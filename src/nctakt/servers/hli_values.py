@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The state of channels, axes and spindles by the names of the HLI, for endpoints that publish all
-of it.
+"""The state of channels, axes and spindles by the names of the HLI, for endpoints that need it all.
 
 In: a machine and its catalogue. Out: for each channel, axis and spindle the names of its values
 (``hli/layout.py``) and where the session has them.

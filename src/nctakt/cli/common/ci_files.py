@@ -9,7 +9,7 @@ from nctakt.messages.extras import PYTEST
 
 #: The folder in which a wheel of nctakt lies for CI.
 WHEELS = "wheels"
-#: What installs it there, and what runs tests.
+#: The installation there, and the command for tests.
 INSTALL = f'pip install {WHEELS}/nctakt-*.whl "{PYTEST}"'
 #: The Python of CI, and the actions of GitHub.
 PYTHON = "3.13"

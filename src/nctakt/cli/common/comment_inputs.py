@@ -51,7 +51,7 @@ def _script_of(program: Path) -> Script | None:
         return None
     with program.open("rb") as file:
         text = "" if is_long(file) else decode_text(file.read()).text
-    if "given" not in text.lower():  # most programs: what tests need is not loaded
+    if "given" not in text.lower():  # most programs: modules for tests are not loaded
         return None
     from nctakt.nc.source import Source  # noqa: PLC0415
     from nctakt.testing.expectations import is_script, parse_script  # noqa: PLC0415

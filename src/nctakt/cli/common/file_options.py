@@ -33,7 +33,7 @@ def file_access(confined: Sequence[str]) -> FileAccess:
 
 
 def _plain_file(number: int) -> os.stat_result | None:
-    """Return the state of what a number has open, if that is a plain file."""
+    """Return the state of the file that a number has open, if it is a plain file."""
     try:
         state = os.fstat(number)
     except OSError:

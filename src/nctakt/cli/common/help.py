@@ -63,7 +63,7 @@ _VALUE = re.compile(rf"\b({'|'.join(_GERMAN_VALUES)})\b")
 #: Where a context keeps the language that a group's ``--lang`` names.
 _GIVEN_LANGUAGE = "nctakt.language"
 _EXAMPLES = Text("Examples", "Beispiele")
-#: What asks for help, of every command, also where it is called without the group.
+#: Words that ask for help, for every command, even called without the group.
 HELP_NAMES = ["-h", "--help"]
 _HELP = Text("Show this message and exit.", "Diese Hilfe zeigen.")
 
@@ -94,7 +94,7 @@ def help_language(words: Sequence[str]) -> Language:
 
 
 def locale_language() -> Language:
-    """Return the language of the locale where nothing else names one: German, else English."""
+    """Return the language of the locale, the default: German, else English."""
     names = ("LC_ALL", "LC_MESSAGES", "LANG")
     locale = next((os.environ[name] for name in names if os.environ.get(name)), "")
     return "de" if locale.lower().startswith("de") else "en"
@@ -129,7 +129,7 @@ class GroupedOption(click.Option):
 
 
 class RepeatedOptionError(click.UsageError):
-    """An option is given again, and would replace what it said before; ``option``: its name."""
+    """An option is repeated, and would replace its earlier value; ``option``: its name."""
 
     def __init__(self, option: str, context: click.Context) -> None:
         super().__init__(option, context)
@@ -180,7 +180,7 @@ def _keep_language(
 
 
 class _Shown(click.Command):
-    """What commands and groups have in common; the texts come from ``described``."""
+    """Common parts of commands and groups; the texts come from ``described``."""
 
     summary = Text("", "")
     text = Text("", "")
@@ -189,7 +189,7 @@ class _Shown(click.Command):
     examples: tuple[str, ...] = ()
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Let a mistake in the words know the command whose help explains them."""
+        """Attach the command whose help explains them to a mistake in the words."""
         words = list(args)
         try:
             left = super().parse_args(ctx, args)
@@ -296,8 +296,8 @@ def described(
 ) -> Callable[[Callable[..., Any]], click.Command]:
     """Return the decorator of a subcommand.
 
-    ``summary``: a line for the list of commands; ``text``: what it does; ``codes``: what the exit
-    codes 0 and 1 mean, ``None`` for 1 if there is none; ``examples``: command lines.
+    ``summary``: a line for the list of commands; ``text``: its description; ``codes``: meanings of
+    the exit codes 0 and 1, ``None`` for 1 if there is none; ``examples``: command lines.
     """
     described_command: Callable[[Callable[..., Any]], click.Command] = _shown(
         click.command, ShownCommand, name, summary, text, codes, notes, examples

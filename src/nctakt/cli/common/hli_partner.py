@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The PLC in another process at ``--hli``: what the CNC waits for is reported as it happens.
+"""The PLC in another process at ``--hli``: waits of the CNC are reported as they happen.
 
 In: a controller, the name of the shared memory. Out: the PLC, once it has connected; notes and
 warnings on standard error while the CNC waits for it.
@@ -108,7 +108,7 @@ class _Patience:
 
 
 def _process_of(image: SharedImage, options: Options) -> str:
-    """Return the PLC's process as it is shown."""
+    """Return the PLC's process as shown."""
     process = image.plc_process
     shown = Text(f"process {process}", f"Prozess {process}")
     silent = Text("it does not name its process", "sie nennt ihren Prozess nicht")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The options of commands that read a machine's log, and the log with its signals.
 
-In: the name of a log, what the command line says of it. Out: ``OpenedLog``.
+In: the name of a log, its options on the command line. Out: ``OpenedLog``.
 """
 
 from __future__ import annotations
@@ -119,7 +119,7 @@ class OpenedLog:
 
 
 def opened_log(words: LogWords, controller: Controller, access: FileAccess) -> OpenedLog:
-    """Return the log and its signals; raises ``Failure`` for what cannot be used."""
+    """Return the log and its signals; raises ``Failure`` if it cannot be used."""
     from nctakt.comparison.aligning_event import (  # noqa: PLC0415 - the mode is chosen before
         AligningEvent,
         EventInLog,

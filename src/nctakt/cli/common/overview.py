@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What ``nctakt`` says without a subcommand: the path of five commands, and the whole version.
+"""Output of ``nctakt`` without a subcommand: the path of five commands, and the full version.
 
 In: the working directory. Out: the path with the lists and programs that lie there, so that a
 person can copy it. Only the names of files in the folder and right below it are looked at.
@@ -60,7 +60,7 @@ def path_lines(language: Language, folder: Path) -> Iterator[str]:
 def _folders(folder: Path) -> Iterator[Path]:
     """Yield a folder and those right below it, without hidden ones."""
     yield folder
-    with contextlib.suppress(OSError):  # a folder that no one may look into
+    with contextlib.suppress(OSError):  # a folder without permission to read
         for path in sorted(folder.iterdir()):
             if not path.name.startswith(".") and path.is_dir() and not path.is_symlink():
                 yield path
@@ -79,7 +79,7 @@ def _startup_lists(folder: Path) -> Iterator[Path]:
 
 
 def version_lines() -> Iterator[str]:
-    """Yield what a report of a fault needs: version, platform, what is compiled and installed."""
+    """Yield data for a fault report: version, platform, compiled and installed parts."""
     yield f"nctakt {__version__}"
     yield f"Python {platform.python_version()} ({sys.implementation.name}), {platform.platform()}"
     yield f"realtime part: {'compiled' if is_compiled() else 'plain Python'}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt run --plot``, ``--vcd``, ``--fst``, ``--perfetto``: what they record, and the files.
+"""``nctakt run --plot``, ``--vcd``, ``--fst``, ``--perfetto``: their recordings, and the files.
 
 In: the options of the command, the controller before its run. Out: the signals and sinks of the
 run, then the files.
@@ -70,7 +70,7 @@ class Drawings:
 
     @property
     def draws_conditions(self) -> bool:
-        """Whether the pictures show what conditions read, since no signals were chosen."""
+        """Whether the pictures show the signals of conditions, since none were chosen."""
         return self.are_wanted and self._chosen is None
 
     def request(self, request: Request) -> Request:

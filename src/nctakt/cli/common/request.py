@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from nctakt.run.options import ProgramOptions, RunKeywords
     from nctakt.run.plcs.coupling import Coupled
 
-#: Stands for standard input in place of a program.
+#: Means standard input in place of a program.
 STANDARD_INPUT = "-"
 
 #: The name of that program in messages and on tapes.
@@ -231,7 +231,7 @@ def _program(program: str, options: Options) -> Path | NcText:
 
 
 def _load_fmu(settings: FmuSettings, access: FileAccess) -> Coupled:
-    """Return the FMU beside the PLC; raises ``Failure``."""
+    """Return the FMU coupled to the PLC; raises ``Failure``."""
     from nctakt.fmu.coupled import fmu_of  # noqa: PLC0415 - the mode is chosen before its import
 
     assert settings.file is not None

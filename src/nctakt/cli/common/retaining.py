@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``--retain FILE``: what a PLC keeps from one run, or session, to the next (ST-406).
+"""``--retain FILE``: values that a PLC retains from one run or session to the next (ST-406).
 
 The values of the file are set before the first tick as by ``--set``, so that they are on a tape,
 too; a ``--set`` of the same variable counts. After the run the file holds its last values.
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 def with_retained(
     options: Options, request: Request, access: FileAccess, files: ExitStack
 ) -> tuple[Options, Request, Callable[[], None]]:
-    """Return both with what the file of ``--retain`` sets, and what writes it after the run.
+    """Return both with the values of the file of ``--retain``, and its writer for after the run.
 
     Raises ``Failure`` without a PLC in Structured Text, and for a file that cannot be read or
     written.
@@ -54,7 +54,7 @@ def with_retained(
 
 
 class RetainedSession:
-    """What sessions, of which each takes the place of the one before, keep for the next one.
+    """Values that successive sessions retain for the next one.
 
     Raises ``Failure`` as ``with_retained``.
     """
@@ -71,7 +71,7 @@ class RetainedSession:
         self.values()
 
     def values(self) -> Mapping[str, float | str]:
-        """Return what the next session begins with; what the one before has is kept first."""
+        """Return the initial values of the next session; those of the last one are saved first."""
         from nctakt.plc.loading import load_plcs  # noqa: PLC0415 - the mode is chosen before
         from nctakt.plc.retained import plcs_that_retain, read_retained  # noqa: PLC0415 - as above
 

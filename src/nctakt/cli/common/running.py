@@ -113,7 +113,7 @@ def schedule_of(options: Options, access: FileAccess) -> RunSchedule | None:
 def _without_bar(
     bar: ProgressBar, on_message: Callable[[ProgramMessage], None] | None
 ) -> Callable[[ProgramMessage], None]:
-    """Return what shows a message of a program where the progress bar was."""
+    """Return a function that shows a message of a program in place of the progress bar."""
 
     def show(message: ProgramMessage) -> None:
         if on_message is not None:

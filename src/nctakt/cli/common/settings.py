@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Completes the words of a command: what they leave out comes from environment and project file.
+"""Completes the words of a command: missing ones come from environment and project file.
 
 In: the words as click gives them. Out: ``Options`` with machine, PLC and language, and the exit
 code of the command that is carried out with them.
@@ -35,8 +35,8 @@ def carry_out(
 ) -> int:
     """Carry out a command that runs programs; its exit code. A ``Failure`` is shown.
 
-    ``runs_code``: the project's PLC too; without it only one that the words name.
-    ``fmu_use``: what becomes of the project's FMU, by default what the command's options say.
+    ``runs_code``: also the project's PLC; without it only one named by the words. ``fmu_use``: use
+    of the project's FMU, by default according to the command's options.
     """
     paths = [*words["programs"], *(program for _, program in words["others"])]
     return maybe_watched(

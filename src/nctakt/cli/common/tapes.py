@@ -2,7 +2,7 @@
 """``--record`` and ``nctakt replay``: the words of a run to and from a tape.
 
 In: the options of a run, a tape. Out: a writer for ``--record``; for ``replay`` the options of the
-recorded run, and what has changed since.
+recorded run, and the changes since.
 """
 
 from __future__ import annotations
@@ -70,8 +70,8 @@ def inputs_of_run(options: Options, access: FileAccess) -> Iterator[tuple[str, P
 def options_of(tape: Tape, name: str, words: Mapping[str, Any], access: FileAccess) -> Options:
     """Return the options of a recorded run with the words of ``replay``.
 
-    Language and signals that are not named are those of its project; what else the project has
-    said is on the tape. Raises ``Failure`` (901070) for a tape whose words are none of a run.
+    Language and signals that are not named are those of its project; its other settings are on the
+    tape. Raises ``Failure`` (901070) for a tape whose words do not belong to a run.
     """
     recorded = words_of(tape, name)
     names = [*recorded["programs"], *(program for _, program in recorded["others"])]

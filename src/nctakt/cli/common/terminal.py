@@ -56,7 +56,7 @@ def complain(line: str) -> None:
 
 
 def complain_notes(error: BaseException) -> None:
-    """Show what was noted with an exception, or its cause: files that were cut off."""
+    """Show the notes of an exception, or of its cause: truncated files."""
     for one in (error, error.__cause__):
         for note in getattr(one, "__notes__", ()):
             complain(note)
@@ -93,7 +93,7 @@ def show_at_the_end(show: Callable[[TextIO], None]) -> None:
     try:
         show(sys.stdout)
         sys.stdout.flush()
-    except BrokenPipeError:  # nor may it become one when Python flushes at its end
+    except BrokenPipeError:  # nor may there be one when Python flushes at its end
         silence(sys.stdout)
 
 

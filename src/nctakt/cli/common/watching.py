@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
 """``--watch``: a command carried out again whenever a file that it reads has changed.
 
-In: the command as a function of a ``FileAccess``, the files and folders that it was given. Out: the
-exit code of the last time, after Ctrl-C or SIGTERM. The library watchfiles (extra ``watch``)
-reports changes; what changed while the command ran is found by the state of the files when they
-were read.
+In: the command as a function of a ``FileAccess``, its files and folders. Out: the exit code of the
+last run, after Ctrl-C or SIGTERM. The library watchfiles (extra ``watch``) reports changes; changes
+while the command ran are found by the state of the files when they were read.
 """
 
 from __future__ import annotations
@@ -90,7 +89,7 @@ def _library() -> ModuleType:
 
 
 def _forget_users_modules(before: set[str]) -> None:
-    """Forget what the user's PLC has imported from beside it: it may change, too."""
+    """Forget modules that the user's PLC has imported from next to it: they may change, too."""
     own = Path(__file__).parents[2]
     for name in sorted(set(sys.modules) - before):
         file = getattr(sys.modules[name], "__file__", None)

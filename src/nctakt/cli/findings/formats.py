@@ -26,7 +26,7 @@ COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow", Severity.NOTE: Non
 _GITHUB = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
 _REMEDY = Text("remedy", "Abhilfe")
 _CHANNEL = (Text("channel", "Kanal"), Text("channels", "Kanäle"))
-#: What is counted: for one of it, for any other number.
+#: Counted things: singular and plural.
 _COUNTS = {
     Severity.ERROR: (Text("error", "Fehler"), Text("errors", "Fehler")),
     Severity.WARNING: (Text("warning", "Warnung"), Text("warnings", "Warnungen")),
@@ -155,7 +155,7 @@ def _json_of(finding: Finding, language: Language, root: Path) -> dict[str, obje
 
 
 def as_github(result: CheckResult, language: Language, root: Path) -> str:
-    """Return a workflow command for each finding, which GitHub Actions shows beside its line."""
+    """Return a workflow command for each finding, which GitHub Actions shows next to its line."""
     return "".join(f"{line}\n" for line in _github_lines(result, language, root))
 
 

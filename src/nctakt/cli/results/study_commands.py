@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The command that shows a run of a study: ``nctakt run``, a replay, or the study's own words.
+"""The command that shows a run of a study: ``nctakt run``, a replay, or ``nctakt study`` itself.
 
 In: a study and its rows. Out: a command for each number of a run; with ``--record`` the tapes of
 the failed runs.
@@ -20,7 +20,7 @@ from nctakt.studies.study import Study, StudyResult
 #: The most tapes of one study.
 MAX_TAPES = 100
 
-#: Options of ``nctakt study`` that decide which runs there are, beside those of the run.
+#: Options of ``nctakt study`` that decide which runs there are, besides those of the run.
 _OPTIONS = ("each_tick", "sample")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What ``nctakt study --cover`` shows: the branches, and the run that reached each first."""
+"""Output of ``nctakt study --cover``: the branches, and the run that first reached each."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def cover_lines(
 
 
 def _command(study: Study, one: FirstRun, folder: str | None) -> str:
-    """Return the command that shows a run, or what makes it."""
+    """Return the command that shows a run, or its inputs."""
     if folder is not None:
         name = f"{Path(one.file).stem}-{one.line}.tape"
         return study.record(one.point, Path(folder) / name)

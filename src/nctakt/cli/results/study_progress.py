@@ -43,7 +43,7 @@ class StudyProgress:
     def check_size(self, study: Study, cores: int) -> None:
         """Raise ``Failure`` (901305) for a study that would take more than an hour.
 
-        One run is made and timed where there are many.
+        If there are many runs, one is made and timed.
         """
         if self._size < 10_000:
             return
@@ -69,7 +69,7 @@ class StudyProgress:
             complain(_LINES[self._language].format(*counts, rest.get(self._language)))
 
     def crashed(self) -> list[Diagnostic]:
-        """Return a warning (901308) for each run whose process ended by itself."""
+        """Return a warning (901308) for each run whose process died."""
         return [diagnostic(RUN_CRASHED, index=index) for index in sorted(self._crashed)]
 
     def close(self) -> None:

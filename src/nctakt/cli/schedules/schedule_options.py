@@ -454,7 +454,7 @@ class Outputs:
         self._stack.close()
 
     def write(self, run: Simulation, report: str) -> None:
-        """Write and close them; ``report``: the text beside a picture in HTML.
+        """Write and close them; ``report``: the text next to a picture in HTML.
 
         Raises ``Failure``.
         """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What can be written at the cursor."""
+"""Completion at the cursor."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What can be written at the cursor: words, keywords, variables, IDs, labels, files, parameters.
+"""Completion at the cursor: words, keywords, variables, IDs, labels, files, parameters.
 
-In: a document, a position, its machine. Out: completion items whose text replaces what is already
-written of the word, in the order in which they suit the context. In programs this module finds out
-what is asked for; ``word_completion.py`` and ``value_completion.py`` have the answers.
+In: a document, a position, its machine. Out: completion items whose text replaces the written part
+of the word, ordered by how well they suit the context. In programs this module determines the
+context; ``word_completion.py`` and ``value_completion.py`` have the answers.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ def complete(
     *,
     has_snippets: bool = False,
 ) -> list[CompletionItem]:
-    """Return what can be written at a position, the best first.
+    """Return the completions at a position, the best first.
 
     ``has_snippets``: the editor can fill in the gaps of texts.
     """
@@ -74,7 +74,7 @@ def complete(
 
 
 def _offers(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield what can be written, the best first."""
+    """Yield the completions, the best first."""
     interface = _INTERFACE.search(cursor.before)
     if interface is not None:
         return _elements(cursor, interface[0])
@@ -89,7 +89,7 @@ def _offers(cursor: Cursor) -> Iterator[CompletionItem]:
 
 
 def _of_program(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield what can be written of a program's text, outside of texts and comments."""
+    """Yield the completions in a program, outside texts and comments."""
     before, around = cursor.before, cursor.around
     path = written_path(before)
     if path is not None:
@@ -186,7 +186,7 @@ def _parameters(cursor: Cursor) -> Iterator[CompletionItem]:
 
 
 def _values(cursor: Cursor, key: str, written: str, schema: Schema) -> Iterator[CompletionItem]:
-    """Yield the values of a parameter where they are few, its default, files beside the list."""
+    """Yield the values of a parameter if they are few, its default, files next to the list."""
     parameter = parameter_of(key, schema)
     if parameter is None:
         return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The cursor of a completion, and the items that it makes: what is written is replaced."""
+"""The cursor of a completion, and the items that it makes: they replace the written part."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from nctakt.run.realtime.assembly import AssembledMachine
 
 @dataclass(frozen=True, slots=True)
 class Cursor:
-    """The cursor: its document, machine, line, text before it in the line, what surrounds it.
+    """The cursor: its document, machine, line, text before it in the line, its surroundings.
 
     ``has_snippets``: the editor can fill in the gaps of an item's text.
     """
@@ -50,7 +50,7 @@ class Cursor:
         )
 
     def snippet(self, label: str, written: int, detail: str, text: str) -> CompletionItem:
-        """Return an item of several lines with gaps; its first line decides what is typed for it.
+        """Return an item of several lines with gaps; typing its first line selects it.
 
         Only for editors that know gaps.
         """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What surrounds the cursor of a program: the open structures, and what its part of the line is.
+"""Surroundings of the cursor in a program: the open structures, and its part of the line.
 
-In: the lines of a document, the cursor's line, the text before it. Out: ``Surroundings``, from
-which follows what the checker permits there. The line need not be readable: it is being written.
+In: the lines of a document, the cursor's line, the text before it. Out: ``Surroundings``, which
+determine what the checker permits there. The line need not be readable: it is being written.
 """
 
 from __future__ import annotations
@@ -42,9 +42,9 @@ class Surroundings:
     """The cursor's part of its line, and the structures around it.
 
     ``part``: ``nothing`` in texts and comments, ``comment`` at the start of one, ``block`` at the
-    start of a block, ``words`` after its first word, ``target`` where a variable is named that is
-    written, ``condition`` and ``value`` in expressions. ``bracket``: the name before the innermost
-    open bracket, ``None`` outside of brackets. ``innermost``: what opens the structure around the
+    start of a block, ``words`` after its first word, ``target`` where a variable to write is named,
+    ``condition`` and ``value`` in expressions. ``bracket``: the name before the innermost open
+    bracket, ``None`` outside brackets. ``innermost``: the opening word of the structure around the
     line, with ``opening`` as its text; empty if there is none.
     """
 
@@ -62,7 +62,7 @@ class Surroundings:
 
 
 def surroundings(lines: Sequence[str], line: int, before: str) -> Surroundings:
-    """Return what surrounds the end of ``before``, the written part of a line."""
+    """Return the surroundings of the end of ``before``, the written part of a line."""
     window = lines[max(0, line - SEARCHED_LINES) : line]
     stack = open_structures(window)
     inner = stack[-1] if stack else None
@@ -83,7 +83,7 @@ def surroundings(lines: Sequence[str], line: int, before: str) -> Surroundings:
 
 
 def _part(before: str) -> Part:
-    """Return what the end of a line's text is."""
+    """Return the kind of the end of a line's text."""
     code = without_comments(before)
     if len(code) < len(before):
         return "nothing" if before[len(code) :].strip("; ") else "comment"

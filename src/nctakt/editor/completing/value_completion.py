@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Values and variables at the cursor: what the context may read or write, the best first.
+"""Values and variables at the cursor that the context may read or write, the best first.
 
-In: a cursor. Out: completion items. In a realtime cycle a condition reads first what changes from
-tick to tick; what is frozen when the cycle is defined says so. Rights: RC-303, RC-301, RC-310.
+In: a cursor. Out: completion items. In the condition of a realtime cycle, values that change from
+tick to tick come first; values frozen at the cycle's definition are marked. Rights: RC-303, RC-301,
+RC-310.
 """
 
 from __future__ import annotations
@@ -39,7 +40,7 @@ def written_path(before: str) -> str | None:
 
 
 def values(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield what can be a value at the cursor: variables, parameters, functions, constants."""
+    """Yield possible values at the cursor: variables, parameters, functions, constants."""
     match = _WORD.search(cursor.before)
     typed = "" if match is None else match[0]
     around = cursor.around
@@ -55,7 +56,7 @@ def values(cursor: Cursor) -> Iterator[CompletionItem]:
 
 
 def variables(cursor: Cursor, path: str) -> Iterator[CompletionItem]:
-    """Yield the variables whose paths go on what is written of one."""
+    """Yield the variables whose paths continue the written part."""
     begin = path[: path.index(".")]
     around = cursor.around
     # ``X=V.E.…`` and ``XV.E.…`` read, too: only the first word of a line is written.
@@ -174,7 +175,7 @@ def _of_program(cursor: Cursor, *, is_read: bool) -> Iterator[tuple[str, str, bo
 
 
 def _of_controller(cursor: Cursor, *, is_read: bool) -> Iterator[tuple[str, str, bool]]:
-    """Yield V.G and V.A; what belongs to an axis with each axis of the channel."""
+    """Yield V.G and V.A; those of an axis with each axis of the channel."""
     in_cycle = cursor.around.in_cycle
     if in_cycle and not is_read:
         return

@@ -43,7 +43,7 @@ _VALUE = re.compile(r"(?P<key>\w+)\s*=\s*(?P<value>\w*)$")
 _NUMBERED = re.compile(r"[GMHFS]\d*$", re.IGNORECASE)
 _BRACKETS = re.compile(r"\[([^\[\]]*)\]")
 _KEYWORD = re.compile(r"(?<![\w.\"])[A-Z_]{2,}\d*(?![\w.\"])")
-#: What is written of a bracket, if a value comes next.
+#: The written part of a bracket, if a value comes next.
 _BEFORE_VALUE = re.compile(r"(?:[-+*/=<>&|^,]|\bMOD|\bAND|\bXOR|\bNOT)\s*\w*$", re.IGNORECASE)
 #: The statements of a realtime cycle that begin with ``#`` (RC-201 … RC-208).
 _OF_CYCLES = {
@@ -53,7 +53,7 @@ _OF_CYCLES = {
 #: Jumps, which may also follow a condition in its line.
 _JUMPS = ("$GOTO", "$BREAK", "$CONTINUE")
 _TIMES = Text("{count} times in this program", "{count}-mal in diesem Programm")
-#: What opens a structure -> its text with gaps: condition, body, end.
+#: Opening word of a structure -> its text with gaps: condition, body, end.
 _SNIPPETS = {
     "$IF": "$IF ${1:P1 > 0}\n  $0\n$ENDIF",
     "$FOR": "$FOR ${1:P1} = ${2:0}, ${3:9}, ${4:1}\n  $0\n$ENDFOR",
@@ -79,7 +79,7 @@ def is_command(before: str) -> bool:
 
 
 def controls(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield the ``$`` words: what divides and closes the open structure, then what begins."""
+    """Yield the ``$`` words: those that divide and close the open structure, then openings."""
     match = _CONTROL.search(cursor.before)
     assert match is not None
     written = len(match[0])
@@ -109,7 +109,7 @@ def _structure(cursor: Cursor, word: str) -> str:
 
 
 def _closing(cursor: Cursor) -> Iterator[str]:
-    """Yield what may divide and what closes the innermost structure."""
+    """Yield words that may divide or close the innermost structure."""
     around = cursor.around
     if not around.innermost.startswith("$"):
         return
@@ -131,7 +131,7 @@ def _beginning(cursor: Cursor) -> Iterator[str]:
 
 
 def commands(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield the ``#`` commands whose first words are those that are written."""
+    """Yield the ``#`` commands whose first words are the written ones."""
     match = _COMMAND.match(cursor.before)
     assert match is not None
     typed = match["command"]

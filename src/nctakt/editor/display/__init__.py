@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What is shown around a text: colours, hints, hover, outline."""
+"""Display around a text: colours, hints, hover, outline."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Semantic tokens: what an editor colours, with the time at which each value is read.
+"""Semantic tokens: colours of an editor, with the time at which each value is read.
 
 In: a document. Out: the tokens of ``token_colours``, encoded for the protocol.
 """

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Hints, lenses and links in a program.
 
-In: a document, its findings, the counts of its last run. Out: what frozen values are and what a
-realtime cycle costs; commands above programs and branches; the files that calls lead to.
+In: a document, its findings, the counts of its last run. Out: frozen values and the cost of a
+realtime cycle; commands above programs and branches; the files that calls lead to.
 """
 
 from __future__ import annotations

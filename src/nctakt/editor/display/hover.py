@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What an editor shows of the word under the mouse: the articles of ``nctakt explain``, and the
-program's own facts.
+"""Hover text of the word under the mouse: the articles of ``nctakt explain``, and facts of the
+program.
 
 In: a document, a position. Out: Markdown, ``None`` for a word without an article.
 """
@@ -40,7 +40,7 @@ _NUMBER = re.compile(r"\d{4,6}")
 _DEFINED = Text("defined in line {line}", "definiert in Zeile {line}")
 _ASSIGNED = Text("first assigned in line {line}", "zuerst zugewiesen in Zeile {line}")
 _NEVER = Text("not defined in this program", "in diesem Programm nicht definiert")
-#: Articles that are shown of one word.
+#: Maximum number of articles shown for one word.
 _MAX_ARTICLES = 4
 
 
@@ -51,7 +51,7 @@ def hover(
     findings: Sequence[Diagnostic],
     language: Language,
 ) -> Hover | None:
-    """Return what is known of the word at a position."""
+    """Return the explanation of the word at a position."""
     line, index = document.line(position.line), document.index(position)
     if any(match.start() <= index <= match.end() for match in _INTERFACE.finditer(line)):
         return _of_pattern(_INTERFACE, document, position, line, index, language)
@@ -80,7 +80,7 @@ def _of_pattern(
     index: int,
     language: Language,
 ) -> Hover | None:
-    """Return what is known of the word at a position that a pattern finds."""
+    """Return the explanation of the word at a position that a pattern finds."""
     match = next((m for m in pattern.finditer(line) if m.start() <= index <= m.end()), None)
     if match is None:
         return None
@@ -94,7 +94,7 @@ def _of_pattern(
 def _frozen(
     findings: Sequence[Diagnostic], line: int, column: int, language: Language
 ) -> Iterator[str]:
-    """Yield where a value is frozen: what the check says of it at this place."""
+    """Yield the check's note at this place if a value is frozen."""
     for item in findings:
         span = item.span
         if item.message not in (ASYNCHRONOUS_CONDITION, ASYNCHRONOUS_VALUE) or span is None:
@@ -122,7 +122,7 @@ def _own_facts(document: Document, symbol: Occurrence | None, language: Language
 
 
 def _of_function(text: str, machine: AssembledMachine) -> list[Article]:
-    """Return the articles of a G, M or H function; none of one that no channel has."""
+    """Return the articles of a G, M or H function; none if no channel has it."""
     letter, written = text[0].upper(), text[1:]
     if not written.isdecimal():
         return [] if written else list(articles_of(letter))
@@ -164,7 +164,7 @@ def _articles(
 
 
 def _of_machine(token: Token, machine: AssembledMachine) -> tuple[Article, ...]:
-    """Return what the lists of the machine say of an axis word, of ``X[…]``, of F."""
+    """Return the machine lists' data for an axis word, ``X[…]``, or F."""
     if token.kind not in ("axisword", "keyword", "name"):
         return ()
     if token.text.upper() == "F":

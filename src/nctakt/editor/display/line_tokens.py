@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from nctakt.nc.parse.lexer import without_comments
 
-#: A variable as it is written, with indices and members.
+#: A variable as written, with indices and members.
 VARIABLE = r"Vs?\.\w+(?:\[[^\[\]]*\])?(?:\.\w+(?:\[[^\[\]]*\])?)*"
 
 _TOKEN = re.compile(

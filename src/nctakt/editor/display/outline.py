@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Symbols, folds and selections of a text.
 
-In: a document. Out: what an editor shows as its outline, can fold, and selects by steps.
+In: a document. Out: its outline, folding ranges, and selection steps for an editor.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nctakt.editor.structures import Structure, every, structures
 _KEY = re.compile(r"^\s*(?P<key>[A-Za-z_][\w.\[\]]*)\s+(?P<value>\S+)")
 _COMMENT_LINE = re.compile(r"^\s*(?:;|\(.*\)\s*$|#\s)")
 _START = re.compile(r"^\s*%\s*(?P<local>L\s+)?(?P<name>[^\s;(]*)", re.IGNORECASE)
-#: Symbols of a list or program; an outline of more helps no one.
+#: Maximum number of symbols of a list or program; a longer outline helps nobody.
 MAX_SYMBOLS = 5000
 
 _KINDS = {
@@ -105,7 +105,7 @@ def _entries(document: Document) -> Iterator[DocumentSymbol]:
 
 
 def folding_ranges(document: Document) -> list[FoldingRange]:
-    """Return what can be folded: structures, subprograms, groups of comment lines; in lists the
+    """Return the folding ranges: structures, subprograms, groups of comment lines; in lists the
     entries of one element.
     """
     if document.is_list:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The requests about what is shown around a text: colours, hints, lenses, links, signatures.
+"""The requests for the display around a text: colours, hints, lenses, links, signatures.
 
 In: requests of an editor. Out: answers of ``colours.py`` and ``hints.py``; the counts of a run,
 which another process makes for the command ``nctakt.count``.
@@ -103,7 +103,7 @@ def _register_counts(server: Server) -> None:
 
         document = server.document(params.text_document.uri)
         if document is None or not document.is_program or document.path is None:
-            return []  # what has no file cannot be run
+            return []  # a text without a file cannot be run
         return code_lenses(document, counts.get(document.uri), server.language)
 
     @server.command("nctakt.count")

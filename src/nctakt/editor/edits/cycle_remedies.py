@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Findings in realtime cycles -> the edits that remedy them.
 
-In: a document and a finding. Out: titles and edits: branches of their own for an ``$IF`` with
-frequency (22022), a frequency for a function that each tick would output (900243), independent
-motion for words of the path, another place for what a cycle cannot do (22002), a parameter for what
-only the decoder can ask. The cycle is parsed alone; one that cannot be read has no edits.
+In: a document and a finding. Out: titles and edits: separate branches for an ``$IF`` with frequency
+(22022), a frequency for a function that each tick would output (900243), independent motion for
+words of the path, another place for statements not allowed in a cycle (22002), a parameter for
+values that only the decoder has. The cycle is parsed alone; one that cannot be read has no edits.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class _Cycle:
     body: tuple[Statement, ...]
 
     def text(self, span: Span) -> str:
-        """Return what is written at a span of the tree."""
+        """Return the text at a span of the tree."""
         return self.line(span)[span.column - 1 : span.end_column - 1]
 
     def line(self, span: Span) -> str:
@@ -165,7 +165,7 @@ def _is_at(cycle: _Cycle, found: Span, span: Span) -> bool:
 
 
 def _second_if(cycle: _Cycle, span: Span, language: Language) -> Iterator[Remedy]:
-    """Yield branches of their own, and the same without frequency, for ``$IF EDGE … $ELSE``."""
+    """Yield separate branches, and the same without frequency, for ``$IF EDGE … $ELSE``."""
     for statement, _ in _branches(cycle.body):
         if not isinstance(statement, If) or statement.frequency is None:
             continue
@@ -185,7 +185,7 @@ def _second_if(cycle: _Cycle, span: Span, language: Language) -> Iterator[Remedy
 
 
 def _divided(cycle: _Cycle, statement: If, word: str) -> list[TextEdit]:
-    """Return the edits that give each branch an ``$IF`` of its own with a frequency.
+    """Return the edits that give each branch a separate ``$IF`` with a frequency.
 
     A later branch asks whether the earlier conditions are false, as ``$ELSE`` does.
     """
@@ -282,12 +282,12 @@ def _motions(cycle: _Cycle, block: Block, names: NameTable) -> str:
 
 
 def _value(cycle: _Cycle, word: Word | AxisWord) -> str:
-    """Return the value of a word as it is written."""
+    """Return the value of a word as written."""
     return cycle.text(word.span)[len(word.name) :].lstrip().removeprefix("=").strip()
 
 
 def _after_cycle(cycle: _Cycle, span: Span, language: Language) -> Iterator[Remedy]:
-    """Yield the move of a statement of the cycle's own body to after the cycle."""
+    """Yield the move of a statement of the cycle's top-level body to after the cycle."""
     document = cycle.document
     if not any(
         cycle.first + statement.span.line == span.line

@@ -153,7 +153,7 @@ def _right_word(item: Diagnostic) -> str:
 
 
 def _split_line(document: Document, number: int, line: str) -> TextEdit:
-    """Return the edit that gives a condition's body, and its end, lines of their own."""
+    """Return the edit that puts a condition's body, and its end, on separate lines."""
     indent = line[: len(line) - len(line.lstrip())]
     code = without_comments(line).rstrip()
     end = re.search(r"\s*\$ENDIF\s*$", code, re.IGNORECASE)

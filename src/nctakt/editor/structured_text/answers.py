@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The requests of an editor about documents in Structured Text.
 
-In: a document and what a request asks. Out: answers of the other modules, about the text as it is
-in the editor: a change that has not been checked yet is checked first.
+In: a document and a request. Out: answers of the other modules, about the present text in the
+editor: a change that has not been checked yet is checked first.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class StructuredAnswers:
             return navigation.hover(names, document, position, language)
 
     def complete(self, document: Document, position: types.Position) -> list[types.CompletionItem]:
-        """Return what can be written at a position."""
+        """Return the completions at a position."""
         with self._names(document) as names:
             return complete(names, document, position)
 
@@ -86,7 +86,7 @@ class StructuredAnswers:
             return navigation.highlights(names, document, position)
 
     def renamed_range(self, document: Document, position: types.Position) -> types.Range | None:
-        """Return the name that would change; raises ``Failure`` for one that must not."""
+        """Return the name that would change; raises ``Failure`` if it must not."""
         with self._names(document) as names:
             found = names.at(document, position)
             if found is None:
@@ -104,7 +104,7 @@ class StructuredAnswers:
     def rename_from_program(
         self, program: Document, part: PathPart, new: str, programs: Programs
     ) -> types.WorkspaceEdit | None:
-        """Return the edits for another name of what a comment of a program names.
+        """Return the edits for renaming a variable named in a comment of a program.
 
         ``None`` where no PLC of the program has it; raises ``Failure``.
         """
@@ -122,7 +122,7 @@ class StructuredAnswers:
             return [] if file is None else navigation.Outline(names, document, file).symbols()
 
     def folds(self, document: Document) -> list[types.FoldingRange]:
-        """Return what can be folded."""
+        """Return the folding ranges."""
         return folding_ranges(document)
 
     def tokens(self, document: Document, first: int, last: int) -> list[int]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Semantic tokens of Structured Text: comments, literals, keywords, and what each name is."""
+"""Semantic tokens of Structured Text: comments, literals, keywords, and kinds of names."""
 
 from __future__ import annotations
 

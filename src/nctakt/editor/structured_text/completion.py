@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What can be written at a place of Structured Text.
+"""Completion at a place of Structured Text.
 
-In: the names of a project, what surrounds the cursor. Out: members after a point; types after a
-colon; otherwise what the scope sees, the nearest first, with the parameters of an open call before
-all. Nothing in comments, pragmas and texts.
+In: the names of a project, the surroundings of the cursor. Out: members after a point; types after
+a colon; otherwise names visible in the scope, the nearest first, preceded by the parameters of an
+open call. Nothing in comments, pragmas and texts.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ from nctakt.st.types import (
 from nctakt.st.vocabulary.elementary import ELEMENTARY
 from nctakt.st.vocabulary.functions import BUILT_INS
 
-#: Items at most; more help no one.
+#: Maximum number of items; more help nobody.
 MAX_ITEMS = 1500
 
 _STATEMENTS = (
@@ -62,7 +62,7 @@ _Items = Iterator[tuple[str, CompletionItemKind, str]]
 
 
 def complete(names: ProjectNames, document: Document, position: Position) -> list[CompletionItem]:
-    """Return what can be written at a position, the best first."""
+    """Return the completions at a position, the best first."""
     file = names.project.file_named(document.name)
     spot = None if file is None else position_at(document, position, file)
     if spot is None:
@@ -120,7 +120,7 @@ def _words(words: Iterable[str]) -> _Items:
 
 
 def item_of(target: object) -> tuple[str, CompletionItemKind, str] | None:
-    """Return name, kind and detail of a target, ``None`` for what has no name."""
+    """Return name, kind and detail of a target, ``None`` for one without a name."""
     match target:
         case Variable():
             kind = (
@@ -160,7 +160,7 @@ def _shown(targets: Iterable[object]) -> _Items:
 
 
 def _scope(scope: Scope) -> _Items:
-    """Yield what the unit itself has, then what its block has."""
+    """Yield the names of the unit itself, then those of its block."""
     yield from _shown(scope.local_names.values())
     yield from _shown(scope.members.values())
 
@@ -193,7 +193,7 @@ def _of_library(names: ProjectNames, space: Namespace) -> _Items:
 
 
 def _types(names: ProjectNames, scope: Scope) -> _Items:
-    """Yield what can be the type of a variable."""
+    """Yield possible types of a variable."""
     for declared in names.checker.names.project.declared.values():
         target = names.target_of(declared)
         if not (isinstance(target, Pou) and target.kind is not Kind.FUNCTION_BLOCK):
@@ -212,7 +212,7 @@ def _is_constant(target: object) -> bool:
 
 
 def _parameters(names: ProjectNames, around: Surroundings, scope: Scope) -> _Items:
-    """Yield the parameters of the open call, as they are written with their sign."""
+    """Yield the parameters of the open call, written with their sign."""
     called = called_unit(names, around.callee, scope)
     if called is None or around.named:
         return
@@ -222,7 +222,7 @@ def _parameters(names: ProjectNames, around: Surroundings, scope: Scope) -> _Ite
 
 
 def called_unit(names: ProjectNames, callee: str, scope: Scope) -> Callable | None:
-    """Return what a written expression calls."""
+    """Return the callee of a written expression."""
     node = names.expression(f"{callee}()", scope)
     target = node.target if isinstance(node, Call) else None
     if isinstance(target, Method) and target.is_action:

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""What other files see of a file, and which files a change concerns.
+"""Dependencies between files: names visible to others, and files affected by a change.
 
 In: the declarations of files. Out: ``FileFacts``: the words of a file, and how each of its names is
 declared, as text; the names that differ between two states; and all names whose meaning may have
-changed with these. A name of an object's own counts where it is used as a member or argument, and
-in what extends the object; any other counts wherever it occurs, whatever it means there. So too
-much is checked again, never too little.
+changed with these. A member of an object counts where it is used as a member or argument, and in
+objects that extend it; any other name counts wherever it occurs, whatever its meaning there. So
+sometimes too much is rechecked, never too little.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ OwnedName = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class FileFacts:
-    """What a file says: all in lower case.
+    """The facts of a file: all in lower case.
 
     ``members``: words that can be members or arguments. ``declared``: how each name is declared;
     several objects may declare it. ``bases``: what each object extends.
@@ -60,7 +60,7 @@ class FileFacts:
 
 
 def facts_of(nodes: Sequence[Declaration], pieces: Iterable[Piece], sources: Sources) -> FileFacts:
-    """Return what a file says."""
+    """Return the facts of a file."""
     text = _COMMENT.sub(" ", "\n".join(piece.text for piece in pieces).lower())
     found: dict[OwnedName, list[str]] = {}
     reader = _Reader(sources)
@@ -148,7 +148,7 @@ def _bases(node: Declaration) -> tuple[str, tuple[str, ...]]:
 
 
 class _Reader:
-    """Reads declarations as text: what follows a name, and what it is part of."""
+    """Reads declarations as text: the text after a name, and its container."""
 
     def __init__(self, sources: Sources) -> None:
         self._sources = sources

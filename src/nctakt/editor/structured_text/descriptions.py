@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a name stands for, as text: its declaration, its value, the comments about it.
+"""Descriptions of names: declaration, value, comments.
 
-In: targets of names. Out: Structured Text of one declaration, and comments: those that end the
-line of a declaration, else those in the lines before it.
+In: targets of names. Out: Structured Text of one declaration, and comments: those at the end of a
+declaration's line, else those in the lines before it.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _MARKS = re.compile(r"^[ \t]*(?://+|\(\*+|/\*+|\*+(?![)/]))?[ \t]?|[ \t]*(?:\*+\
 
 
 def declaration_of(target: Target) -> str:
-    """Return the declaration of what a name stands for, as Structured Text."""
+    """Return the declaration of a name's target, as Structured Text."""
     match target:
         case Variable():
             return _variable(target)
@@ -90,7 +90,7 @@ def parameter_text(one: Variable) -> str:
 
 
 def signature_of(target: Callable, name: str = "") -> str:
-    """Return name, parameters and result of what can be called, in one line."""
+    """Return name, parameters and result of a callable, in one line."""
     listed = ", ".join(parameter_text(one) for one in target.parameters)
     result = "" if target.result is None else f" : {target.result.type.name}"
     return f"{name or target.name}({listed}){result}"
@@ -135,7 +135,7 @@ def _type(target: Type) -> str:
 
 
 def facts_of(target: Target, language: Language) -> list[str]:
-    """Return what is known beside the declaration: its owner, the value of a constant, sizes."""
+    """Return facts besides the declaration: owner, value of a constant, sizes."""
     facts = []
     owner = getattr(target, "owner", None)
     owner_name = owner if isinstance(owner, str) else getattr(owner, "name", "")
@@ -151,7 +151,7 @@ def facts_of(target: Target, language: Language) -> list[str]:
 
 
 def value_text(value: Value, kind: Type) -> str:
-    """Return a constant as it is written."""
+    """Return a constant as written."""
     if isinstance(value, bool):
         return "TRUE" if value else "FALSE"
     if isinstance(value, bytes):
@@ -169,7 +169,7 @@ def value_text(value: Value, kind: Type) -> str:
 
 
 def comment_of(sources: Sources, start: int) -> str:
-    """Return the comments about what is declared at a position."""
+    """Return the comments about the declaration at a position."""
     piece = sources.piece_of(start) if start else None
     if piece is None:
         return ""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What can be folded in Structured Text: structures and declarations, by their words."""
+"""Folding in Structured Text: structures and declarations, by their words."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _WORD = re.compile(
 
 
 def folding_ranges(document: Document) -> list[FoldingRange]:
-    """Return what can be folded, by line; what has no end in its file is none."""
+    """Return the folding ranges, by line; structures without an end in their file have none."""
     text = document.text()
     return sorted(
         [*_structures(text), *_comments(text)], key=lambda one: (one.start_line, -one.end_line)

@@ -3,7 +3,7 @@
 
 In: a piece of text. Out: its lines with an indentation by their structures, blanks around
 assignments and comparisons and after commas, none at the end of a line. Blanks that align
-declarations stay, as does all that is in comments and texts.
+declarations stay, and so do comments and texts.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ _OPEN = frozenset(
 _CLOSE = frozenset(
     """END_IF END_CASE END_FOR END_WHILE END_REPEAT END_STRUCT END_UNION END_VAR""".split()
 )
-#: Words that stand one step further to the left than the lines around them.
+#: Words that are one step further to the left than the lines around them.
 _BETWEEN = frozenset(("ELSE", "ELSIF", "UNTIL"))
 _LABEL = re.compile(
     r"\s*(?:[-\w.#]+(?:\s*\.\.\s*[-\w.#]+)?)(?:\s*,\s*[-\w.#]+(?:\s*\.\.\s*[-\w.#]+)?)*\s*:(?!=)"
 )
 _INDENT = "    "
-#: What stands for each character of a comment or text.
+#: The replacement for each character of a comment or text.
 _MASK = "\x01"
 #: Structures in each other beyond which no line is moved.
 _MAX_DEPTH = 60
@@ -60,7 +60,7 @@ def format_edits(document: Document, file: PlcFile, first: int, last: int) -> li
 
 
 def _line_of(piece: Piece, offset: int, *, is_first: bool) -> tuple[int, int] | None:
-    """Return line and column of a line of a piece; ``None`` for one that has none of its own."""
+    """Return line and column of a line of a piece; ``None`` for one that has none."""
     line, column = piece.locate(piece.base + offset)
     if is_first and piece.title:
         line, column = piece.lines[-1], piece.columns[-1]
@@ -91,7 +91,7 @@ class _State:
         self._in_hidden = False
 
     def line(self, line: str, code: str) -> str:
-        """Return a line in its form, and go on after it."""
+        """Return a formatted line, and move on after it."""
         stripped = line.strip()
         if not stripped:
             return ""

@@ -2,8 +2,8 @@
 """An undeclared name in Structured Text -> the declaration that its use asks for.
 
 In: a file whose expressions have types, the position of the name. Out: where a line with its
-declaration belongs, and the line. The type is that of what is assigned to it, of what it is
-assigned to, of the parameter that it is given for, of the other operand; BOOL as a condition.
+declaration belongs, and the line. The type is that of the value assigned to it, of the target it is
+assigned to, of its parameter, of the other operand; BOOL as a condition.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ PieceEdit = tuple[Piece, int, int, str]
 
 @dataclass(frozen=True, slots=True)
 class _Unit:
-    """What has a body, and what declares the variables for it."""
+    """A unit with a body, and the unit that declares the variables for it."""
 
     body: Header
     owner: Header
@@ -82,7 +82,7 @@ def _all(nodes: Iterable[Node]) -> Iterator[Node]:
 
 
 def _type_from(node: Node, position: int) -> tuple[str, str] | None:
-    """Return the name at a position with its type, if this node uses it in a way that tells it."""
+    """Return the name at a position with its type, if its use in this node determines it."""
 
     def is_it(one: object) -> bool:
         return isinstance(one, tree.Name) and one.start == position and not one.is_global
@@ -109,7 +109,7 @@ def _type_from(node: Node, position: int) -> tuple[str, str] | None:
 
 
 def _named(*nodes: Expression) -> str:
-    """Return the type of expressions as it is declared; of literals the smallest of INT, DINT …"""
+    """Return the declared type of expressions; for literals the smallest of INT, DINT …"""
     kind = nodes[0].type
     values = [one.value for one in nodes]
     if all(isinstance(one, tree.Literal | tree.Unary) for one in nodes):
@@ -143,7 +143,7 @@ def _name_of(kind: Type) -> str:
 
 
 def _placed(names: ProjectNames, file: PlcFile, owner: Header, written: str) -> PieceEdit | None:
-    """Return the edit that adds a declaration: to the last VAR block, else one of its own."""
+    """Return the edit that adds a declaration: to the last VAR block, else in a new block."""
     sources = names.project.sources
     piece = sources.piece_of(owner.start)
     if piece is None or piece not in file.pieces:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""From a name of a PLC to its declaration, its uses and what is known of it.
+"""From a name of a PLC to its declaration, its uses and its description.
 
 In: the names of a project, a document, a position. Out: places, explanations, an outline.
 """
@@ -42,7 +42,7 @@ from nctakt.st.types import Kind, Node
 
 #: The language of code in explanations.
 CODE = "iecst"
-#: Symbols of a file; an outline of more helps no one.
+#: Maximum number of symbols of a file; a longer outline helps nobody.
 MAX_SYMBOLS = 5000
 
 
@@ -157,7 +157,7 @@ class Outline:
         self._count = 0
 
     def symbols(self) -> list[DocumentSymbol]:
-        """Return the objects of the file, each with what is declared in it."""
+        """Return the objects of the file, each with its declarations."""
         return [one for node in self._nodes for one in self._object(node)]
 
     def _object(self, node: object) -> Iterator[DocumentSymbol]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""All names in the objects of a file, each with what it stands for.
+"""All names in the objects of a file, each with its target.
 
 In: declarations whose expressions a checker has resolved. Out: ``Occurrence`` for each name: where
 it is, its target (``nctakt.st.tree``), whether it is declared there.
@@ -188,7 +188,7 @@ class OccurrenceReader:
             yield from self._part(node.initial)
 
     def _type(self, node: TypeNode, kind: Type | None = None) -> Iterator[Occurrence]:
-        """Yield the names in a type; ``kind``: the type that it stands for."""
+        """Yield the names in a type; ``kind``: the resolved type."""
         match node:
             case tree.NamedType():
                 target = self._named(node.name)
@@ -277,7 +277,7 @@ class OccurrenceReader:
 
 
 def parts_of(node: Node) -> Iterator[Node]:
-    """Yield the statements and expressions in one, without what they stand for."""
+    """Yield the statements and expressions in one, without their targets."""
     match node:
         case tree.Member():
             yield node.base
@@ -295,7 +295,7 @@ def parts_of(node: Node) -> Iterator[Node]:
 
 
 def key_of(target: Target) -> object:
-    """Return what is the same for all names of one thing.
+    """Return a key that all names of one target share.
 
     Within a function its name is that of the result, in a property that of the value.
     """

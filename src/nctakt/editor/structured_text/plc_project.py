@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """A PLC project that is checked while its files are typed.
 
-In: the files of a project, as they are in the editor. Out: its findings by file, and the checker
-with all that names stand for. After a change the changed file alone is read; names and types are
-resolved anew, which is fast; bodies are checked where they name something that is declared
-otherwise than before. What a check finds is what ``nctakt check`` finds.
+In: the files of a project, as in the editor. Out: its findings by file, and the checker with the
+targets of all names. After a change only the changed file is read; names and types are resolved
+anew, which is fast; bodies are checked if they name something whose declaration has changed. The
+findings are those of ``nctakt check``.
 """
 
 from __future__ import annotations
@@ -41,14 +41,14 @@ from nctakt.st.sources import Piece, Sources
 from nctakt.st.tree import Declaration, TaskNode
 from nctakt.st.vocabulary.libraries import default_libraries
 
-#: With more pieces of text than this for each one that counts, all is read anew.
+#: With more pieces of text than this for each valid one, everything is reread.
 _MAX_PIECES = 20
 _FEW_PIECES = 2000
 
 
 @dataclass(slots=True, eq=False)
 class PlcFile:
-    """A file that was read: its objects, what was wrong with its text, what others see of it.
+    """A file that was read: its objects, mistakes in its text, names visible to others.
 
     ``state`` changes with the file, ``digest`` with its content.
     """
@@ -63,17 +63,17 @@ class PlcFile:
 
 
 class Texts(Protocol):
-    """The texts of a project's files, as they are in the editor."""
+    """The texts of a project's files, as in the editor."""
 
     def read_bytes(self, path: Path) -> bytes:
         """Return a file's bytes; raises ``Failure`` where it cannot be read."""
 
     def state_of(self, path: Path) -> object:
-        """Return what changes with the text of a file."""
+        """Return a key that changes with the text of a file."""
 
 
 class PlcProject:
-    """A project: its files, the last check of them. Whoever asks holds ``lock`` meanwhile."""
+    """A project: its files, the last check of them. Callers hold ``lock`` meanwhile."""
 
     def __init__(self, listed: PlcSources, libraries: ProjectLibraries, texts: Texts) -> None:
         self.lock = threading.RLock()
@@ -101,7 +101,7 @@ class PlcProject:
         values = {OUR_DEFINITION: "", **self.listed.definitions}
         self._definitions = Definitions(values, stems, stems)
 
-    # --- what is asked ----------------------------------------------------------------------------
+    # --- requests ---------------------------------------------------------------------------------
 
     def findings(self, name: str, poll: Callable[[], None] | None = None) -> list[Diagnostic]:
         """Return the findings of a file by place; ``poll`` may end the check by an exception."""
@@ -116,7 +116,7 @@ class PlcProject:
             return [one for found in self._findings.values() for one in found]
 
     def tried(self, name: str, lines: Sequence[str]) -> list[Diagnostic]:
-        """Return the findings of all files if one had other lines; the project stays as it is."""
+        """Return the findings of all files if one had other lines; the project is unchanged."""
         with self.lock:
             self._tried = {Path(name): "\n".join(lines).encode("utf-8", "surrogatepass")}
             try:
@@ -126,7 +126,7 @@ class PlcProject:
                 self.update()
 
     def update(self, poll: Callable[[], None] | None = None) -> ProjectChecker:
-        """Check what has changed since the last time; return the checker with its names."""
+        """Check all changes since the last time; return the checker with its names."""
         with self.lock, collector_waiting():
             if len(self.sources.pieces) > _FEW_PIECES + _MAX_PIECES * len(self.files):
                 self._begin()
@@ -197,7 +197,7 @@ class PlcProject:
         return PlcFile(name, state, digest, nodes, collector.diagnostics, pieces, facts)
 
     def _forget(self, changed: set[OwnedName]) -> None:
-        """Forget what was found in bodies that use names which are declared otherwise now."""
+        """Forget the findings in bodies that use names whose declarations have changed."""
         concerned = Concerned(changed, [one.facts for one in self.files.values()])
         for file in self.files.values():
             if file.facts in concerned:

@@ -2,8 +2,8 @@
 """Documents in Structured Text -> the projects that they belong to.
 
 In: open documents. Out: the project of each: that of the ``.plcproj`` that lists its file, else its
-folder's files. Of these a file is left out that declares an object of the document, or of one that
-comes before, again: it belongs to another PLC.
+folder's files. A file is left out if it redeclares an object of the document or of an earlier file:
+it belongs to another PLC.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from nctakt.st.files.suffixes import OBJECT_SUFFIXES, PROJECT_SUFFIXES, SOURCE_S
 from nctakt.st.reporting import Reporter
 from nctakt.st.sources import Sources
 
-#: Files of a folder that count as one project at most.
+#: Maximum number of files of a folder that count as one project.
 MAX_FILES = 2000
 
 _OBJECT = re.compile(
@@ -39,7 +39,7 @@ _XML_NAME = re.compile(r"<(?:POU|DUT|GVL|Itf)\b[^>]*?\bName=\"(\w+)\"")
 
 
 class PlcProjects:
-    """The projects of the open documents; those whose files are the same are one."""
+    """The projects of the open documents; those with the same files are one."""
 
     def __init__(self, documents: Mapping[str, Document], lines_of: Buffers) -> None:
         self._documents = documents
@@ -54,7 +54,7 @@ class PlcProjects:
         return self.of(document).findings(document.name, poll)
 
     def of(self, document: Document) -> PlcProject:
-        """Return the project of a document, as it was found when the document was opened."""
+        """Return the project of a document, as found when the document was opened."""
         known = self._of_document.get(document.uri)
         if known is None:
             known = self._of_document[document.uri] = self._find(document)
@@ -104,7 +104,7 @@ class PlcProjects:
         return Document(uri_of(path), path, name, language, 0, lines, like.encoding)
 
     def tidy(self) -> None:
-        """Collect what earlier checks have left, while no request waits for an answer."""
+        """Collect the garbage of earlier checks, while no request waits for an answer."""
         projects = [one for one in self._projects.values() if one.has_garbage]
         for project in projects:
             project.has_garbage = False
@@ -175,7 +175,7 @@ class PlcProjects:
 
 
 class _WithoutFile:
-    """The text of a document that has no file, and all others as they are in the editor."""
+    """The text of a document that has no file, and all others as in the editor."""
 
     def __init__(self, document: Document, others: OpenBuffers) -> None:
         self._document = document
@@ -188,7 +188,7 @@ class _WithoutFile:
         return self._document.text().encode("utf-8", "surrogatepass")
 
     def state_of(self, path: Path) -> object:
-        """Return what changes with the text of a file."""
+        """Return a key that changes with the text of a file."""
         if path.as_posix() != self._document.name:
             return self._others.state_of(path)
         return self._document.version

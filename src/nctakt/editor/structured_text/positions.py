@@ -17,7 +17,7 @@ from nctakt.st.sources import Piece, Sources
 
 
 def position_at(document: Document, position: Position, file: PlcFile) -> tuple[Piece, int] | None:
-    """Return the piece at a place, and the offset in its text; ``None`` outside of all."""
+    """Return the piece at a place, and the offset in its text; ``None`` outside all pieces."""
     line, column = position.line + 1, document.index(position) + 1
     for piece in file.pieces:
         offset = _offset(piece, line, column)
@@ -44,7 +44,7 @@ def _offset(piece: Piece, line: int, column: int) -> int | None:
         if found < 0:
             return None
         begin = found + 1
-    return begin if column == 1 else None  # what comes after it is markup, or another text
+    return begin if column == 1 else None  # the text after it is markup, or another text
 
 
 def range_of(document: Document, sources: Sources, start: int, end: int) -> Range:

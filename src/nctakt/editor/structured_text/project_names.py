@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What the names of a project stand for, as of its last check.
+"""Targets of the names of a project, as of its last check.
 
-In: a project, places of documents. Out: occurrences of names by file, all of one thing, what a
-typed expression would be. The trees of files that no change concerned were resolved by an earlier
-check: they are resolved again when their names are asked for.
+In: a project, places of documents. Out: occurrences of names by file, all those of one target, the
+meaning of a typed expression. The trees of files not affected by a change were resolved by an
+earlier check: they are resolved again when their names are requested.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nctakt.st.types import Expression, InterfaceType, Method, Pou, Property
 
 
 class ProjectNames:
-    """The names of a project; whoever asks holds the project's lock."""
+    """The names of a project; callers hold the project's lock."""
 
     def __init__(self, project: PlcProject) -> None:
         self.project = project
@@ -56,7 +56,7 @@ class ProjectNames:
         return next((one for one in self.of(file) if one.start <= number <= one.end), None)
 
     def all_of(self, target: Target, name: str) -> Iterator[tuple[PlcFile, Occurrence]]:
-        """Yield all places of what a name stands for, overrides of a method among them."""
+        """Yield all places of a name's target, including overrides of a method."""
         keys = {key_of(one) for one in self.family(target)}
         for file in self.project.files.values():
             if name.lower() in file.facts.words:
@@ -108,7 +108,7 @@ class ProjectNames:
                 if found is not None:
                     yield node, found
 
-    # --- what is typed ----------------------------------------------------------------------------
+    # --- typed text -------------------------------------------------------------------------------
 
     def scope_of(self, path: str) -> Scope:
         """Return the names that a POU, method or accessor sees; of any other path only the
@@ -121,7 +121,7 @@ class ProjectNames:
         return Scope()
 
     def expression(self, text: str, scope: Scope) -> Expression | None:
-        """Return a typed text as an expression of a scope, ``None`` if it is none."""
+        """Return a typed text as an expression of a scope, ``None`` if it is not one."""
         reporter = Reporter(Sources(), Collector())
         piece = Piece("", text, [0], [1], [1])
         reporter.sources.add(piece)
@@ -143,13 +143,13 @@ class ProjectNames:
         return self.checker.qualifier(node)
 
     def target_of(self, found: object) -> Target | None:
-        """Return what an entry of a namespace stands for."""
+        """Return the target of an entry of a namespace."""
         if isinstance(found, Declared):
             return self.checker.resolver.target_of(found)
         return found  # type: ignore[return-value]
 
     def _resolve(self, file: PlcFile) -> None:
-        """Let the checker note what the names of a file stand for now."""
+        """Have the checker note the present targets of a file's names."""
         resolver = self.checker.resolver
         own = {id(unit) for node in file.nodes for unit in _headers(node)}
         diagnostics = self.checker.reporter.collector.diagnostics

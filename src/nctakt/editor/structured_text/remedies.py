@@ -2,7 +2,7 @@
 """Findings in Structured Text -> the edits that remedy them.
 
 In: a document of a project and its findings. Out: code actions. An edit is offered only if a check
-of the text that it makes no longer has the finding, and has no other one in the whole project.
+of the resulting text no longer has the finding, and no new one in the whole project.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _DECLARE = Text("Declare {new}", "{new} deklarieren")
 
 #: Signs and keywords that can be put where they are missed.
 _MISSED = frozenset((";", ")", "]", ":", "THEN", "DO", "OF", "TO"))
-#: What divides a structure and is indented as its beginning.
+#: Words that divide a structure and are indented like its beginning.
 _DIVIDER = re.compile(r"\s*(?:ELSE|ELSIF|UNTIL)\b", re.IGNORECASE)
 _COMMENT = re.compile(r"\s*(?://[^\n]*|\(\*(?:(?!\*\)).)*\*\))\s*\Z", re.DOTALL)
 #: Characters before a place in which comments are looked for.
@@ -60,7 +60,7 @@ class Edit:
 
 @dataclass(frozen=True, slots=True)
 class _Found:
-    """A finding in its piece of text; ``written``: what it is about, as far as its line goes."""
+    """A finding in its piece of text; ``written``: its text, up to the end of its line."""
 
     item: Diagnostic
     piece: Piece
@@ -87,7 +87,7 @@ def structured_actions(
 ) -> list[CodeAction]:
     """Return the code actions of some findings of a document, the preferred ones first.
 
-    Whoever asks holds the project's lock.
+    Callers hold the project's lock.
     """
     file = names.project.file_named(document.name)
     result = []
@@ -159,7 +159,7 @@ def _position(document: Document, piece: Piece, offset: int) -> Position:
 def _remedies_it(
     names: ProjectNames, document: Document, item: Diagnostic, edits: Sequence[TextEdit]
 ) -> bool:
-    """Return whether a check after edits lacks a finding, and has no other one instead."""
+    """Return whether a check after edits no longer has a finding, and has no new one."""
     copy = Document(
         document.uri,
         document.path,
@@ -180,7 +180,7 @@ def _start(edit: TextEdit) -> tuple[int, int]:
     return edit.range.start.line, edit.range.start.character
 
 
-# --- what is written otherwise --------------------------------------------------------------------
+# --- different spelling ---------------------------------------------------------------------------
 
 
 def _nearest(slip: _Found, language: Language) -> _Remedies:
@@ -226,7 +226,7 @@ def _assigned(slip: _Found, language: Language) -> _Remedies:
 
 
 def _removed(slip: _Found, language: Language) -> _Remedies:
-    """Remove a sign that there is not."""
+    """Remove a superfluous sign."""
     title = _REMOVE.get(language).format(old=slip.written)
     yield title, [slip.replaced("")]
 
@@ -244,7 +244,7 @@ def _power(slip: _Found, language: Language) -> _Remedies:
         yield _REPLACE.get(language).format(new=new), [slip.replaced(new)]
 
 
-# --- what is missing ------------------------------------------------------------------------------
+# --- missing parts --------------------------------------------------------------------------------
 
 
 def _missed(slip: _Found, language: Language) -> _Remedies:
@@ -280,7 +280,7 @@ def _end_keyword(slip: _Found, language: Language) -> _Remedies:
 
 
 def _line_begin(piece: Piece, line: int) -> int | None:
-    """Return the offset at which a line of the file begins in a piece, ``None`` outside of it."""
+    """Return the offset at which a line of the file begins in a piece, ``None`` outside it."""
     first, offset = piece.lines[0], 0
     for _ in range(line - first):
         offset = piece.text.find("\n", offset) + 1

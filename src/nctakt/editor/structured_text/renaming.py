@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Another name for what a PLC declares, in all files of the project.
+"""Renaming of a PLC's declarations, in all files of the project.
 
 In: the names of a project, a position, the new name. Out: edits, which leave a project that means
 the same; or a ``Failure`` with the reason. In XML files the attributes change in which the
@@ -55,7 +55,7 @@ Programs = Callable[[], Iterable[Document]]
 def rename(
     names: ProjectNames, document: Document, position: Position, new: str, programs: Programs
 ) -> WorkspaceEdit | None:
-    """Return the edits that rename what is at a place; ``None`` where there is no name.
+    """Return the edits that rename the name at a place; ``None`` if there is none.
 
     Raises ``Failure`` for a name that must not change, or must not become the new one.
     """
@@ -87,7 +87,7 @@ def part_at(program: Document, position: Position) -> PathPart | None:
 def rename_part(
     names: ProjectNames, document: Document, part: PathPart, new: str, programs: Programs
 ) -> WorkspaceEdit | None:
-    """Return the edits that rename what a path means; ``None`` where the project has none such.
+    """Return the edits that rename the target of a path; ``None`` if the project has none.
 
     Raises ``Failure`` as ``rename``.
     """
@@ -148,7 +148,7 @@ def check_fixed(
 
 
 def _check_form(new: str) -> None:
-    """Raise ``Failure`` for what cannot be a name."""
+    """Raise ``Failure`` for a text that cannot be a name."""
     form = None
     if not _NAME.fullmatch(new) or "__" in new:
         form = _LETTERS
@@ -164,7 +164,7 @@ def _check_free(
     new: str,
     places: list[tuple[PlcFile, Occurrence]],
 ) -> None:
-    """Raise ``Failure`` where the new name already stands for something, or would hide it."""
+    """Raise ``Failure`` if the new name already has a meaning, or would hide one."""
     key = new.lower()
     if key in _siblings(names, found.target):
         where = Text("in the same object", "im selben Objekt")
@@ -193,7 +193,7 @@ def _check_free(
 
 
 def _siblings(names: ProjectNames, target: object) -> set[str]:
-    """Return the names that are declared beside a target, in lower case."""
+    """Return the names declared in the same place as a target, in lower case."""
     owner = _owner_of(names, target)
     if isinstance(owner, StructType):
         return set(owner.members)
@@ -243,7 +243,7 @@ def _has(variables: Iterable[Variable], key: object) -> bool:
 
 
 def _units_of(names: ProjectNames, owner: object) -> Iterator[str]:
-    """Yield the paths of the units that see the members of a block, those of derived ones too."""
+    """Yield the paths of the units that see the members of a block, including derived ones."""
     if not isinstance(owner, Pou):
         return
     for unit in names.checker.resolver.nodes:
@@ -323,7 +323,7 @@ def _in_comments(
 def _parts(
     names: ProjectNames, path: str, name: str, keys: set[object]
 ) -> Iterator[tuple[int, int]]:
-    """Yield the parts of a path that are a name, and mean what it means."""
+    """Yield the parts of a path that are a name with its meaning."""
     for part in _PART.finditer(path):
         if part[0].lower() != name:
             continue

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The parameters of the open call: what an editor shows while arguments are written."""
+"""The parameters of the open call, shown by an editor while arguments are written."""
 
 from __future__ import annotations
 

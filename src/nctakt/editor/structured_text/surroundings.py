@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What surrounds the cursor in Structured Text.
+"""Surroundings of the cursor in Structured Text.
 
 In: a piece of text, the cursor's offset. Out: ``Surroundings``: whether there is code, the unit,
 the part of a declaration, the path before the last point, the open call. The text need not be
@@ -45,9 +45,9 @@ _WORD = re.compile(r"[^\W\d]\w*\Z")
 class Surroundings:
     """The cursor's surroundings.
 
-    ``unit``: the path of the POU or member, "" outside of all. ``path``: the expression before a
-    point. ``callee``: the expression before the innermost open bracket, with ``argument``, its
-    index, and ``named``, the name of the argument. ``word``: what is written of a word.
+    ``unit``: the path of the POU or member, "" outside. ``path``: the expression before a point.
+    ``callee``: the expression before the innermost open bracket, with ``argument``, its index, and
+    ``named``, the name of the argument. ``word``: the written part of a word.
     """
 
     part: Part
@@ -60,7 +60,7 @@ class Surroundings:
 
 
 def surroundings(text: str, offset: int, title: str = "", *, is_declaration: bool) -> Surroundings:
-    """Return what surrounds an offset; ``title``: the unit of a piece of XML, "" in plain text."""
+    """Return an offset's surroundings; ``title``: the unit of a piece of XML, "" in plain text."""
     before = text[:offset]
     code = _without_hidden(before)
     if code is None:
@@ -83,7 +83,7 @@ def surroundings(text: str, offset: int, title: str = "", *, is_declaration: boo
 def hidden_parts(text: str) -> Iterator[tuple[int, int]]:
     """Yield where comments, pragmas and texts begin and end.
 
-    What is open at the end of the text reaches to it; comments may be nested (ST-201).
+    An open one at the end of the text reaches to the end; comments may be nested (ST-201).
     """
     position = 0
     while (match := _HIDDEN.search(text, position)) is not None:
@@ -111,7 +111,7 @@ def masked(text: str, letter: str) -> str:
 
 
 def _without_hidden(before: str) -> str | None:
-    """Return code with blanks for what is none; ``None`` if the cursor is in such a part."""
+    """Return code with other parts blanked; ``None`` if the cursor is in such a part."""
 
     hidden = list(hidden_parts(before))
     if hidden and hidden[-1][1] == len(before):
@@ -124,7 +124,7 @@ def _without_hidden(before: str) -> str | None:
 
 
 def _open_structures(code: str) -> list[tuple[str, str]]:
-    """Return what is open at the end of a code, each with its name."""
+    """Return the structures open at the end of a code, each with its name."""
     stack: list[tuple[str, str]] = []
     for match in _STRUCTURE.finditer(code):
         keyword = (match["open"] or "").upper()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a check of bodies has found, kept while nothing changes that they depend on.
+"""Findings of a check of bodies, kept while their dependencies do not change.
 
 In: units of a project as they are checked. Out: their findings, from the check or from before. The
 trees of unchanged files stay, so that a unit is known by its node.
@@ -18,14 +18,14 @@ from nctakt.st.types import Method, Pou
 
 @dataclass(slots=True, eq=False)
 class _Found:
-    """What the check of a unit has found: findings, and whom it calls, by their paths."""
+    """Result of a unit's check: findings, and its calls, by their paths."""
 
     findings: list[Diagnostic]
     calls: list[tuple[str, Call]]
 
     @property
     def names_neighbours(self) -> bool:
-        """Whether a finding names what is nearest: another name may be nearer by now."""
+        """Whether a finding suggests the nearest name: another may be nearer by now."""
         return any("nearest" in one.values for one in self.findings)
 
 
@@ -49,12 +49,12 @@ class UnitMemory:
                 self._units.pop(unit, None)
 
     def forget_neighbours(self) -> None:
-        """Forget units with findings that name what is nearest to a name."""
+        """Forget units with findings that suggest a name nearest to a name."""
         for node in [node for node, found in self._units.items() if found.names_neighbours]:
             del self._units[node]
 
     def check(self, node: Header, unit: Pou | Method, checker: ProjectChecker) -> None:
-        """Check a unit, or report again what its last check has found."""
+        """Check a unit, or repeat the findings of its last check."""
         diagnostics = checker.reporter.collector.diagnostics
         known = self._units.get(node)
         if known is not None:
@@ -88,7 +88,7 @@ class UnitMemory:
 
 
 def units_of(node: Declaration) -> Iterator[Header]:
-    """Yield the parts of an object that have variables or statements of their own."""
+    """Yield the parts of an object that have their own variables or statements."""
     if isinstance(node, PouNode):
         yield node
         yield from node.methods

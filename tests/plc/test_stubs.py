@@ -19,6 +19,7 @@ from support.random_seeds import seeds_in_parts
 
 from nctakt.base.failure import Failure
 from nctakt.cli.check import command
+from nctakt.cli.run import command as run_command
 from nctakt.lists.machine.machine import load_machine
 from nctakt.plc import Plc
 from nctakt.plc.error import PlcError
@@ -31,6 +32,7 @@ from nctakt.run.plcs.plc_view import PlcView
 from nctakt.run.plcs.realtime_plc import PlcGroup
 from nctakt.session.core import SessionCore
 from nctakt.session.setup import Setup
+from nctakt.session.tapes import read_setup
 
 SETTINGS = '[plc]\nfile = "cell.st"\n\n[plc.stubs]\nFB_Sdo = "stubs.py:Sdo"\n'
 CELL = """
@@ -404,3 +406,23 @@ def _damaged(rng: random.Random, text: str) -> str:
         part = rng.choice([text[last : last + 30], "\0", '"""', "{", "END_VAR", "[", "\ufeff", "("])
         text = text[:first] + part + text[last if rng.random() < 0.6 else first :]
     return text
+
+
+def test_a_session_of_a_tape_runs_no_class(folder: Path) -> None:
+    """ST-820: the tape has what the class did, in a session that lives through it as well."""
+    (folder / "part.nc").write_text("N10 G04 0.006\nM30\n", "utf-8")
+    tape = folder / "run.tape"
+    words = ["part.nc", "--record", str(tape)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        assert CliRunner().invoke(run_command, words).exit_code == 0
+        changed(folder, "stubs.py", "def __init__(self):", "def __init__(self):\n        1 / 0")
+        core = SessionCore(read_setup(tape, anyway=True))
+        try:
+            core.step(6)
+            there = core.read(SIGNALS)
+            core.go_to(3)
+            core.step(3)
+            assert core.read(SIGNALS) == there == [1, 70, 41200]
+        finally:
+            core.close()

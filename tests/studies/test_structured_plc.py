@@ -9,6 +9,7 @@ import pytest
 
 from nctakt import Study
 from nctakt.base.failure import Failure
+from nctakt.studies.runs.plan_files import files_of
 
 PLC = """PROGRAM MAIN
 VAR bSensor AT %I* : BOOL; tonLate : TON; bLate : BOOL; nCycles : INT; END_VAR
@@ -51,3 +52,22 @@ def test_unknown_variables_and_faults_are_refused(cell: Path) -> None:
         with pytest.raises(Failure) as raised:
             Study(program=cell / "part.nc", plc=cell / "cell.st", **words).run(processes=1)
         assert [found.id for found in raised.value.diagnostics] == [number]
+
+
+def test_all_files_of_the_plc_go_along(cell: Path) -> None:
+    """A machine that makes runs has settings, sources of libraries, stubs and their modules."""
+    library = cell / "libraries" / "late.st"
+    library.parent.mkdir()
+    library.write_text("FUNCTION Late : INT Late := 1; END_FUNCTION\n", "utf-8")
+    stub = (
+        "import helper\nclass Gate:\n    declaration = ''\n    def cycle(self, block, hli): ...\n"
+    )
+    settings = '[plc]\nlibraries = ["libraries"]\nstubs = {FB_Gate = "stubs.py:Gate"}\n'
+    for name, text in {"stubs.py": stub, "helper.py": "", "nctakt.toml": settings}.items():
+        (cell / name).write_text(text, "utf-8")
+    changed = PLC.replace("nCycles : INT;", "nCycles : INT; fbGate : FB_Gate;")
+    (cell / "cell.st").write_text(changed, "utf-8")
+    needed = files_of(Study(program=cell / "part.nc", plc=cell / "cell.st").plan)
+    own = {path.name for path in needed.files if path.is_relative_to(cell.resolve())}
+    assert own == {"part.nc", "cell.st", "nctakt.toml", "late.st", "stubs.py"}
+    assert [path.name for path in needed.modules.files] == ["helper.py"]

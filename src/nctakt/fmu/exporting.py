@@ -29,6 +29,7 @@ from nctakt.messages.commands.studies import EXTRA_MISSING
 from nctakt.messages.extras import install_command
 from nctakt.messages.plcs.fmu import CELL_NOT_COMPLETE, NOT_AN_INPUT
 from nctakt.plc.loading import input_file_of
+from nctakt.project.imports import with_imports
 from nctakt.run.plcs.realtime_plc import is_structured
 
 if TYPE_CHECKING:
@@ -70,6 +71,8 @@ def gather(words: Mapping[str, Any], plcs: Sequence[str], read: Sequence[Path]) 
     """Return the files of a run in one folder; ``words``: those of its tape."""
     files = {Path(os.path.realpath(one)) for one in read}
     files.update(file for plc in plcs for file in _beside_plc(plc))
+    stubs = with_imports(one for one in read if one.suffix == ".py")
+    files.update(Path(os.path.realpath(one)) for one in stubs if one.suffix == ".py")
     files = {one for one in files if not one.is_relative_to(_BUILT_IN)}
     root = Path(os.path.commonpath([one.parent for one in files]))
 

@@ -171,7 +171,7 @@ def inspected(
     """
     collector, access = Collector(), FileAccess()
     project = find_project(Path(path), access)
-    files: list[str] = []
+    files = [] if project is None else [project.file.as_posix()]
 
     def read(file: Path) -> bytes | None:
         files.append(file.as_posix())

@@ -35,7 +35,8 @@ class Program:
 
     The data area has ``data_size`` bytes: globals, VAR_STAT, and the instances of programs. There
     is never a variable at offset 0, so that no address is null. ``has_errors``: it must not run.
-    ``files``: those of the project that were read; ``read_files``: those of libraries, too.
+    ``files``: those of the project that were read; ``read_files``: also those of
+    libraries, and the settings.
     ``initial_order``: the global variables in the order of their initialisation (ST-404), then
     programs by ``pous``. ``blocks``: blocks and programs by number, from 1.
     """

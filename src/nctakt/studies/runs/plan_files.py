@@ -12,6 +12,7 @@ from pathlib import Path
 from nctakt.base.dataclass import dataclass
 from nctakt.files.access import FileAccess
 from nctakt.plc.loading import input_file_of
+from nctakt.run.plcs.realtime_plc import is_structured
 from nctakt.studies.measuring.python_measure import PythonMeasure
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.user_modules import UserModules
@@ -34,7 +35,11 @@ def files_of(plan: Plan) -> PlanFiles:
     files = [*access.read_files, *plan.files]
     functions = [one.node for one in plan.measures if isinstance(one.node, PythonMeasure)]
     sources = [one.file for one in functions if one.function is None]
+    sources += [one for one in access.read_files if one.suffix == ".py"]
     for plc in plan.plcs:
+        if is_structured(plc):
+            files.append(plc)
+            continue
         sources.append(plc)
         inputs = input_file_of(plc)
         files += [] if inputs is None else [inputs]

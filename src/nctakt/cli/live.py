@@ -203,7 +203,7 @@ def _share(
 
 
 def show_page(options: Options, access: FileAccess, own: Words) -> int:
-    """Open the session and serve the page; raises ``Failure`` for what cannot be used."""
+    """Open the session and serve the page; raises ``Failure`` for unusable inputs."""
     from nctakt.live import server  # noqa: PLC0415 - seldom needed
 
     server.check_library()

@@ -456,7 +456,7 @@ def _who_commands(own: _Words) -> Iterator[Diagnostic]:
 
 
 def _page(options: Options, own: _Words, folders: Sequence[str], word: str) -> EndpointOpener:
-    """Return what opens the page; raises ``Failure`` (901477) without a program."""
+    """Return the function that opens the page; raises ``Failure`` (901477) without a program."""
     from nctakt.live.server import Reports, check_library  # noqa: PLC0415 - only where asked for
 
     check_library()

@@ -17,12 +17,16 @@ from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Diagnostic, Severity, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import BYTE_ORDER_MARKS, decode_text, split_lines
-from nctakt.checking.channel_uses import ProgramUses, report_missing_partners
 from nctakt.checking.check_memory import CheckMemory, Poll
-from nctakt.checking.cycle_links import LinkedProgram, report_unlinked_cycles
 from nctakt.checking.inputs import Finding, PlcInput, gather
 from nctakt.checking.plc_interface import report_interface_uses
 from nctakt.checking.program import Checked, check_program
+from nctakt.checking.program_links import (
+    LinkedProgram,
+    ProgramUses,
+    report_missing_partners,
+    report_unlinked_cycles,
+)
 from nctakt.checking.scripts import ScriptedProgram, impossible_firings, impossible_inputs
 from nctakt.checking.suppression import Suppressions, apply, read_suppressions
 from nctakt.checking.targets import Target, Targets

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 import struct
+import sys
 from collections.abc import Callable as CallableFunction
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -52,7 +53,6 @@ from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
 from nctakt.plc.python.blocks import PythonBlock, PythonBlocks, WriteVariable, python_blocks
 from nctakt.plc.python.stubs import libraries_of
-from nctakt.plc.recursion import allow_depth
 from nctakt.plc.st_coverage import Counts, coverage_of
 from nctakt.plc.st_interface import StInterface, connect, lay_out, names_of
 from nctakt.plc.st_reasons import StReasons
@@ -270,7 +270,7 @@ class StructuredPlc(RealtimePlc):
     def attach(self, machine: AssembledMachine) -> StructuredPlc:
         """Begin anew on a machine: initial values, FB_init, then the tasks from its next tick."""
         if not is_compiled():
-            allow_depth()
+            _allow_depth()
         layout, kernel = self.translated.layout, machine.kernel
         interface = lay_out(machine, layout.interface, self.translated.roots)
         memory = layout.memory(bytes(interface.content))
@@ -761,3 +761,12 @@ def _words(line: str) -> list[str]:
                 found.append(word.strip("."))
             word = ""
     return found
+
+
+#: Calls of Python for the deepest calls of a PLC (ST-407).
+_PYTHON_DEPTH = 20_000
+
+
+def _allow_depth() -> None:
+    """Let trees that run as plain Python nest as deep as compiled ones."""
+    sys.setrecursionlimit(max(sys.getrecursionlimit(), _PYTHON_DEPTH))

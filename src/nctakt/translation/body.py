@@ -28,11 +28,30 @@ from nctakt.st.types import (
     Type,
     Variable,
 )
-from nctakt.translation.frames import Frame
-from nctakt.translation.layout import Layout
+from nctakt.translation.layout import Layout, aligned
 from nctakt.translation.locations import Location
 from nctakt.translation.observing.noting import NoteRows
 from nctakt.translation.observing.probing import Probes
+
+
+class Frame:
+    """Bytes of a frame that follow its variables; those of a statement are free after it."""
+
+    def __init__(self, size: int) -> None:
+        self._begin = aligned(size, 8)
+        self._next = self._begin
+        self.size = self._begin
+
+    def take(self, count: int) -> int:
+        """Return the offset of ``count`` bytes."""
+        offset = self._next
+        self._next += aligned(count, 8)
+        self.size = max(self.size, self._next)
+        return offset
+
+    def release(self) -> None:
+        """Free what the last statement has taken."""
+        self._next = self._begin
 
 
 class CannotRunError(Exception):

@@ -28,7 +28,7 @@ from nctakt.cli.schedules.schedule_options import (
     with_options,
 )
 from nctakt.messages import Collector, diagnostic
-from nctakt.messages.scheduling.suggest import INVALID_SLACK, NOTHING_SUGGESTED
+from nctakt.messages.scheduling.schedule_results import INVALID_SLACK, NOTHING_SUGGESTED
 from nctakt.run.option_kinds import by_name
 
 if TYPE_CHECKING:

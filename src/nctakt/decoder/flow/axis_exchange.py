@@ -16,7 +16,6 @@ from nctakt.decoder.axis_limits import set_limits
 from nctakt.decoder.blocks.axes.software_limits import limits_of_program_again, listed_limits_again
 from nctakt.decoder.blocks.axes.spindles import main_of
 from nctakt.decoder.blocks.path.feed_forward import follow_feed_forward
-from nctakt.decoder.flow.c_axis import CAxisCommands
 from nctakt.decoder.state.axis_places import (
     AxisNotInChannelError,
     AxisPlace,
@@ -25,9 +24,10 @@ from nctakt.decoder.state.axis_places import (
     indices_of,
     trimmed,
 )
+from nctakt.decoder.state.geometry.coordinate_systems import MAIN_AXES
 from nctakt.decoder.state.modal_state import ModalState
 from nctakt.decoder.state.queued.commands import Answer, Command, PositionRequest
-from nctakt.decoder.state.queued.spindle_commands import SpindleAxis
+from nctakt.decoder.state.queued.spindle_commands import AwaitSpindle, SpindleAxis, SpindleJob
 from nctakt.decoder.values.variables import Values
 from nctakt.messages.axes.axis_exchange import (
     AXIS_NOT_IN_CHANNEL,
@@ -38,9 +38,20 @@ from nctakt.messages.axes.axis_exchange import (
     INVALID_AXIS_PLACE,
     UNKNOWN_AXIS_NUMBER,
 )
+from nctakt.messages.axes.c_axis import C_AXIS_IN_PLANE, C_AXIS_OF_OTHER_SPINDLE
 from nctakt.messages.axes.couplings import COUPLED_AXIS_GIVEN, COUPLED_AXIS_MOVED_TO_INDEX
+from nctakt.messages.axes.spindles import SPINDLE_WITHOUT_AXIS
 from nctakt.nc import tree
-from nctakt.nc.meaning.axes import GIVING, ExchangeCommand, FetchedAxis, exchange_command, is_c_axis
+from nctakt.nc.meaning.axes import (
+    GIVING,
+    CAxisCommand,
+    ExchangeCommand,
+    FetchedAxis,
+    c_axis_command,
+    exchange_command,
+    is_c_axis,
+)
+from nctakt.nc.vocabulary.functions import SPINDLE_STOP
 
 _Value = TypeVar("_Value")
 Decoded = Generator[Command, Answer]
@@ -322,3 +333,69 @@ def move_axis_values(state: ModalState, moved: Mapping[int, int]) -> None:
 
 def _moved(values: Mapping[int, _Value], moved: Mapping[int, int]) -> dict[int, _Value]:
     return {moved[axis]: value for axis, value in values.items() if axis in moved}
+
+
+class CAxisCommands:
+    """The commands of one program."""
+
+    def __init__(self, values: Values) -> None:
+        self._values = values
+        self._environment = values.environment
+        self._places = values.environment.places
+
+    def target(
+        self, statement: tree.HashCommand, number: int
+    ) -> Generator[Command, Answer, Places]:
+        """Stop the spindle for ``#CAX``; return the axes that the channel is to have."""
+        command = c_axis_command(statement)
+        assert command is not None
+        if not command.is_on:
+            return self._without(statement)
+        if self._places.c_axis_name == self._name(command):
+            return self._places.present
+        target = self._with(command, statement)
+        source = self._environment.source_id(statement.span)
+        index = main_of(self._environment.parameters.spindles)
+        if self._values.state.main_spindle != index:
+            self._values.fail(C_AXIS_OF_OTHER_SPINDLE, statement.span)
+        if index in self._values.state.spindles_without_axis:
+            name = self._environment.parameters.spindles[index].name
+            self._values.fail(SPINDLE_WITHOUT_AXIS, statement.span, spindle=name)
+        yield SpindleJob(source, number, index, SPINDLE_STOP, 0.0, 0.0, 0, 0)
+        yield AwaitSpindle(source, number, index)
+        return target
+
+    def _without(self, statement: tree.HashCommand) -> Places:
+        """Return the present axes without that of the spindle."""
+        plane = self._environment.offsets.transformation.plane
+        if self._places.c_axis_name and plane is not None:
+            self._values.fail(C_AXIS_IN_PLANE, statement.span, command=plane.command)
+        index = self._places.c_axis
+        present = self._places.present
+        return trimmed([None if one is None or one.index == index else one for one in present])
+
+    def _with(self, command: CAxisCommand, statement: tree.HashCommand) -> Places:
+        """Return the present axes with that of the spindle at the first free index above 2."""
+        places = list(self._places.present)
+        new = AxisPlace(self._name(command), self._places.c_axis)
+        for other in places:
+            if other is not None and (other.name == new.name or other.index == new.index):
+                self._values.fail(
+                    AXIS_TWICE,
+                    statement.span,
+                    what=Text(f"the name {new.name}", f"der Name {new.name}")
+                    if other.name == new.name
+                    else Text(f"the axis {other.name}", f"die Achse {other.name}"),
+                    first=self._places.logical(other.index),
+                    second=self._places.logical(new.index),
+                )
+        places += [None] * (MAIN_AXES - len(places))
+        free = [slot for slot in range(MAIN_AXES, len(places)) if places[slot] is None]
+        if free:
+            places[free[0]] = new
+        else:
+            places.append(new)
+        return tuple(places)
+
+    def _name(self, command: CAxisCommand) -> str:
+        return command.name or self._environment.parameters.c_axis_name

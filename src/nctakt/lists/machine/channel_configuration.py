@@ -21,7 +21,6 @@ from nctakt.lists.declared.technology_functions import (
 from nctakt.lists.format.controller_numbers import bound_number
 from nctakt.lists.format.parameter import with_indices
 from nctakt.lists.format.values import Values
-from nctakt.lists.machine.coordinate_systems import ListedSystems, listed_systems
 from nctakt.lists.machine.couplings import ListedCouplings, listed_couplings
 from nctakt.lists.machine.dynamic_weights import DynamicWeights, dynamic_weights
 from nctakt.lists.machine.measuring import ChannelMeasuring, channel_measuring
@@ -248,6 +247,51 @@ class CentreTolerance:
         return min(self.distance_mm, self.share_of_radius * radius_mm)
 
 
+#: The parts of a coordinate system, as entries name them: along and about the main axes.
+_SYSTEM_COMPONENTS = (
+    "translation.t1", "translation.t2", "translation.t3",
+    "rotation.a1", "rotation.a2", "rotation.a3",
+)  # fmt: skip
+#: The second axis of an effector's coordinate system: its plane's name -> the main axes in it.
+_EFFECTOR_PLANES = {"XY": (0, 1), "ZX": (2, 0), "YZ": (1, 2)}
+
+
+@dataclass(frozen=True, slots=True)
+class ListedSystems:
+    """Six components (mm, degrees) by name in upper case, P-CHAN-00490 … 496.
+
+    ``is_rotation_fixed``: P-CHAN-00393. ``has_own_offsets``: P-CHAN-00397. ``effector_plane``: the
+    axes of P-CHAN-00050; ``has_first_effector_axis``: X of ``#ECS`` lies in it, not Y.
+    """
+
+    systems: Mapping[str, tuple[float, ...]]
+    is_rotation_fixed: bool
+    has_own_offsets: bool
+    effector_plane: tuple[int, int]
+    has_first_effector_axis: bool
+
+
+def _listed_systems(values: Values) -> ListedSystems:
+    """Return the coordinate systems of a channel list; those without a name do not count.
+
+    Of two paths in a channel the first counts.
+    """
+    systems = {}
+    for index in values.indices("coordinate_system.def[]"):
+        name = values.text("coordinate_system.def[].id", index).upper()
+        keys = [f"coordinate_system.def[].path[].{component}" for component in _SYSTEM_COMPONENTS]
+        components = tuple(values.real(key, index, 0) for key in keys)
+        if name:
+            systems[name] = components
+    return ListedSystems(
+        systems,
+        values.flag("coordinate_system.rotation_mode_fixed"),
+        values.flag("coordinate_system.axes_offsets_layer_specific"),
+        _EFFECTOR_PLANES[values.text("mach_plane_of_2nd_ecs_ax").upper()],
+        values.text("kind_of_2nd_ecs_ax").upper() == "X",
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class ChannelParameters:
     """The parameters of a channel list.
@@ -356,7 +400,7 @@ def channel_parameters(values: Values, collector: Collector) -> ChannelParameter
         values.text("default_ax_name_of_spindle"),
         listed_feed_group(values),
         dynamic_weights(values, collector),
-        listed_systems(values),
+        _listed_systems(values),
         listed_gears(values),
         listed_couplings(values, collector),
         values.integer("einzelschrittmodus"),

@@ -46,6 +46,7 @@ from nctakt.messages.programs.offsets import (
     UNKNOWN_ZERO_OFFSET,
 )
 from nctakt.messages.programs.program_structure import (
+    INVALID_RETURN_OPTION,
     PROGRAM_END_IN_SUBPROGRAM,
     SUBPROGRAM_END_IN_MAIN_PROGRAM,
 )
@@ -60,7 +61,6 @@ from nctakt.nc.check.path.frames import (
 )
 from nctakt.nc.check.path.motion_words import functions_of
 from nctakt.nc.check.path.path_commands import check_path_axis
-from nctakt.nc.check.returns import check_return
 from nctakt.nc.meaning.path import SWITCHES, VECTORS
 from nctakt.nc.meaning.words import MAX_VALUE, MIN_VALUE
 from nctakt.nc.outline import AxisUse
@@ -427,7 +427,7 @@ class WordChecker:
             self._other_axis_command(command)
             return True
         if name in RETURN_COMMANDS:
-            check_return(
+            _check_return(
                 command, state is not None and state.role == "main", self._values, self._findings
             )
             return True
@@ -554,3 +554,34 @@ def _expressions(block: Block) -> list[Expression]:
         if isinstance(word, Word) and word.additional is not None:
             expressions.append(word.additional)
     return expressions
+
+
+def _check_return(
+    command: BracketCommand, is_in_main: bool, values: ValueChecker, findings: Findings
+) -> None:
+    """Check ``M17 […]``; ``is_in_main``: it is in a main program."""
+    if is_in_main:
+        findings.report(SUBPROGRAM_END_IN_MAIN_PROGRAM, command.span, word=command.name)
+    seen: dict[str, None] = {}
+    for item in command.items:
+        kind = _kind_of_option(item)
+        if not kind or kind in seen:
+            findings.report(INVALID_RETURN_OPTION, item.span, word=findings.written(item.span))
+        elif isinstance(item, Keyword) and item.name == "JUMPS" and item.value is not None:
+            values.value(item.value)
+        seen[kind] = None
+
+
+def _kind_of_option(item: Keyword | Expression) -> str:
+    """Return the kind of an item: "calls", "label", or empty if unknown."""
+    if isinstance(item, Name):
+        return "label"
+    if not isinstance(item, Keyword):
+        return ""
+    if item.name == "JUMPS":
+        return "calls" if item.value is not None else ""
+    if item.name == "N":
+        return "label" if isinstance(item.value, Number) else ""
+    if item.value is not None or item.arguments:
+        return ""
+    return "calls" if item.name == "MAIN" else "label"

@@ -10,17 +10,19 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nctakt.base.diagnostics import Text
+from nctakt.base.diagnostics import NOTHING, Text
 from nctakt.lists.machine.channel_configuration import ChannelParameters
 from nctakt.messages.axes.axis_exchange import AXIS_OPTION_REFUSED, UNSUITABLE_AXIS_NAME
+from nctakt.messages.axes.c_axis import NO_NAME_OF_C_AXIS, NOT_THE_MAIN_SPINDLE
+from nctakt.messages.path.rotating_planes import NO_C_AXIS
 from nctakt.messages.programs.checked_blocks import INVALID_COMMAND_FORM
-from nctakt.nc.check.axes.c_axis import check_c_axis
 from nctakt.nc.check.expressions import ValueChecker
 from nctakt.nc.check.findings import Findings
 from nctakt.nc.check.signals import constant
 from nctakt.nc.meaning.axes import (
     EXCHANGE_ACTIONS,
     ExchangeCommand,
+    c_axis_command,
     exchange_command,
     is_c_axis,
     is_exchange,
@@ -122,3 +124,44 @@ class ExchangeChecker:
         self._uses.append(
             AxisUse(fetched, parsed.names, numbers, gives_all, names, command.span, line)
         )
+
+
+_C_AXIS_MEANING = Text(
+    "the spindle stops, and its axis stands at the first free index from 3 on, at the spindle's "
+    "angle; #CAX OFF or the next program ends it",
+    "die Spindel hält an, und ihre Achse steht am ersten freien Index ab 3, im Winkel der Spindel; "
+    "#CAX OFF oder das nächste Programm beendet es",
+)
+
+
+def check_c_axis(
+    command: HashCommand,
+    channel: ChannelParameters,
+    names: NameTable,
+    findings: Findings,
+) -> str:
+    """Check the command; return the name of the axis that the channel has then, or nothing."""
+    parsed = c_axis_command(command)
+    if parsed is None:
+        findings.report(INVALID_COMMAND_FORM, command.span, command="#CAX", forms=forms_of("#CAX"))
+        return ""
+    if not parsed.is_on:
+        return ""
+    main = next((one for one in channel.spindles if one.is_main), None)
+    if parsed.spindle and (main is None or parsed.spindle not in (main.name, main.list_name)):
+        known = NOTHING if main is None else main.name
+        findings.report(NOT_THE_MAIN_SPINDLE, command.span, spindle=parsed.spindle, main=known)
+        return ""
+    if main is None or main.plc_controlled or not names.can_fetch(main.logical_number):
+        findings.report(NO_C_AXIS, command.span, command="#CAX")
+        return ""
+    name = parsed.name or channel.c_axis_name
+    if not name:
+        findings.report(NO_NAME_OF_C_AXIS, command.span)
+        return ""
+    if name[0] not in AXIS_LETTERS:
+        findings.report(UNSUITABLE_AXIS_NAME, command.span, name=name)
+        return ""
+    findings.report_simplified("#CAX", _C_AXIS_MEANING, command.span)
+    names.learn_axis(name, main.logical_number)
+    return name

@@ -31,7 +31,7 @@ Ende
 def lathe(tmp_path_factory: pytest.TempPathFactory) -> Machine:
     """The demo machine with a main spindle of the mode 0x204, and both planes."""
     folder = tmp_path_factory.mktemp("lathe") / "machine"
-    shutil.copytree(Path(machines.__file__).parent / "demo", folder)
+    shutil.copytree(Path(machines.__path__[0]) / "demo", folder)
     spindle, channel = folder / "achs_mds5.lis", folder / "sda_mds1.lis"
     spindle.write_text(spindle.read_text("utf-8").replace("0x4 ", "0x204 "), "utf-8")
     listed = channel.read_text("utf-8").replace("Ende\n", "").replace("Ende", "")

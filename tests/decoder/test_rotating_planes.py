@@ -29,7 +29,7 @@ PLANE_NOTE = 901816
 
 @functools.cache
 def machine() -> Machine:
-    return load_machine(Path(machines.__file__).parent / "demo5")
+    return load_machine(Path(machines.__path__[0]) / "demo5")
 
 
 def run_of(text: str, own: Machine | None = None) -> Run:
@@ -251,7 +251,7 @@ ACROSS = 20.0
 @functools.cache
 def milling_machine(folder: Path) -> Machine:
     target = folder / "machine"
-    shutil.copytree(Path(machines.__file__).parent / "demo5", target)
+    shutil.copytree(Path(machines.__path__[0]) / "demo5", target)
     channel = target / "sda_mds1.lis"
     listed = channel.read_text("utf-8").replace(
         "cax_face_id                             1", "cax_face_id 2"

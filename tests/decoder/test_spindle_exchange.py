@@ -25,7 +25,7 @@ SIGNALS = ["X.ACS.ACT_POS", "S.SPEED", "S.POSITION", "BLOCK"]
 def lathe(tmp_path_factory: pytest.TempPathFactory) -> Machine:
     """The demo machine, whose main spindle turns the axis 5 in the mode 0x204."""
     folder = tmp_path_factory.mktemp("lathe") / "machine"
-    shutil.copytree(Path(machines.__file__).parent / "demo", folder)
+    shutil.copytree(Path(machines.__path__[0]) / "demo", folder)
     spindle = folder / "achs_mds5.lis"
     spindle.write_text(spindle.read_text("utf-8").replace("0x4 ", "0x204 "), "utf-8")
     return load_machine(folder)

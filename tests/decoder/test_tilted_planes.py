@@ -200,7 +200,7 @@ def test_a_spline_begins_as_an_arc_ends() -> None:
 
 def test_it_is_a_contour_under_a_transformation(tmp_path: Path) -> None:
     """#TRAFO, a tilted system and the tool along its Z: the tip is where the plane has it."""
-    machine = load_machine(Path(machines.__file__).parent / "demo5")
+    machine = load_machine(Path(machines.__path__[0]) / "demo5")
     body = "G01 X0 Y0 Z0 F3000\nN10 G02 X20 I10\nN20 G03 X0 R14\n"
     signals = [*(f"{axis}.MCS.ACT_POS" for axis in "XYZ"), "BLOCK"]
     system = (100.0, 50.0, -20.0, 30.0, 0.0, 0.0)

@@ -86,7 +86,7 @@ FIVE_AXES = (
 @functools.cache
 def machine(is_five_axes: bool) -> Machine:
     """The built-in machine, or the one with five axes."""
-    return load_machine(Path(machines.__file__).parent / "demo5" if is_five_axes else None)
+    return load_machine(Path(machines.__path__[0]) / "demo5" if is_five_axes else None)
 
 
 def numbers(dice: Random, names: str, size: float) -> str:

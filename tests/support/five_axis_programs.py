@@ -72,7 +72,7 @@ def machine() -> Machine:
     """The machine demo5 with kinematic 1, a head, and kinematic 2, a table."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name) / "machine"
-        shutil.copytree(Path(machines.__file__).parent / "demo5", folder)
+        shutil.copytree(Path(machines.__path__[0]) / "demo5", folder)
         file = folder / "sda_mds1.lis"
         text = file.read_text("utf-8")
         lines = [line for line in text.splitlines() if not line.startswith(("trafo", "kinematik"))]

@@ -58,7 +58,7 @@ def machine() -> Machine:
     """The machine demo5 with ``KINEMATICS``."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name) / "machine"
-        shutil.copytree(Path(machines.__file__).parent / "demo5", folder)
+        shutil.copytree(Path(machines.__path__[0]) / "demo5", folder)
         file = folder / "sda_mds1.lis"
         lines = file.read_text("utf-8").splitlines()
         lines = [line for line in lines if not line.startswith(("trafo", "kinematik"))]

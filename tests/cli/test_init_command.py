@@ -199,3 +199,34 @@ def test_lists_without_a_start_up_list(cell: Path, capsys: Captured) -> None:
     captured = capsys.readouterr()
     assert f"warning 902943: . has {count} lists" in captured.err
     assert "machines: none" in captured.out
+
+
+def test_commands_to_copy_have_quoted_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Captured
+) -> None:
+    """A folder and a program with a blank in their names are one word each in a shell."""
+    monkeypatch.chdir(tmp_path)
+    assert main(["new", "my lists"]) == 0
+    assert "nctakt check 'my lists'" in capsys.readouterr().out
+    (tmp_path / "part 1.nc").write_text("G01 X1 F6000\nM30\n", "utf-8")
+    assert main(["run", "part 1.nc"]) == 0
+    assert "--machine 'my lists' takes that one" in capsys.readouterr().err
+    assert main(["--help"]) == 0
+    assert "nctakt run 'part 1.nc' --machine 'my lists'  " in capsys.readouterr().out
+    assert main(["init"]) == 0
+    assert "nctakt live 'part 1.nc' --open" in capsys.readouterr().out
+
+
+def test_the_path_shows_a_program_with_a_realtime_cycle(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Captured
+) -> None:
+    """Its fourth command explains cycles; without one, the path shows the first program."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.nc").write_text("G01 X1 F6000\nM30\n", "utf-8")
+    (tmp_path / "b.nc").write_text("G01 X2 F6000\nM30\n", "utf-8")
+    assert main(["--help"]) == 0
+    assert "nctakt why a.nc" in capsys.readouterr().out
+    cycle = "#RT CYCLE [ID = 1 SCOPE = PROG]\n  V.E.COUNT += 1\n#RT CYCLE END\nM30\n"
+    (tmp_path / "b.nc").write_text(cycle, "utf-8")
+    assert main(["--help"]) == 0
+    assert "nctakt why b.nc" in capsys.readouterr().out

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 import re
+import shlex
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from importlib.util import find_spec
@@ -282,14 +283,15 @@ def _write(path: Path, text: str) -> bool:
 
 def _next_commands(folder: Path, content: _Content) -> Iterator[str]:
     """Yield the commands from here on, with the folder's files; missing parts come before."""
-    yield f"nctakt check {folder.as_posix()}"
+    named = shlex.quote(folder.as_posix())
+    yield f"nctakt check {named}"
     if not content.main_program:
         return
-    program = (folder / content.main_program).as_posix()
+    program = shlex.quote((folder / content.main_program).as_posix())
     yield f"nctakt run {program}"
     for line, extra, library in (
         (f"nctakt live {program} --open", "live", "nicegui"),
-        (f"nctakt test {folder.as_posix()}", "pytest", "pytest"),
+        (f"nctakt test {named}", "pytest", "pytest"),
     ):
         if find_spec(library) is None:
             yield install_command(extra)

@@ -8,6 +8,7 @@ language; the next steps on standard output.
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 
 import click
@@ -112,7 +113,7 @@ def command(
         return EXIT_USAGE
     if quiet:
         return EXIT_RAN
-    written = diagnostic(LISTS_WRITTEN, folder=folder, count=len(lists))
+    written = diagnostic(LISTS_WRITTEN, folder=shlex.quote(folder), count=len(lists))
     click.echo(written.text(language))
     click.echo(f"  {written.remedy(language)}")
     if cycle_us is not None and cycle_us != DEFAULT_CYCLE_TIME_US:

@@ -9,6 +9,7 @@ that says which.
 from __future__ import annotations
 
 import os
+import shlex
 from pathlib import Path
 
 from nctakt.base.dataclass import dataclass
@@ -76,7 +77,7 @@ class MachineChoice:
         if self.overlooked is not None:
             return diagnostic(RUN_ON_DEMO_MACHINE, file=self.overlooked.as_posix())
         if self.nearby is not None:
-            folder = self.nearby.parent.as_posix()
+            folder = shlex.quote(self.nearby.parent.as_posix())
             return diagnostic(MACHINE_BESIDE_PROGRAM, file=self.nearby.as_posix(), folder=folder)
         return None if self.is_demo else diagnostic(RUN_ON_MACHINE_OF_FILE, file=self.shown)
 

@@ -2,7 +2,8 @@
 """Output of ``nctakt`` without a subcommand: the path of five commands, and the full version.
 
 In: the working directory. Out: the path with the lists and programs that lie there, so that a
-person can copy it. Only the names of files in the folder and right below it are looked at.
+person can copy it. Only the folder and those right below it are looked at; of the programs there,
+the path shows the first one with a realtime cycle, because its last commands are about cycles.
 """
 
 from __future__ import annotations
@@ -10,9 +11,11 @@ from __future__ import annotations
 import contextlib
 import platform
 import re
+import shlex
 import sys
 from collections.abc import Iterator
 from importlib import metadata
+from itertools import islice
 from pathlib import Path
 
 from nctakt.base.diagnostics import Language, Text
@@ -34,6 +37,9 @@ _STEPS = (
     ),
 )
 
+#: How many programs are searched for a realtime cycle, and how far.
+_SEARCHED, _SEARCHED_BYTES = 50, 10_000
+
 #: A requirement of an extra, as the metadata of the package has it.
 _REQUIREMENT = re.compile(r"([\w.-]+)[^;]*(?:;.*extra == ['\"](\w+)['\"])?")
 #: Extras of extras, and for those who work on nctakt itself.
@@ -42,19 +48,17 @@ _INTERNAL = ("all", "docs", "test")
 
 def path_lines(language: Language, folder: Path) -> Iterator[str]:
     """Yield the path of five commands with the files of a folder."""
-    program = next(_programs(folder), "part.nc")
+    program = _program(folder)
     machine = next((path.parent for path in _startup_lists(folder)), folder)
     shown = machine.relative_to(folder).as_posix()
     is_chosen = (folder / OWN_NAME).exists() or (folder / program).is_relative_to(machine)
-    option = "" if is_chosen else f" --machine {shown}"
-    steps = [
-        (command.format(folder=shown, program=program, machine=option), text.get(language))
-        for command, text in _STEPS
-    ]
+    option = "" if is_chosen else f" --machine {shlex.quote(shown)}"
+    names = {"folder": shlex.quote(shown), "program": shlex.quote(program), "machine": option}
+    steps = [(command.format(**names), text) for command, text in _STEPS]
     width = max(len(command) for command, _ in steps)
     yield f"{_PATH.get(language)}:"
     for command, text in steps:
-        yield f"  {command.ljust(width)}  {text}"
+        yield f"  {command.ljust(width)}  {text.get(language)}"
 
 
 def _folders(folder: Path) -> Iterator[Path]:
@@ -64,6 +68,16 @@ def _folders(folder: Path) -> Iterator[Path]:
         for path in sorted(folder.iterdir()):
             if not path.name.startswith(".") and path.is_dir() and not path.is_symlink():
                 yield path
+
+
+def _program(folder: Path) -> str:
+    """Return the program that the path shows."""
+    programs = list(islice(_programs(folder), _SEARCHED))
+    for program in programs:
+        with contextlib.suppress(OSError), (folder / program).open("rb") as file:
+            if b"#RT CYCLE" in file.read(_SEARCHED_BYTES):
+                return program
+    return programs[0] if programs else "part.nc"
 
 
 def _programs(folder: Path) -> Iterator[str]:

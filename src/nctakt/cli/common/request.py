@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import errno
 import os
+import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar, cast
@@ -205,7 +206,7 @@ def _check_program(program: str, access: FileAccess) -> None:
     if not Path(program).exists():
         raise Failure(missing_file(Path(program)))
     if Path(program).is_dir():
-        raise Failure(diagnostic(FOLDER_INSTEAD_OF_PROGRAM, folder=program))
+        raise Failure(diagnostic(FOLDER_INSTEAD_OF_PROGRAM, folder=shlex.quote(program)))
     if not os.access(program, os.R_OK):
         reason = os.strerror(errno.EACCES)
         raise Failure(diagnostic(FILE_NOT_READABLE, file=program, reason=reason))

@@ -8,6 +8,7 @@ chooses the mode before anything of the realtime part is imported, and runs.
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, TypeVar, Unpack
@@ -179,7 +180,7 @@ def print_findings(run: Run, machine: Machine, language: Language, lowest: Sever
     }
     shown = [one for one in run.diagnostics if id(one) not in of_lists]
     if left := len(run.diagnostics) - len(shown):
-        folder = machine.folder.as_posix()
+        folder = shlex.quote(machine.folder.as_posix())
         shown.insert(0, diagnostic(NOTES_OF_LISTS, count=left, folder=folder))
     print_diagnostics(shown, language, lowest)
 

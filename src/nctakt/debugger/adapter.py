@@ -2,8 +2,8 @@
 """The adapter: requests of the Debug Adapter Protocol -> answers and events.
 
 In: messages of one client (``receive``, from the thread that reads them). Out: answers in the order
-of the requests, events. One thread (``serve``) works on requests and, between them, on the run.
-Whatever a client sends, it gets an answer: what cannot be done is an error with its remedy.
+of the requests, events. One thread (``serve``) works on requests and, between them, on the run. A
+client gets an answer to everything it sends: an impossible request is an error with its remedy.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ from nctakt.session.session import Session
 #: Requests that wait at most.
 MAX_REQUESTS = 256
 
-#: How often the debugger looks at what others do with their session, in seconds.
+#: How often the debugger checks what others do with their session, in seconds.
 LOOK_S = 0.1
 
 _CAPABILITIES = (
@@ -78,15 +78,15 @@ class Enter(Protocol):
         """``is_open``: the request needs no token."""
 
 
-#: Requests that end what is being done, such as a search backward.
+#: Requests that end the present activity, such as a search backward.
 _ENDING = ("pause", "cancel", "terminate", "disconnect", "restart")
 
 
 class Adapter:
     """One client's debugger; ``folders``: the only ones whose files may be run.
 
-    ``shared`` returns the session of somebody else, to which ``attach`` leads; it may become
-    another one. ``enter``: admits a client of a port; ``None``: it has started this process.
+    ``shared`` returns the session of somebody else, to which ``attach`` leads; it may change.
+    ``enter``: admits a client of a port; ``None``: it has started this process.
     """
 
     def __init__(
@@ -145,7 +145,7 @@ class Adapter:
         self._queue.put(message)
 
     def refuse(self, failure: Failure) -> None:
-        """Tell the client that what it has sent is not a message of the protocol."""
+        """Report to the client that its data is not a message of the protocol."""
         self.tell("output", {"category": "important", "output": f"{failure}\n"})
 
     def end(self) -> None:
@@ -271,7 +271,7 @@ class Adapter:
         return lambda arguments: requests.answer(command, arguments)
 
     def _after(self, command: str) -> None:
-        """Do what follows the answer to a request."""
+        """Run the actions after the answer to a request."""
         debuggee, requests = self._debuggee, self._requests
         if debuggee is None or requests is None:
             return
@@ -287,7 +287,7 @@ class Adapter:
         """Start the run, or stop before its first tick."""
         configuration = self._configuration
         if configuration is None:
-            debuggee.stop_on_entry()  # another one's session is at rest
+            debuggee.stop_on_entry()  # somebody else's session is at rest
         elif not configuration.has_breakpoints:
             debuggee.session.set_stops()
             debuggee.run()
@@ -408,13 +408,13 @@ class Adapter:
         )
 
     def _leave(self) -> None:
-        """Leave the session that there is."""
+        """Leave the present session."""
         if self._debuggee is not None:
             self._debuggee.close()
             self._debuggee = self._requests = None
 
     def _restart(self, arguments: Arguments) -> dict[str, Any]:
-        """Run the programs again from the start, as they are now."""
+        """Rerun the present programs from the start."""
         if self._configuration is None:
             raise Failure(diagnostic(NOT_LAUNCHED, command="restart"))
         changed = arguments.part("arguments")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The arguments of a request, read with their types.
 
-In: what a client has sent. Out: values; ``Failure`` (901224) for those of another type.
+In: data from a client. Out: values; ``Failure`` (901224) for those of another type.
 """
 
 from __future__ import annotations
@@ -33,15 +33,15 @@ class Arguments:
         raise Failure(diagnostic(WRONG_ARGUMENT, name=shown, expected=expected))
 
     def names(self) -> list[str]:
-        """Return the names of the arguments that are there."""
+        """Return the names of the given arguments."""
         return [name for name in self._values if self.has(name)]
 
     def value(self, name: str) -> object:
-        """Return what an argument has."""
+        """Return the value of an argument."""
         return self._values[name]
 
     def has(self, name: str) -> bool:
-        """Return whether an argument is there, and is not null."""
+        """Return whether an argument is given, and is not null."""
         return self._values.get(name) is not None
 
     def text(self, name: str, default: str | None = None) -> str:
@@ -76,7 +76,7 @@ class Arguments:
         return value
 
     def part(self, name: str) -> Arguments:
-        """Return an object inside of this one, empty where there is none."""
+        """Return an object inside this one, empty if there is none."""
         return Arguments(self._values.get(name), f"{self._path}.{name}".strip("."))
 
     def parts(self, name: str) -> list[Arguments]:

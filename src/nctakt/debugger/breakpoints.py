@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Breakpoints of the protocol as stops of a session.
 
-In: what a client sets for a file, for functions, data and exceptions. Out: the stops to watch, and
+In: a client's settings for a file, for functions, data and exceptions. Out: the stops to watch, and
 for those that have held the breakpoints that they belong to, with counts and log texts. A line
-without a block moves the breakpoint to the next one; what cannot be watched is not verified, and
-says why.
+without a block moves the breakpoint to the next one; a breakpoint that cannot be watched is not
+verified, and says why.
 """
 
 from __future__ import annotations
@@ -57,11 +57,11 @@ _OPERATORS: dict[str, Callable[[int, int], bool]] = {
 
 @dataclass(slots=True)
 class Breakpoint:
-    """A breakpoint: its stops, and what is wrong with it; ``line`` 0: it has no line.
+    """A breakpoint: its stops, and its mistake; ``line`` 0: it has no line.
 
-    ``asked``: what the client has sent, and for which ``source``; it is read again where a program
-    begins anew. ``hit_condition`` counts ``hits``, the moments in which it has held
-    (``moment_of``); ``log``: the text that it prints instead of stopping.
+    ``asked``: the client's request, and its ``source``; it is reread when a program restarts.
+    ``hit_condition`` counts ``hits``, the moments in which it has held (``moment_of``); ``log``:
+    the text that it prints instead of stopping.
     """
 
     number: int
@@ -183,7 +183,7 @@ class Breakpoints:
         return [one for own in self._sets.values() for one in own]
 
     def verify(self, own: Iterable[Breakpoint], check: Callable[[Sequence[StopAt]], None]) -> None:
-        """Note what is wrong with breakpoints; ``check`` raises ``Failure`` for stops."""
+        """Note mistakes in breakpoints; ``check`` raises ``Failure`` for stops."""
         unknown = [breakpoint_ for breakpoint_ in own if breakpoint_.mistake is None]
         different = dict.fromkeys(breakpoint_.stops for breakpoint_ in unknown)
         mistakes: dict[tuple[StopAt, ...], Failure] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The debug console: commands that travel, ask and set, beside expressions.
+"""The debug console: commands that travel, query and set, besides expressions.
 
 In: a line of text. Out: an answer as text, and whether the session is elsewhere now.
 """
@@ -101,7 +101,7 @@ class Console:
         }
 
     def run(self, line: str, channel: int) -> Answer:
-        """Return the answer to a line; raises ``Failure`` for what it does not understand."""
+        """Return the answer to a line; raises ``Failure`` for an unknown command."""
         word, _, rest = line.strip().partition(" ")
         command = self._commands.get(word.lower())
         if command is not None:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A program under the debugger: a session with what belongs to it, at a tick or on its way.
+"""A program under the debugger: a session with its data, at a tick or running.
 
-In: wishes to go on, to step, to go back. Out: events of the protocol: stopped, output, progress,
-terminated. A run goes on in parts (``go_on``), so that requests are answered between two of them.
+In: requests to continue, to step, to go back. Out: events of the protocol: stopped, output,
+progress, terminated. A run continues in parts (``go_on``), so that requests are answered between
+two of them.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ MAX_PASSED = 1000
 
 @dataclass(slots=True)
 class _Running:
-    """A run on its way: the stops that end it beside the breakpoints, the tick at which it ends."""
+    """A run in progress: the stops that end it besides breakpoints, the tick at which it ends."""
 
     reason: str
     thread: int
@@ -59,7 +60,7 @@ class _Running:
 
 @dataclass(frozen=True, slots=True)
 class Abilities:
-    """What the client can do."""
+    """Capabilities of the client."""
 
     has_progress: bool = False
     has_invalidated: bool = False
@@ -114,11 +115,11 @@ class Debuggee:
         self.raised: Raised | None = None
         self.is_over = False
 
-    # --- what belongs to it ---------------------------------------------------------------------
+    # --- its state ------------------------------------------------------------------------------
 
     @property
     def is_running(self) -> bool:
-        """Whether it is on its way."""
+        """Whether it is running."""
         return self._running is not None
 
     def places(self, file: str) -> Places | StatementPlaces:
@@ -144,7 +145,7 @@ class Debuggee:
     def watch(self) -> None:
         """Watch the breakpoints and exceptions that there are now.
 
-        The stops of another one's session stay; the debugger's are watched beside them.
+        The stops of somebody else's session stay; the debugger's are watched in addition.
         """
         stops, self._owners = self.breakpoints.stops()
         self._stops = [*stops, *self._exception_stops()]
@@ -157,7 +158,7 @@ class Debuggee:
         return [stop for stop in self.exceptions.stops() if has_plc or stop.kind != "fault"]
 
     def check_standing(self, command: str) -> None:
-        """Raise ``Failure`` (901226) while it is on its way."""
+        """Raise ``Failure`` (901226) while it is running."""
         if self._running is not None:
             raise Failure(diagnostic(RUN_IS_ON, command=command))
 
@@ -210,7 +211,7 @@ class Debuggee:
         self._running = running
 
     def go_on(self) -> None:
-        """Run a part of the way; tell what has come of it."""
+        """Run a part of the way; report the result."""
         running = self._running
         assert running is not None
         begin_s = time.monotonic()
@@ -269,7 +270,7 @@ class Debuggee:
         return True
 
     def _due(self, held: Sequence[Breakpoint], tick: int, running: _Running) -> list[Breakpoint]:
-        """Return the breakpoints to stop at of those that have held; tell the log points."""
+        """Return those breakpoints that held at which to stop; report the log points."""
         due = []
         for index, breakpoint_ in enumerate(held):
             if breakpoint_ in held[:index] or not breakpoint_.is_due(
@@ -295,7 +296,7 @@ class Debuggee:
         return None if halted is None else halted.fault
 
     def _log(self, breakpoint_: Breakpoint, thread: int) -> None:
-        """Tell the text of a log point, with the values of the expressions in its braces."""
+        """Report the text of a log point, with the values of the expressions in its braces."""
         channel = self.scopes.channel_of(thread) if not self.scopes.is_cycle(thread) else 1
         pieces = breakpoint_.log.split("{")
         text = pieces[0]
@@ -323,7 +324,7 @@ class Debuggee:
     # --- stopping -------------------------------------------------------------------------------
 
     def pause(self, thread: int) -> None:
-        """Stop between two ticks; another one's session that plays is paused."""
+        """Stop between two ticks; somebody else's playing session is paused."""
         if self._running is not None:
             self._stopped("pause", thread)
         elif self.session.is_playing:
@@ -396,7 +397,7 @@ class Debuggee:
         )
 
     def stop_on_entry(self) -> None:
-        """Tell that it is before its first tick."""
+        """Report that it is before its first tick."""
         self._stopped("entry", 1)
 
     def _end(self) -> None:
@@ -409,7 +410,7 @@ class Debuggee:
             self.finish()
 
     def finish(self) -> None:
-        """End the debugger: tell how the run has ended, and that it is over."""
+        """End the debugger: report how the run has ended, and that it is over."""
         self.report.end_progress()
         self._running = None
         if not self.is_over:
@@ -418,10 +419,10 @@ class Debuggee:
             self._tell("exited", {"exitCode": 0 if state in ("ended", "limit", None) else 1})
             self._tell("terminated", {})
 
-    # --- another one's session ------------------------------------------------------------------
+    # --- somebody else's session ----------------------------------------------------------------
 
     def attend(self) -> None:
-        """Tell what others have done with the session since it was looked at."""
+        """Report what others have done with the session since the last call."""
         session = self.session
         before, self._seen = self._seen, (session.tick, session.branch, session.is_playing)
         if session.is_playing and not before[2]:
@@ -475,7 +476,7 @@ class Debuggee:
         self._travel(thread, lambda: self._reverse(thread))
 
     def _travel(self, thread: int, work: Callable[[], None]) -> None:
-        """Go back; where that is interrupted or fails, tell so and where it is."""
+        """Go back; if that is interrupted or fails, report that and the position."""
         self.session.on_travel = partial(self.report.travel, time.monotonic())
         try:
             with self.session.together():
@@ -544,13 +545,13 @@ class Debuggee:
         return list(held), done.events
 
     def tell_travel(self, reason: str, thread: int) -> None:
-        """Tell that it is elsewhere."""
+        """Report that it has moved."""
         self._note_branch()
         self._stopped(reason, thread, self.console.position())
         self._tell_invalidated()
 
     def _tell_invalidated(self) -> None:
-        """Tell the client to ask for everything again: it is elsewhere."""
+        """Make the client request everything again: it has moved."""
         if self._abilities.has_invalidated:
             self._tell("invalidated", {"areas": ["all"]})
 

@@ -61,7 +61,7 @@ class Disassembly:
         return address_of(number, next(found, 0))
 
     def answer(self, arguments: Arguments) -> dict[str, Any]:
-        """Return as many instructions as a request asks for; those that are none say so."""
+        """Return as many instructions as a request asks for; missing ones say so."""
         reference = arguments.text("memoryReference")
         try:
             address = int(reference, 0) + arguments.number("offset", 0)

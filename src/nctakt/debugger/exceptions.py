@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Exception breakpoints: errors by their class, #ERROR, messages; and what has come up.
+"""Exception breakpoints: errors by their class, #ERROR, messages; and those that occurred.
 
 In: the filters that a client has chosen, the events of a tick. Out: the stops to watch, and the
 event that a filter wants, with its cause and its remedy.
@@ -74,7 +74,7 @@ _ERRORS = ("error", "warning", "notice", "note")
 
 @dataclass(frozen=True, slots=True)
 class Raised:
-    """What has come up in a tick: the event, and its message where it has a number."""
+    """An exception in a tick: the event, and its message if it has a number."""
 
     event: Event
     message: Message | None
@@ -107,7 +107,7 @@ def _filter(name: str, label: str) -> dict[str, Any]:
 
 
 class ExceptionFilters:
-    """The filters that are on, each with the numbers that it wants; none: all."""
+    """The active filters, each with its numbers; none: all."""
 
     def __init__(self) -> None:
         self._selected: dict[str, tuple[int, ...]] = dict.fromkeys((_DEFAULT, *_FAULTS), ())
@@ -173,7 +173,7 @@ def _message_of(event: Event) -> Message | None:
 
 
 def info(raised: Raised, diagnostics: Sequence[Diagnostic], language: Language) -> dict[str, Any]:
-    """Return what a client shows of an event: text, cause, effect, remedy."""
+    """Return the details of an event for a client: text, cause, effect, remedy."""
     number = _number(raised.event)
     known = next((one for one in reversed(diagnostics) if one.id == number), None)
     if raised.event.kind == "user_error":
@@ -202,7 +202,7 @@ def info(raised: Raised, diagnostics: Sequence[Diagnostic], language: Language) 
 
 
 def fault_info(fault: Diagnostic, language: Language) -> dict[str, Any]:
-    """Return what a client shows of a fault that has stopped the PLC."""
+    """Return the details of a fault that has stopped the PLC, for a client."""
     return {
         "exceptionId": str(fault.id),
         "description": fault.text(language),

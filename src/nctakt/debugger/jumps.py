@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Another block to go on from: a program begins anew there, by block search.
+"""Another block to continue from: a program restarts there, by block search.
 
 In: a line of the first program of channel 1. Out: the target that the protocol shows, and a session
-that is where the block has become current. What a block search does not allow is an error, and
-the session before it stays.
+that is where the block has become current. A jump that a block search does not allow is an error,
+and the present session stays.
 """
 
 from __future__ import annotations

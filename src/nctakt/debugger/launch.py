@@ -2,7 +2,7 @@
 """A launch configuration -> the session that it asks for.
 
 In: the arguments of ``launch``. Out: ``Configuration``, which opens the session as often as the
-debugger restarts; what it leaves out comes from the project, as on the command line.
+debugger restarts; missing values come from the project, as on the command line.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from nctakt.session.session import Session
 
 @dataclass(frozen=True, slots=True)
 class Configuration:
-    """What is run, and where the debugger stops by itself.
+    """What is run, and where the debugger stops unasked.
 
     ``stops_at_end``: the run stays at its end until it is left; else the debugger ends with it.
     """
@@ -78,7 +78,7 @@ class Configuration:
 def read_configuration(arguments: Arguments, folders: Sequence[str]) -> Configuration:
     """Return the configuration of a launch; ``folders``: the only ones that may be read.
 
-    Raises ``Failure`` for what cannot be used.
+    Raises ``Failure`` for unusable arguments.
     """
     base = Path(arguments.text("cwd", ""))
     access = FileAccess(folders)

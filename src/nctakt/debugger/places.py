@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The places of a program where a breakpoint can be: blocks, and what realtime cycles hold.
+"""The places of a program where a breakpoint can be: blocks, and parts of realtime cycles.
 
 In: the lines of a text, the realtime cycles in it. Out: for a line the place there, or the next one
 after it.
@@ -32,7 +32,7 @@ class Place:
     """A place in a line.
 
     ``kind``: a ``block`` of a program; something in the body of a ``branch`` of a realtime cycle,
-    or its condition; the same of an $ELSE, ``otherwise``; a statement of a ``cycle`` outside of any
+    or its condition; the same of an $ELSE, ``otherwise``; a statement of a ``cycle`` outside any
     branch; a ``statement`` of a PLC in Structured Text. ``owner``: the line of the branch, or of
     the cycle. ``target``: the variable to which the statement assigns, as text. ``statement``: the
     line of the statement of a cycle there, of a branch that of the first one in its body; 0: none.

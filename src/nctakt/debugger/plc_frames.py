@@ -21,13 +21,13 @@ from nctakt.session.session import Session
 #: The number of the thread that is the PLC: between channels and realtime cycles.
 PLC_THREAD = 1000
 
-#: Keys of variables: a scope of a call, or what is below a path in it. A level is that of a call,
+#: Keys of variables: a scope of a call, or the children of a path in it. A level is that of a call,
 #: ``None`` after a tick.
 SCOPE, BELOW = "plc scope", "plc below"
 
 
 class PlcFrames:
-    """What a session shows of its PLC."""
+    """The view of a session's PLC."""
 
     def __init__(self, session: Session, values: Values, language: Language) -> None:
         self._session = session
@@ -60,7 +60,7 @@ class PlcFrames:
         return self._session.scopes(level)
 
     def variables(self, key: tuple[Any, ...], first: int, count: int) -> list[PlcValue]:
-        """Return the variables of a scope, or what is below one; raises ``Failure``."""
+        """Return the variables of a scope, or the children of one; raises ``Failure``."""
         kind, level, name = key
         if kind == SCOPE:
             return self._session.of_scope(name, level, first, count)
@@ -71,7 +71,7 @@ class PlcFrames:
         return self._session.value(text, level)
 
     def note_of(self, found: PlcValue) -> str:
-        """Return what is noted after a value: the one that it gets in the next tick."""
+        """Return the note after a value: its value in the next tick."""
         return self._values.note_of(found.settable, 1) if found.settable else ""
 
     def write(self, found: PlcValue, text: str) -> str:

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The way from an editor's debugger to the one inside of ``nctakt live``.
+"""The relay from an editor's debugger to the one inside ``nctakt live``.
 
 In: a port of this computer, the requests of the editor. Out: the same at that port, and what comes
-from there to the editor. So an editor that starts a debugger of its own can attach, too.
+from there to the editor. So an editor that starts its own debugger can attach, too.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from nctakt.ports.token import known_token
 #: How long the other debugger may take to answer at first, in seconds.
 ANSWER_S = 10.0
 
-#: The only address of such a port, and what the file of its token is called by.
+#: The only address of such a port, and the name of its token's file.
 HOST, KIND = "127.0.0.1", "dap"
 
 
@@ -74,7 +74,7 @@ class Relay:
         self._other.write(message)
 
     def _bring_back(self) -> None:
-        """Give the editor what the other debugger sends, until it goes."""
+        """Forward the other debugger's messages to the editor, until it goes."""
         with contextlib.suppress(OSError, ValueError, Failure):
             while (message := self._reader.read()) is not None:
                 message.pop("seq", None)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What a debugger reports besides stops: messages of programs, diagnostics, progress.
+"""Reports of a debugger besides stops: messages of programs, diagnostics, progress.
 
-In: parts of a run; what another one's session says while others let it run. Out: events of the
+In: parts of a run; reports of somebody else's session while others run it. Out: events of the
 protocol.
 """
 
@@ -26,14 +26,14 @@ PROGRESS_S, PROGRESS_AGAIN_S = 1.0, 0.5
 #: Diagnostics that are kept to explain an error.
 MAX_DIAGNOSTICS = 1000
 
-#: How often a debugger hears of another one's session that plays.
+#: How often a debugger gets reports of somebody else's playing session.
 HEARD_HZ = 20.0
 
 Tell = Callable[[str, dict[str, Any]], None]
 
 
 class Report:
-    """The output of one session; ``listens``: others let it run, too."""
+    """The output of one session; ``listens``: others run it, too."""
 
     def __init__(
         self,
@@ -80,11 +80,11 @@ class Report:
             self._session.detach(self._listener)
 
     def output(self, category: str, text: str, **where: Any) -> None:
-        """Tell a text."""
+        """Report a text."""
         self._tell("output", {"category": category, "output": text, **where})
 
     def news(self, done: StepResult) -> None:
-        """Tell messages of programs and diagnostics of a part of the way."""
+        """Report messages of programs and diagnostics of a part of the run."""
         if self._listener is None:
             self._messages(done.messages)
             self.diagnostics(done.diagnostics)
@@ -92,9 +92,9 @@ class Report:
             self.heard()
 
     def heard(self) -> None:
-        """Tell what another one's session has said since, whoever has let it run.
+        """Report the output of somebody else's session since, no matter who has run it.
 
-        What was reported is not reported again where somebody goes back.
+        Reports are not repeated when somebody goes back.
         """
         frame = None if self._listener is None else self._listener.take()
         if frame is None:
@@ -110,7 +110,7 @@ class Report:
             self.output("stdout", f"{time_stamp(message.time_us)}  {channel}{message.text}\n")
 
     def diagnostics(self, found: Sequence[Diagnostic]) -> None:
-        """Tell diagnostics, and keep them to explain errors."""
+        """Report diagnostics, and keep them to explain errors."""
         self._kept += found
         for item in found:
             where: dict[str, Any] = {}
@@ -121,12 +121,12 @@ class Report:
             self.output(category, f"{item.render(self._language)}\n", **where)
 
     def progress(self, begin_s: float) -> None:
-        """Tell how far a long run is that has begun at a time of ``time.monotonic``."""
+        """Report the progress of a long run that started at a time of ``time.monotonic``."""
         tick = self._session.tick
         self._tell_progress(begin_s, f"{self.tick_word} {tick} = {self.time(tick)}")
 
     def travel(self, begin_s: float, done: int, whole: int) -> None:
-        """Tell how far somebody is on a long way back, in ticks that are run again."""
+        """Report the progress of a long travel back, in rerun ticks."""
         word = "Takte" if self._language == "de" else "ticks"
         self._tell_progress(begin_s, f"{done:,} / {whole:,} {word}")
 
@@ -147,7 +147,7 @@ class Report:
         self._progress_s = now_s
 
     def end_progress(self) -> None:
-        """Tell that the run whose progress was reported is over."""
+        """Report that the run whose progress was reported is over."""
         if self._progress_s:
             self._progress_s = 0.0
             self._tell("progressEnd", {"progressId": f"run-{self._progress}"})

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Requests about a program under the debugger: breakpoints, steps, stacks, values.
 
-In: the arguments of a request. Out: the body of its answer, and what is done once that has been
-sent. Raises ``Failure`` for what cannot be done.
+In: the arguments of a request. Out: the body of its answer, and the actions after that has been
+sent. Raises ``Failure`` for impossible requests.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Requests:
         return handler(arguments)
 
     def follow(self) -> None:
-        """Do what follows the answer to the last request."""
+        """Run the actions after the answer to the last request."""
         then, self._then = self._then, None
         if then is not None:
             then()
@@ -147,7 +147,7 @@ class Requests:
         return [self._shown(one) for one in debuggee.breakpoints.all]
 
     def _again(self, breakpoint_: Breakpoint) -> Breakpoint:
-        """Return a breakpoint as it is in this program."""
+        """Return a breakpoint as in this program."""
         make = self._debuggee.breakpoints
         if breakpoint_.source is not None:
             return self._at_line(breakpoint_.asked, breakpoint_.source)
@@ -197,7 +197,7 @@ class Requests:
             raise Failure(diagnostic(UNKNOWN_REFERENCE, what="exception", number=0))
         return info(debuggee.raised, debuggee.report.kept, debuggee.language)
 
-    # --- on the way -----------------------------------------------------------------------------
+    # --- while running --------------------------------------------------------------------------
 
     def _thread(self, arguments: Arguments) -> int:
         return arguments.number("threadId", 1)
@@ -343,7 +343,7 @@ class Requests:
         return {"result": answer.text, "variablesReference": 0}
 
     def _in_plc(self, arguments: Arguments, text: str) -> Body | None:
-        """Return the value of what a call of the PLC sees, or of a path of it from elsewhere."""
+        """Return the value of a variable in a call of the PLC, or of its path from elsewhere."""
         scopes = self._debuggee.scopes
         level = scopes.level_of(arguments.number("frameId", 0))
         is_console = arguments.text("context", "") == "repl"

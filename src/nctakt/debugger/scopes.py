@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Frames, scopes and variables of the protocol: what a stack and its variables show.
+"""Frames, scopes and variables of the protocol: contents of a stack and its variables.
 
 In: a session at a tick. Out: frames of the interpolation, the decoder and realtime cycles, their
-scopes, and the variables in these. Numbers of frames and variables hold until the run goes on.
+scopes, and the variables in these. Numbers of frames and variables hold until the run continues.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ _WORDS: dict[Language, dict[str, str]] = {
 
 
 class Scopes:
-    """What a session shows at its tick; ``forget`` when it has gone on."""
+    """The view of a session at its tick; ``forget`` when it has moved on."""
 
     def __init__(
         self,
@@ -391,7 +391,7 @@ class Scopes:
         return found
 
     def structure(self, text: str, channel: int) -> dict[str, Any] | None:
-        """Return a name that stands for several values, as a variable; ``None`` for any other."""
+        """Return a name for several values, as a variable; ``None`` for any other."""
         pieces = pieces_of(text.strip())
         for root, path in _roots(pieces):
             node = self._tree(channel)[root].find(path)

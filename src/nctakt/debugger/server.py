@@ -35,7 +35,7 @@ def serve_streams(
     session: Callable[[], Session] | None = None,
     enter: Enter | None = None,
 ) -> None:
-    """Serve one client until it goes; ``session`` returns that of another one, to attach to.
+    """Serve one client until it goes; ``session`` returns somebody else's, to attach to.
 
     ``enter``: admits a client of a port to a program.
     """
@@ -69,7 +69,7 @@ def _read_all(reader: MessageReader, adapter: Adapter) -> None:
 
 
 def serve_pipe(*, folders: Sequence[str], language: Language) -> None:
-    """Serve the client at standard input and output; what else is printed goes to standard error.
+    """Serve the client at standard input and output; other output goes to standard error.
 
     The process and those that it starts, a PLC's among them, cannot write into the protocol.
     """

@@ -2,8 +2,8 @@
 """Values of expressions and variables at the tick of a session, as a debugger shows them.
 
 In: names and expressions of the controller's language, of a channel. Out: texts; ``Failure`` for
-what is unknown. Those of the decoder (V.P, V.L, V.S, V.CYC, P1 …) are what it knows at this tick,
-ahead of the path.
+what is unknown. Those of the decoder (V.P, V.L, V.S, V.CYC, P1 …) are those known to it at this
+tick, ahead of the path.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _TEXT = re.compile(r'"(?P<text>[^"]*)"')
 
 
 def shown_value(value: Value | None) -> str:
-    """Return a value as the controller's language writes it; ``None``: no such value now."""
+    """Return a value in the controller's language; ``None``: no such value now."""
     if value is None:
         return "–"
     if isinstance(value, bool):
@@ -66,7 +66,7 @@ def read_value(text: str) -> Value:
 
 
 class Values:
-    """The values of a session; ``inventory``: what its programs can name."""
+    """The values of a session; ``inventory``: names available to its programs."""
 
     def __init__(self, session: Session, inventory: Inventory) -> None:
         self._session = session
@@ -84,7 +84,7 @@ class Values:
         return self._session.read(*(self.prefixed(name, channel) for name in names))
 
     def note_of(self, name: str, channel: int) -> str:
-        """Return what is noted after a value: the one that it gets in the next tick."""
+        """Return the note after a value: its value in the next tick."""
         tick, value = self._pending.get(self.prefixed(name, channel), (-1, 0.0))
         return f" → {shown_value(value)}" if tick == self._session.tick else ""
 

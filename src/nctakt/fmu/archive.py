@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The file of an FMU, a zip archive: its description as text, its files in a folder of their own.
+"""The file of an FMU, a zip archive: its description as text, its files in a separate folder.
 
-Nothing is written outside of that folder, and the size of what is unpacked is bounded.
+Nothing is written outside that folder, and the unpacked size is bounded.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What runs inside an FMU of nctakt: a machine with its program and PLC, step by step.
+"""The inside of an FMU of nctakt: a machine with its program and PLC, step by step.
 
 In: the folder of the FMU's resources, values of inputs, steps. Out: values of signals, messages,
-states. Each instance has a controller of its own. A step is a whole number of ticks.
+states. Each instance has its own controller. A step is a whole number of ticks.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ class _Started:
 
 
 class Cell:
-    """A machine with its program; raises ``Failure`` where the files do not make one."""
+    """A machine with its program; raises ``Failure`` if the files do not make one."""
 
     def __init__(self, resources: Path) -> None:
         self._content = content = json.loads((resources / CONTENT).read_text("utf-8"))
@@ -83,7 +83,7 @@ class Cell:
         self._take(_Started(self._files, content), 0)
 
     def _take(self, started: _Started, ticks: int) -> None:
-        """Go on with a run after some ticks."""
+        """Continue a run after some ticks."""
         self._started = started
         self._controller, self._run, self._machine = (
             started.controller,
@@ -150,7 +150,7 @@ class Cell:
         )
 
     def put_back(self, state: CellState) -> None:
-        """Go on from a state: make its run again, with the same inputs.
+        """Continue from a state: repeat its run, with the same inputs.
 
         Raises ``Failure`` for a state of another FMU (902842) and where the run does otherwise than
         before (902843); then nothing has changed.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The state of a machine inside an FMU: what was set until then, and a digest to know it again.
+"""The state of a machine inside an FMU: the inputs until then, and a digest to recognize it.
 
 A state holds no memory of the machine. Its run is made again with the same inputs: same inputs,
 same bytes. So a state is small and outlasts its process, and putting it back takes as long as the
@@ -143,7 +143,7 @@ def state_to_bytes(state: CellState) -> bytes:
 
 
 def state_from_bytes(data: bytes) -> CellState:
-    """Return the state of bytes; raises ``Failure`` (902841) if they are none."""
+    """Return the state in bytes; raises ``Failure`` (902841) if they are not one."""
     head, _, rows = data.partition(b"\n")
     try:
         said = json.loads(head)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which variable of an FMU is connected to which one of a machine, and in which unit.
+"""Connections between variables of an FMU and of a machine, with units.
 
 In: the tables of ``[fmu]`` in the project file, or nothing, and then variables of equal names. Out:
 inputs that are read from the machine, outputs that are written to it; one ``FmuError`` with all
@@ -98,7 +98,7 @@ class Connections:
     # --- names of the machine -------------------------------------------------------------------
 
     def reader(self, name: str) -> Callable[[], float | bool | str]:
-        """Return what reads a value of the machine; raises ``Failure`` for an unknown name."""
+        """Return a reader of a value of the machine; raises ``Failure`` for an unknown name."""
         signal = self._signals.get(name)
         if signal is not None:
             cells, cell = self._machine.cells, signal.cell
@@ -132,7 +132,7 @@ class Connections:
         return {one.name: one.name for one in self._description.of(causality) if is_known(one.name)}
 
     def _variables(self, table: str, names: Mapping[str, object]) -> list[FmuVariable]:
-        """Return the variables of a table; what is wrong with them is noted."""
+        """Return the variables of a table; mistakes are noted."""
         found: list[FmuVariable] = []
         file = str(self._description.file)
         expected, causalities = _FITTING[table]

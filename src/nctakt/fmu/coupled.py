@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""An FMU beside the PLC of a run: a plant that sees the machine and answers it.
+"""An FMU coupled to a run in addition to the PLC: a plant that sees the machine and answers.
 
 In: its file, a communication step, connections. Out: values that the machine's tick latches as
 inputs from outside, so that a tape has them and a replay needs no FMU.
 
-The machine goes first: after its n ticks the FMU gets what they have left, makes its step over the
-same time, and its outputs count from the next tick on (RC-002), after those of a PLC.
+The machine goes first: after its n ticks the FMU gets their results, makes its step over the same
+time, and its outputs count from the next tick on (RC-002), after those of a PLC.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Fmu:
     ``every``: its communication step, a whole number of ticks. ``inputs``: its variables -> signals
     and variables of the machine; ``outputs``: its variables -> what they set; without both,
     variables of equal names. ``start``: values before the first step; ``places``: where a file has
-    them. ``isolate``: it runs in a process of its own, which is ended if a call lasts longer than
+    them. ``isolate``: it runs in a separate process, which is ended if a call lasts longer than
     ``limit``; otherwise such a call is reported. Raises ``FmuError``.
     """
 
@@ -106,7 +106,7 @@ class Fmu:
         return self._next
 
     def step(self) -> None:
-        """Go on up to the machine's next tick and write the outputs; raises ``FmuError``."""
+        """Continue up to the machine's next tick and write the outputs; raises ``FmuError``."""
         instance = self._instance
         assert instance is not None
         if self._next > self._first:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What an FMU says of itself: version, identity, variables with types and units."""
+"""An FMU's description of itself: version, identity, variables with types and units."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ _TWO_UNITS = Text("aliases have one unit", "Aliase haben eine gemeinsame Einheit
 
 @dataclass(frozen=True, slots=True)
 class FmuVariable:
-    """A variable; ``access``: what gets and sets it, empty for arrays and types without use.
+    """A variable; ``access``: the functions that get and set it, empty for arrays and unused types.
 
     ``low``, ``high``: the limits of its value.
     """
@@ -119,7 +119,7 @@ class FmuVariable:
 
 @dataclass(frozen=True, slots=True)
 class FmuDescription:
-    """The description of an FMU; ``step_us``: the fixed step inside of it, 0 without one."""
+    """The description of an FMU; ``step_us``: its fixed internal step, 0 without one."""
 
     file: Path
     version: int
@@ -136,8 +136,8 @@ class FmuDescription:
 def read_fmu(file: Path, access: FileAccess) -> FmuDescription:
     """Return the description of an FMU.
 
-    Raises ``FmuError`` for what cannot be read (902601), leaves its folder (902602), cannot run
-    here (902603, 902604), and without FMPy (902600).
+    Raises ``FmuError`` for a file that cannot be read (902601), leaves its folder (902602), cannot
+    run here (902603, 902604), and without FMPy (902600).
     """
     library = fmpy()
     text = read_text(file, access)
@@ -145,7 +145,7 @@ def read_fmu(file: Path, access: FileAccess) -> FmuDescription:
         found = library.read_model_description(_Described(text))
     except KeyError as error:
         raise not_readable(file, _no_variable(error.args[0])) from error
-    except Exception as error:  # it has no class of its own for faults
+    except Exception as error:  # it has no exception class for faults
         raise not_readable(file, " ".join(str(error).split())) from error
     for one in found.modelVariables:
         _check_start(file, one)
@@ -208,7 +208,7 @@ def _check_start(file: Path, found: Any) -> None:
 
 
 def _check_references(file: Path, found: Any) -> None:
-    """Raise ``FmuError`` (902950) for variables of FMI 2.0 that share a value reference in vain.
+    """Raise ``FmuError`` (902950) for variables of FMI 2.0 that wrongly share a value reference.
 
     Variables of a type may, if at most one of them can be set, and all are in one unit. In FMI 3.0
     each has its own, which FMPy checks.

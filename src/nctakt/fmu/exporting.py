@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A machine with its program and PLC as an FMU, which other tools simulate beside their models.
+"""A machine with its program and PLC as an FMU, which other tools simulate along with their models.
 
-In: what a run takes. Out: the archive: a description, the libraries of pythonfmu (FMI 2.0) or
+In: the inputs of a run. Out: the archive: a description, the libraries of pythonfmu (FMI 2.0) or
 pythonfmu3 (FMI 3.0), and the files that the run has read, in folders with the same relative places.
-What is written has been started once from there: it needs no other file.
+The result has been started once from there: it needs no other file.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 #: The package with the libraries of each version, and their ending by the platform's folder.
 _PACKAGES = {2: "pythonfmu", 3: "pythonfmu3"}
 
-#: What the libraries import: they look for this line to find the class.
+#: The import of the libraries: they look for this line to find the class.
 _SCRIPT = '''\
 """The entry of an FMU of nctakt."""
 
@@ -59,7 +59,7 @@ _BUILT_IN = Path(__file__).resolve().parent.parent / "machines"
 
 @dataclass(frozen=True, slots=True)
 class CellFiles:
-    """What an FMU holds of a run: ``words`` as on a tape, names relative to their folder."""
+    """The parts of a run in an FMU: ``words`` as on a tape, names relative to their folder."""
 
     words: Mapping[str, Any]
     plcs: tuple[str, ...]
@@ -98,7 +98,7 @@ def gather(words: Mapping[str, Any], plcs: Sequence[str], read: Sequence[Path]) 
 
 
 def _beside_plc(plc: str) -> Iterator[Path]:
-    """Yield the files of a PLC in Python: its own, its inputs, the modules beside it."""
+    """Yield the files of a PLC in Python: its file, its inputs, the modules next to it."""
     if is_structured(plc):
         return
     file = Path(os.path.realpath(plc))
@@ -155,7 +155,7 @@ def _panel(machine: AssembledMachine) -> dict[str, bool]:
 
 
 def _texts(machine: AssembledMachine) -> dict[str, str]:
-    """Return what the signals mean."""
+    """Return the meanings of the signals."""
     found: dict[str, str] = {}
     for index, (names, one) in enumerate(
         zip(machine.layout.tables, machine.assembled, strict=True)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The process of an isolated FMU: answers the calls of an ``IsolatedInstance``, a line each.
 
-In: standard input. Out: what was standard output at the start; what a model prints goes to the
-error output. It ends with its input.
+In: standard input. Out: the standard output of the start; output of a model goes to the error
+output. It ends with its input.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """One instance of an FMU in this process, with the same calls for FMI 2.0 and 3.0.
 
-In: a description, its unpacked files. Out: values that are set and read, steps. Whatever the model
-answers but ok becomes an ``FmuError`` with the last lines of the model's log.
+In: a description, its unpacked files. Out: values that are set and read, steps. Any answer of the
+model other than ok becomes an ``FmuError`` with the last lines of the model's log.
 """
 
 from __future__ import annotations
@@ -128,7 +128,7 @@ class FmuInstance:
             ))  # fmt: skip
 
     def _callbacks(self) -> Any:
-        """Return the callbacks of FMI 2.0, with a log of this instance's own."""
+        """Return the callbacks of FMI 2.0, with this instance's log."""
         fmi2 = self._library.fmi2
 
         def note(_: Any, name: bytes, status: int, category: bytes, message: bytes) -> None:
@@ -147,7 +147,7 @@ class FmuInstance:
         return [" ".join(text.split())[:_LINE_LENGTH] for text in texts]
 
     def end(self) -> None:
-        """End the instance; one that has failed is freed as far as FMI permits."""
+        """End the instance; a failed one is freed as far as FMI permits."""
         try:
             self._end()
         finally:
@@ -195,7 +195,7 @@ class FmuInstance:
         return found
 
     def step(self, time_us: int, step_us: int) -> None:
-        """Go on from a time of the run by a step; raises ``FmuError``, 902610 if it wants to end.
+        """Advance from a time of the run by a step; raises ``FmuError``, 902610 if it wants to end.
 
         Times are worked out from whole microseconds and never summed.
         """
@@ -217,7 +217,7 @@ class FmuInstance:
         return str(self._description.file)
 
     def _call(self, function: str, call: Any) -> Any:
-        """Return what a call of the library gives; raises ``FmuError`` (902609)."""
+        """Return the result of a call of the library; raises ``FmuError`` (902609)."""
         watch = self._watch
         if watch is not None:
             self._function = function
@@ -258,7 +258,7 @@ def _status_name(status: int) -> str:
 
 
 def _in_this_folder(call: Any) -> Any:
-    """Return what a call gives; the working directory stays, also where the call fails."""
+    """Return the result of a call; the working directory stays, even if the call fails."""
     before = os.getcwd()  # noqa: PTH109 - as the call changes it
     try:
         return call()

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""One instance of an FMU in a process of its own, with the calls of ``FmuInstance``.
+"""One instance of an FMU in a separate process, with the calls of ``FmuInstance``.
 
 In: a description, its unpacked files. Out: values that are set and read, steps. A model that ends
-its process or does not return becomes an ``FmuError``; nctakt goes on.
+its process or does not return becomes an ``FmuError``; nctakt continues.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from nctakt.messages.plcs.fmu import (
     FMU_NOT_INSTANTIATED,
 )
 
-#: What the other process may report, by numbers.
+#: Reports of the other process, by number.
 _REPORTED = {
     one.id: one for one in (FMU_FAILED, FMU_ENDED, FMU_LIBRARY_MISSING, FMU_NOT_INSTANTIATED)
 }
@@ -68,7 +68,7 @@ class IsolatedInstance:
             with contextlib.suppress(BrokenPipeError):
                 pickle.dump((description, folder), self._questions)
                 self._questions.flush()
-            self._answers.readline()  # when Python and FMPy are there, which the limit leaves out
+            self._answers.readline()  # when Python and FMPy are loaded, which the limit leaves out
             self._ask("load")
         except FmuError:
             self._give_up()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The calls that the libraries of pythonfmu and pythonfmu3 make inside an FMU of nctakt.
 
-In: FMI's calls by their Python names. Out: those of a ``Cell``; what it raises becomes a message in
+In: FMI's calls by their Python names. Out: those of a ``Cell``; its exceptions become a message in
 the importer's log and a status.
 """
 
@@ -72,7 +72,7 @@ class Slave:
             self._log += [
                 LogEntry(ERROR, "logStatusError", one.render()) for one in failure.diagnostics
             ]
-            print(failure, file=sys.stderr)  # FMI 2.0 knows no text for what is discarded
+            print(failure, file=sys.stderr)  # FMI 2.0 has no text for a discarded step
         for one in self._cell.news():
             is_error = one.severity is Severity.ERROR
             self._log.append(LogEntry(WARNING if is_error else OK, "logAll", one.render()))
@@ -94,9 +94,9 @@ class Slave:
             raise self._refusal(failure) from failure
 
     def _refusal(self, failure: Failure) -> RuntimeError:
-        """Return what the libraries show of a failure.
+        """Return the text that the libraries show for a failure.
 
-        They give back what they hold of an instance when it raises, and once more at its end.
+        They release their hold on an instance when it raises, and once more at its end.
         """
         for held in (self, type(self), self._log):
             ctypes.pythonapi.Py_IncRef(ctypes.py_object(held))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Values from outside, checked for the type of what they are written to (RC-307).
+"""Values from outside, checked for the type of their target (RC-307).
 
 In: names as a user writes them, values of Python. Out: the converted value; a wrong one is a
 ``Failure``.
@@ -33,7 +33,7 @@ def split_channel(name: str) -> tuple[str, int, str]:
 
 
 def command_number(name: str, entry: Entry, value: float | bool | str) -> float:
-    """Return the checked value of a command; none but those with a sign is below 0."""
+    """Return the checked value of a command; only signed ones may be below 0."""
     if entry not in (*PANEL, *TOOL_ANSWER, SPINDLE_OVERRIDE):
         raise Failure(diagnostic(VARIABLE_NOT_SETTABLE, name=name))
     if isinstance(value, str):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A PLC of one's own in another process, attached to the HLI of a CNC by its name.
+"""A custom PLC in another process, attached to the HLI of a CNC by its name.
 
 In: the name after ``nctakt run --hli``. Out: the PLC's side by names (``plc_side.py``), and the
-ticks of the CNC one after another: in lockstep it waits for an answer after each of them.
+ticks of the CNC in turn: in lockstep it waits for an answer after each of them.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ _EAGER_LOOKS = 50
 _TICK_PAUSE_S = 0.00002
 _IMAGE_PAUSE_S = 0.01
 
-#: The number of later looks from one to the next at whether the CNC's process still lives.
+#: Number of polls between two checks whether the CNC's process still lives.
 _LOOKS_PER_WATCH = 500
 
 
@@ -74,7 +74,7 @@ class PlcConnection(PlcSide):
         """Answer the latest tick and wait for the next one; return False once the CNC has ended.
 
         Raises ``Failure`` (901439) if none comes within ``within_s`` seconds; without it the CNC
-        may pause as long as it likes.
+        may pause for any time.
         """
         if self.is_lockstep:
             turn = self._access.number(HEADER, 0, "turn")
@@ -97,7 +97,7 @@ class PlcConnection(PlcSide):
     def ticks(self) -> Iterator[int]:
         """Yield the number of each tick once the CNC has run it, until the CNC ends.
 
-        What is done before the next one is the answer to it. Without lockstep ticks that go by
+        Everything done before the next one is the answer to it. Without lockstep ticks that go by
         meanwhile are left out.
         """
         while self.next_tick():
@@ -150,7 +150,7 @@ def attach(name: str, within_s: float = 10.0) -> PlcConnection:
     """Return the PLC's side of the HLI with this name as soon as a CNC shares it.
 
     Raises ``Failure`` if none does within ``within_s`` seconds (901430), if the shared memory is
-    none of this version (901431 … 901433), or if it has a PLC already (901434).
+    not of this version (901431 … 901433), or if it has a PLC already (901434).
     """
     shared = _open(name, within_s)
     memory = shared.memory[:]

@@ -18,13 +18,13 @@ from nctakt.hli.plc_entries import SpindleEntry, TechnologyEntry
 from nctakt.kernel import cells
 from nctakt.lists.declared.technology_functions import SYNCHRONISATIONS
 
-#: What waits for the PLC.
+#: Functions waiting for the PLC.
 Waiting = TechnologyEntry | SpindleEntry
 
 #: A function that waits, and the unit of its area that the realtime part has given it.
 Placed = tuple[Waiting, int]
 
-#: The array and index of a unit; what tells a function from an earlier one.
+#: The array and index of a unit; the key that distinguishes a function from an earlier one.
 _UnitKey = tuple[str, int]
 _Identity = tuple[tuple[str, int], int]
 
@@ -49,7 +49,7 @@ class FunctionUnits:
     """The units of one area; ``put``: writes a number to an element of it.
 
     ``takes``: whether a function is one of this area. ``has_spindle``: the first unit is that of
-    the jobs of a spindle. What is shown follows from what waits and from what the PLC has written,
+    the jobs of a spindle. The content follows from the waiting functions and the PLC's writes,
     whether or not anybody has read it meanwhile.
     """
 
@@ -84,7 +84,7 @@ class FunctionUnits:
             self._put(path, max(indices, default=-1) + 1)
 
     def _placed(self, waiting: Sequence[Placed]) -> dict[_UnitKey, Waiting]:
-        """Return the functions by their units; what finds its unit taken gets a free one."""
+        """Return the functions by their units; a function whose unit is taken gets a free one."""
         found: dict[_UnitKey, Waiting] = {}
         left: list[tuple[str, Waiting]] = []
         for entry, unit in waiting:
@@ -102,7 +102,7 @@ class FunctionUnits:
         for array, entry in left:
             count = self._arrays[array].type.count
             index = next((i for i in range(count) if (array, i) not in found), None)
-            if index is not None:  # else as many as there are units wait; it comes when one is free
+            if index is not None:  # otherwise all units are waiting; it comes when one is free
                 found[array, index] = entry
         return found
 
@@ -120,7 +120,7 @@ class FunctionUnits:
         self._memory[first + _DATA : first + _DATA + _DATA_BYTES] = data.ljust(_DATA_BYTES, b"\0")
 
     def write(self, path: str, number: float) -> Waiting | None:
-        """Take what the PLC writes into a unit that is shown; return what it acknowledges."""
+        """Take the PLC's writes into a shown unit; return the acknowledged function."""
         match = _UNIT.fullmatch(path)
         unit_key = ("", 0) if match is None else (match[1], int(match[2]))
         entry = self._units.get(unit_key)

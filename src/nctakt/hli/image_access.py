@@ -2,8 +2,8 @@
 """The values of an image of the HLI by the names of its structures.
 
 In: the bytes of an image that another process has made. Out: values read and written, and rows that
-fit together although the CNC goes on writing. Nothing in the bytes is trusted: a header that does
-not fit this version is a ``Failure``.
+fit together although the CNC keeps writing. Nothing in the bytes is trusted: a header that does not
+fit this version is a ``Failure``.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class ImageAccess:
                     differences=_differences(int(version)),
                 )
             )
-        if self.number(HEADER, 0, "size") > len(memory):  # what is missing cannot be touched
+        if self.number(HEADER, 0, "size") > len(memory):  # missing parts cannot be accessed
             raise self._layout_differs("size")
         for count, prefix, structure in _ARRAYS.values():
             self._check_array(count, prefix, structure)
@@ -187,7 +187,7 @@ class ImageAccess:
         self._memory[offset : offset + len(data)] = data
 
     def consistent(self, read: Callable[[], _Result]) -> _Result:
-        """Return what ``read`` reads while the CNC does not write.
+        """Return the result of ``read`` while the CNC does not write.
 
         Raises ``Failure`` if the CNC never ends writing: its process was killed in the middle.
         """
@@ -206,7 +206,7 @@ class ImageAccess:
 
 
 def _differences(version: int) -> Text:
-    """Return what has changed between a version and this one."""
+    """Return the changes between a version and this one."""
     low, high = sorted((version, VERSION))
     found = [said for one, said in DIFFERENCES.items() if low < one <= high]
     if len(found) < high - low:

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The interface of a machine as bytes: what a PLC or HMI reads and writes at ``gpCh``, ``gpAx`` …
+"""The interface of a machine as bytes, for a PLC or HMI at ``gpCh``, ``gpAx`` …
 
 In: the table of the interface, a machine, values of its session. Out: the bytes of any range, laid
-out as the table says, and what a write means: values of the session, a program that is selected.
-What has no effect here is kept, so that whoever has written it reads it again. What is shown
-follows from values and from what was written, and not from who has read before: so it is the same
-whenever a run is repeated.
+out according to the table, and the meaning of a write: values of the session, a selected program.
+Writes without effect are kept, so that their writer reads them again. The content follows from
+values and writes, and not from earlier reads: so it is the same whenever a run is repeated.
 
 Control units act for an area whose ``plc_present_w`` is set, while their ``enable_w`` is TRUE: then
-``command_w`` counts, else what the HMI asks for. The operation mode manager takes the transition of
+``command_w`` counts, else the HMI's request. The operation mode manager takes the transition of
 ``command_w`` when its semaphore is set, and clears it. An axis moves only with its three releases
 while a PLC is there for it.
 """
@@ -36,7 +35,7 @@ from nctakt.nc.vocabulary.variables import strings
 
 Scalar = float | bool | str
 
-#: What begins the names of values that no signal has, such as the functions of a channel that wait.
+#: Prefixes of the names of values without a signal, such as the waiting functions of a channel.
 ASKED = "?"
 
 #: Formats of ``struct`` of the elementary types.
@@ -104,7 +103,7 @@ class NotWritable(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """What a write means: values of the session, programs to select by channel from 1.
+    """The meaning of a write: values of the session, programs to select by channel from 1.
 
     ``known``: the elements that have no effect here; ``waiting``: the control units that act only
     when their area has ``plc_present_w``, and they have ``enable_w``. ``acknowledged``: functions.
@@ -123,7 +122,7 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """A number, text or array of bytes in an area; ``path``: behind the pointer."""
+    """A number, text or array of bytes in an area; ``path``: after the pointer."""
 
     path: str
     offset: int
@@ -183,7 +182,7 @@ _Show = Callable[[Mapping[str, Scalar]], float]
 
 @cache
 def slots(root: str) -> Mapping[str, Slot]:
-    """Return all slots behind a pointer by their paths, in the order of their bytes."""
+    """Return all slots of a pointer by their paths, in the order of their bytes."""
     found = {}
     for leaf in table.root(root).leaves():
         path = leaf.path.partition("^.")[2]
@@ -193,14 +192,14 @@ def slots(root: str) -> Mapping[str, Slot]:
 
 @cache
 def _in_order(root: str) -> tuple[tuple[Slot, ...], tuple[int, ...]]:
-    """Return the slots behind a pointer, and where each begins."""
+    """Return the slots of a pointer, and where each begins."""
     found = tuple(slots(root).values())
     return found, tuple(slot.offset for slot in found)
 
 
 @cache
 def _with_values(root: str) -> tuple[Slot, ...]:
-    """Return the slots behind a pointer that may show a value of the session, or begin with one."""
+    """Return the slots of a pointer that may show a value of the session, or begin with one."""
     return tuple(
         slot
         for slot in slots(root).values()
@@ -213,7 +212,7 @@ def _with_values(root: str) -> tuple[Slot, ...]:
 
 @cache
 def _with_facts(root: str) -> tuple[tuple[Slot, str], ...]:
-    """Return the slots behind a pointer that hold facts about the machine, and whose name."""
+    """Return the slots of a pointer that hold facts about the machine, and their names."""
     ties = ((slot, slot.element.tie) for slot in slots(root).values())
     return tuple((slot, tie.name) for slot, tie in ties if tie is not None and tie.kind == "fact")
 
@@ -224,7 +223,7 @@ def _is_of_session(tie: Tie | None) -> TypeGuard[Tie]:
 
 
 class AreaShape:
-    """What is behind one pointer, such as ``gpCh[0]``, and what it shows.
+    """The target of one pointer, such as ``gpCh[0]``, and its content.
 
     ``prefix``: that of the names of its channel in the session. ``axes``: the names of a channel's
     axes, or that of the axis itself. ``spindle``: the spindle that the axis turns; empty: none.
@@ -295,7 +294,7 @@ class AreaShape:
         return len(found) > 1 or not found[0].is_number or found[0].end <= offset + size
 
     def hides(self, offset: int, size: int) -> str:
-        """Return the path of what alone is asked for and has no value here; else nothing."""
+        """Return the path of a single requested element without a value here; else nothing."""
         found = self.between(offset, offset + size)
         if len(found) != 1:
             return ""
@@ -339,7 +338,7 @@ class AreaShape:
 
 
 class Area:
-    """The bytes behind one pointer: what was written, and what is shown."""
+    """The bytes of one pointer's target: written and shown values."""
 
     def __init__(self, shape: AreaShape) -> None:
         self.shape = shape
@@ -383,7 +382,7 @@ class Area:
         return f"{self.shape.prefix}HLI.{name}"
 
     def announce(self) -> None:
-        """Let a PLC in Python be there for this area, which need not say so by itself.
+        """Announce a PLC in Python for this area, which need not do so itself.
 
         Of its axis only the releases count whose units it has enabled.
         """
@@ -396,10 +395,10 @@ class Area:
             if is_own and name in facts:
                 self._put(slot, facts[name])
 
-    # --- what is shown --------------------------------------------------------------------------
+    # --- display --------------------------------------------------------------------------------
 
     def _prepare(self, slot: Slot) -> None:
-        """Note what a slot shows, or keep what a control unit begins with."""
+        """Note the content of a slot, or keep the initial values of a control unit."""
         tie, name = slot.element.tie, self.shape.session_name(slot.element)
         if slot.path.startswith(f"{MODE}.state_r."):
             number = self._mode_state if slot.path.endswith(".state") else _automatic
@@ -414,7 +413,7 @@ class Area:
             self._put(slot, _INITIAL.get(tie.name, 0.0) * tie.factor)
 
     def _number(self, slot: Slot, tie: Tie, name: str) -> _Show:
-        """Return what gives the number of a slot that shows one value."""
+        """Return a function for the number of a slot that shows one value."""
         shown = tie.shown
         if not slot.path.endswith(".request_r"):
             return lambda values: shown(float(values[name]))
@@ -426,7 +425,7 @@ class Area:
         return requested
 
     def _is_there(self) -> bool:
-        """Return whether a PLC is there for this area."""
+        """Return whether a PLC is announced for this area."""
         return self._has_script or self._get(self._present) != 0.0
 
     def _is_decided(self, unit: str) -> bool:
@@ -441,7 +440,7 @@ class Area:
         """Return whether an axis has one of its releases."""
         enable, command = (self._slot(f"{unit}.{one}") for one in ("enable_w", "command_w"))
         if not self._get(self._present) and (not self._has_script or not self._get(enable)):
-            return True  # no one is there to release it, or a script that does not care
+            return True  # nobody releases it, or a script that does not care
         return bool(self._get(enable) and self._get(command))
 
     def _mode_state(self, values: Mapping[str, Scalar]) -> float:
@@ -493,7 +492,7 @@ class Area:
         return float(value)
 
     def _show(self, slot: Slot, values: Mapping[str, Scalar]) -> None:
-        """Put what a slot shows into the memory."""
+        """Put the content of a slot into the memory."""
         shown = self._shown.get(slot.offset)
         if shown is not None:
             self._put(slot, shown[2](values))
@@ -539,7 +538,7 @@ class Area:
                 self.memory[:] = kept
 
     def write(self, offset: int, data: bytes, values: Mapping[str, Scalar]) -> Written:
-        """Take bytes, and return what that means. Raises ``NotWritable``."""
+        """Take bytes, and return their meaning. Raises ``NotWritable``."""
         self.check(offset, data, values)
         touched, data = self.shape.checked(offset, data)
         self._show(self._present, values)
@@ -553,7 +552,7 @@ class Area:
         if any(slot.path.startswith(MODE) or slot is self._present for slot in touched):
             try:
                 self.take_transition(written, values)
-            except NotWritable:  # it stood there from before the PLC was there
+            except NotWritable:  # it was there before the PLC
                 written.refused.append(f"{self.name}.{MODE}.command_semaphor_rw")
         if any(slot.unit in RELEASES or slot is self._present for slot in touched):
             if self.shape.root == "gpAx":
@@ -630,7 +629,7 @@ class Area:
     def ask(self, unit: str, number: float, values: Mapping[str, Scalar]) -> Written:
         """Let the HMI ask a control unit for something.
 
-        While the PLC decides, ``request_r`` shows it, and nothing else comes of it.
+        While the PLC decides, ``request_r`` shows it, without further effect.
         """
         self._show(self._present, values)
         command = self._slot(f"{unit}.command_w")
@@ -677,7 +676,7 @@ class Area:
         """Go to a state of the automatic mode, through all states between.
 
         ``program`` is selected on the way to READY. Raises ``NotWritable`` for another mode and for
-        what is no target (HLI_IMCM_…).
+        an invalid target (HLI_IMCM_…).
         """
         if mode not in (0, STANDBY, AUTOMATIC):
             raise NotWritable(f"mode {mode} is not simulated; automatic mode is {AUTOMATIC}")
@@ -719,7 +718,7 @@ def _packed(slot: Slot, value: Scalar) -> float | bytes:
 
 
 def shapes(machine: Machine, prefixes: Sequence[str]) -> dict[str, list[AreaShape]]:
-    """Return what is behind all pointers; ``prefixes``: of each channel's names."""
+    """Return the targets of all pointers; ``prefixes``: of each channel's names."""
     listed = {axis.logical_number for axis in machine.axes}
     turned: dict[int, tuple[str, str, int]] = {}
     moved: dict[int, tuple[str, int]] = {}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The values of the HLI: one declaration of each, from which all else is derived.
+"""The values of the HLI: one declaration of each, from which everything else is derived.
 
 Structures of values, as a PLC sees them in memory (``hli/places.py`` gives each its bytes). Derived
 from them are the table of the tick (``run/access/shared_image.py``), the C header
@@ -27,7 +27,7 @@ MAGIC = b"NCTAKT\0\0"
 #: Version of the layout, changed whenever a value changes its offset or meaning.
 VERSION = 9
 
-#: What has changed with each version, for whoever meets an older or newer partner.
+#: Changes with each version, for connections to an older or newer partner.
 DIFFERENCES = {
     7: Text(
         "7: functions have their synchronisation and value, and T is among them",
@@ -76,10 +76,9 @@ class Entry:
     ``count``: elements of an array, 0 for a single value. ``source``: the variable of the channel
     or axis that it shows (``nc/vocabulary/variables/variable_table.py``); empty for a value of
     other origin. ``path``: that of the same value on the controller: then the image has its name,
-    type and unit
-    from the table of the interface, and ``name`` is the short form of the session; empty where the
-    controller has none, and the value is nctakt's own. ``is_signed``: of what the PLC writes, it
-    may be below 0.
+    type and unit from the table of the interface, and ``name`` is the short form of the session;
+    empty where the controller has none, and the value is nctakt's. ``is_signed``: a value written
+    by the PLC that may be below 0.
     """
 
     name: str
@@ -117,7 +116,7 @@ class Entry:
 
     @property
     def tie(self) -> Tie | None:
-        """What the value on the controller has to do with a run."""
+        """The relation of the controller's value to a run."""
         return None if self._element is None else self._element.tie
 
     @property
@@ -131,8 +130,8 @@ class Entry:
 class Structure:
     """A structure of values; ``units``: names of the arrays of ``UNIT`` after them.
 
-    ``is_command``: the PLC writes it; the CNC writes all others. Equal only to itself, so that what
-    is computed of it can be kept.
+    ``is_command``: the PLC writes it; the CNC writes all others. Equal only to itself, so that
+    derived values can be cached.
     """
 
     name: str
@@ -284,7 +283,7 @@ LAMPS = (
 #: Axis offsets and free values of a tool that the interface has.
 TOOL_OFFSETS, TOOL_PARAMETERS = 6, 10
 
-#: What a channel asks the tool manager of the PLC for (P-CHAN-00016), written by the CNC.
+#: Requests of a channel to the tool manager of the PLC (P-CHAN-00016), written by the CNC.
 TOOL_REQUEST = (
     Entry("tool_request", "UNS32", "", "number of the latest request; another one: a new request"),
     Entry("tool_request_kind", "UNS08", "", "1: the data of a tool (D), 2: T, to get it ready"),
@@ -299,7 +298,7 @@ TOOL_REQUEST = (
     ),
 )
 
-#: What the tool manager answers, written by the PLC; its number last.
+#: Answers of the tool manager, written by the PLC; the number last.
 TOOL_ANSWER = (
     Entry("tool_manager", "BOOLEAN", "", "1: the PLC manages the tools, and is asked for them"),
     Entry("tool_answer", "UNS32", "", "number of the request that is answered"),

@@ -2,8 +2,7 @@
 """The PLC's side of a channel in another process: the HLI by names.
 
 In: an image. Out: the names that a scripted PLC has, too (``run/plcs/plc_view.py``), so that one
-class with ``cycle(self, hli)`` works there and here. What is written counts from the next tick on
-(RC-002).
+class with ``cycle(self, hli)`` works there and here. Writes count from the next tick on (RC-002).
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Named shared memory that another process has made.
 
-In: its name. Out: its bytes. On Linux it is a file in ``/dev/shm``; elsewhere Python's own class
-finds it. Whoever attaches never removes it: that is the maker's.
+In: its name. Out: its bytes. On Linux it is a file in ``/dev/shm``; elsewhere Python's class finds
+it. Only its maker removes it, never an attached process.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ class SharedFile:
 
 
 def image_names() -> list[str]:
-    """Return the names of all images of an HLI that can be found; none outside of Linux."""
+    """Return the names of all images of an HLI that can be found; none outside Linux."""
     found = []
     for path in sorted(FOLDER.glob("*")) if FOLDER.is_dir() else ():
         try:

@@ -49,7 +49,7 @@ from nctakt.messages.plcs.hli_table import (
 
 _FOLDER = Path(__file__).parent / "elements"
 
-#: What PLC programs write before a path.
+#: Prefix of a path in PLC programs.
 LIST_NAME = "HLI_Global_Variables."
 
 #: Bytes of the elementary types.
@@ -83,7 +83,7 @@ _ARRAY = re.compile(r"ARRAY\[(\d+)\.\.(\d+)\] OF (.+)")
 _SEGMENT = re.compile(r"(\w+)((?:\[[^\]]*\])*)(\^?)")
 #: A dot between two names, and not within an index.
 _DOT = re.compile(r"\.(?![^\[]*\])")
-#: Of how many paths the elements are kept: all that the image has, and what PLCs and clients name.
+#: Number of paths whose elements are cached: all of the image, and those of PLCs and clients.
 _KEPT_PATHS = 4096
 _INDEXED_NAME = re.compile(r"(\w+)\[(\d+)\.\.(\d+)\]")
 _TIE = re.compile(
@@ -95,13 +95,13 @@ ACTS, SHOWS, KNOWN = "acts", "shows", "known"
 #: Elements with their own state machine, which the session does not provide as values: technology
 #: units, the operation mode manager, the error record, presence and releases of axes.
 MANAGED = ("FUNCTIONS", "MODE", "ERROR", "PRESENT", "RELEASE")
-#: The kind of the tie of what the CNC shows on the machine, and nctakt does not have.
+#: The kind of tie of a value that the CNC shows on the machine, and nctakt does not have.
 UNSERVED = "unserved"
 
 
 @dataclass(frozen=True, slots=True)
 class Tie:
-    """What an element has to do with a run.
+    """The relation of an element to a run.
 
     ``kind``: ``acts``: what is written becomes the session's value ``name`` (``HLI.OVERRIDE``);
     ``shows``: it shows that value; ``fact``: it is a fact about the machine, such as ``logical``;
@@ -130,7 +130,7 @@ class Tie:
         return value * self.factor
 
     def commanded(self, number: float) -> float:
-        """Return the value of the session that a written number stands for."""
+        """Return the value of the session for a written number."""
         return number / self.factor
 
     def takes(self, number: float) -> bool:
@@ -182,7 +182,7 @@ class DataType:
 
     @property
     def is_bytes(self) -> bool:
-        """Whether it is an array of bytes, which has no parts of its own."""
+        """Whether it is an array of bytes, which has no parts."""
         return self.base is not None and self.base.name == "BYTE"
 
     def find(self, name: str) -> Member | None:
@@ -193,7 +193,7 @@ class DataType:
 
 @dataclass(frozen=True, slots=True)
 class Member:
-    """A member of a structure; ``row``: what the table says of it, ``None`` for an inner part."""
+    """A member of a structure; ``row``: its row of the table, ``None`` for an inner part."""
 
     name: str
     type: DataType
@@ -225,7 +225,7 @@ class Element:
 
     @property
     def tie(self) -> Tie | None:
-        """What it has to do with a run: that of the member, else that of the unit around it."""
+        """Its relation to a run: that of the member, else that of the unit around it."""
         for row in (self.inner, self.row):
             if row is not None and row.tie is not None:
                 return row.tie
@@ -358,7 +358,7 @@ def _row(name: str, line: Mapping[str, str]) -> Row:
 
 
 def read_tie(text: str) -> Tie:
-    """Return what a tie's text says; raises ``ValueError`` for another text."""
+    """Return the tie of a text; raises ``ValueError`` for another text."""
     match = _TIE.fullmatch(text)
     if match is None:
         raise ValueError(text)
@@ -521,7 +521,7 @@ def _part(name: str, paths: list[tuple[list[str], Row]]) -> DataType:
 
 @cache
 def root(name: str, index: int = 0) -> Element:
-    """Return what a pointer points at: all of a channel, an axis or the platform.
+    """Return the target of a pointer: all of a channel, an axis or the platform.
 
     Raises ``KeyError`` for a name that is not in ``ROOTS``.
     """
@@ -549,7 +549,7 @@ def _plain(path: str) -> str:
 
 
 def _modern(text: str, asked: str) -> str:
-    """Return a path of the older generation as the present one; any other as it is."""
+    """Return a path of the older generation as the present one; any other unchanged."""
     bare = re.sub(r"\[[^\]]*\]", "[]", text).lower()
     for older, path in aliases().items():
         low = older.lower()
@@ -680,9 +680,9 @@ def search(text: str) -> list[Element]:
 
 
 def continuations(text: str) -> list[Element]:
-    """Return what may come after the last dot of the beginning of a path; none of an unknown one.
+    """Return completions after the last dot of a partial path; none for an unknown one.
 
-    Without a dot: what the pointers are called.
+    Without a dot: the names of the pointers.
     """
     head, dot, _ = _plain(text).rpartition(".")
     if not dot:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The names of the V.E variables in the image of the HLI, for whoever has no lists of the machine.
+"""The names of the V.E variables in the image of the HLI, for users without the machine's lists.
 
 In: a machine. Out: a text with a line for each number, string and array of them, and back: name,
 type, bytes from the start of the V.E variables, elements (0: a single value), bytes of each,

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The packed memory of a machine's V.E variables: one section for GLOBAL, one for each channel.
 
-In: a machine. Out: its sections, and the fields in them (``describe``). V.CH is in none.
+In: a machine. Out: its sections, and the fields in them (``describe``). V.CH is in none of them.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 """Slips in a PLC's class when its run begins, wherever the class was written.
 
 In: the class, in a notebook, in a test's function or made by ``exec``; the compiled methods are
-enough. Out: what is wrong at which member. ``inspection.py`` reads the text of a PLC's file, and
-finds more: types of values, keys, names in functions outside of the class.
+enough. Out: mistakes by member. ``inspection.py`` reads the text of a PLC's file, and finds more:
+types of values, keys, names in functions outside the class.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def _method_slips(name: str, method: FunctionType, needed: tuple[str, ...]) -> I
         yield WRONG_HANDLER_PARAMETERS, name, name, {"name": name, "expected": ", ".join(needed)}
         return
     if method.__code__.co_argcount < len(needed[:2]):
-        return  # it takes them all in one
+        return  # it takes them all together
     view = tuple(public_names(PlcView))
     for word, is_set in _names_of(method, method.__code__.co_varnames[1]):
         if word not in view:

@@ -3,7 +3,7 @@
 
 The first row names the columns: ``time``, then variables (``V.E.DOOR``, ``HLI.OVERRIDE``). Each
 further row has a time, as on the command line (``0.5s``, ``1500us``), and values; an empty cell
-leaves its variable as it is. Empty lines and lines that begin with ``#`` are skipped.
+leaves its variable unchanged. Empty lines and lines that begin with ``#`` are skipped.
 """
 
 from __future__ import annotations

@@ -3,8 +3,8 @@
 
 In: a user's Python file with one class that has a method ``cycle(self, hli)``. Out: an object whose
 ``cycle`` the controller calls after each tick; its answers count from the next tick on (RC-002).
-Without one the controller acknowledges everything by itself. A mistake in the user's file is a
-diagnostic with a traceback of the user's files only.
+Without a PLC the controller acknowledges everything automatically. A mistake in the user's file is
+a diagnostic with a traceback of the user's files only.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class AnyPlcFile(Protocol):
 
 
 def plc_file(path: str | Path) -> AnyPlcFile:
-    """Return a PLC's file, from which PLCs are made one after another; raises as ``load_plc``."""
+    """Return a PLC's file, from which PLCs are made in turn; raises as ``load_plc``."""
     if Path(path).suffix.lower() in PLC_SUFFIXES:
         from nctakt.plc.structured_text import StructuredFile  # noqa: PLC0415 - rare
 
@@ -83,7 +83,7 @@ class PlcFile:
         self._kind: type[AnyPlc] | None = None
 
     def plc(self) -> _LoadedPlc:
-        """Return a new PLC, of a module of its own: nothing stays of those before."""
+        """Return a new PLC, of a separate module: nothing is left of earlier ones."""
         path = self._path
         module, self._loaded = load_module(path, self._loaded)
         candidates = _candidates(module)
@@ -105,7 +105,7 @@ class PlcFile:
         self._kind = kind
         try:
             plc = kind()
-        except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+        except (Exception, SystemExit) as error:  # the user's code may raise anything
             raise load_error(error, path) from error
         return _LoadedPlc(plc, path)
 
@@ -140,7 +140,7 @@ class _LoadedPlc(WatchedPlc):
         return [self._as_named(message) for message in self._plc.notes()]
 
     def declaration(self, hli: PlcView) -> Declaration | None:
-        """Return what its class waits for."""
+        """Return the events that its class waits for."""
         return self._plc.declaration(hli) if isinstance(self._plc, WatchedPlc) else None
 
     def each_call(self) -> Callable[[PlcView], object]:
@@ -150,7 +150,7 @@ class _LoadedPlc(WatchedPlc):
     def failure(self, error: BaseException, hli: PlcView) -> PlcError:
         """Return a ``PlcError`` (900523) for an exception of the user's code.
 
-        What was refused in no line of the user's has its own place.
+        A refusal outside the user's lines has its own place.
         """
         reason, text = reason_and_traceback(error, self._path)
         if not text and refused_in(error):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The types that users annotate in a PLC, by their public names.
 
-``HliView``: what a PLC in Python gets. ``Function``: an M, H or T function that waits for it.
+``HliView``: the argument of a PLC in Python. ``Function``: an M, H or T function that waits for it.
 ``SpindleJob``: a job of a spindle that it turns.
 """
 

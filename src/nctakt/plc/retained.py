@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """RETAIN and PERSISTENT variables of a PLC from one run to the next (ST-406).
 
-A file holds them by their paths as JSON, ``{"MAIN.nParts": 41}``. What a path means is looked up
-when it is read, so that a variable keeps its value when others come and go.
+A file holds them by their paths as JSON, ``{"MAIN.nParts": 41}``. Paths are resolved when it is
+read, so that a variable keeps its value when others come and go.
 """
 
 from __future__ import annotations
@@ -40,10 +40,10 @@ def plcs_that_retain(plc: AnyPlc | None) -> list[StructuredPlc]:
 def read_retained(
     path: str | Path, plcs: list[StructuredPlc], access: FileAccess
 ) -> tuple[Values, list[Diagnostic]]:
-    """Return what a file retains, and warnings (902503) for what no PLC can take over.
+    """Return the retained values of a file, and warnings (902503) for those that no PLC has.
 
-    Nothing is retained where there is no file yet. Raises ``Failure`` (902502) for a file that is
-    none of this kind.
+    Nothing is retained if there is no file yet. Raises ``Failure`` (902502) for a file of another
+    kind.
     """
     if not Path(path).exists():
         return {}, []

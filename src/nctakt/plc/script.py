@@ -17,10 +17,10 @@
         def clamp(self, hli, function):
             ...
 
-What a class declares so is looked for by the realtime part, and Python is called in the ticks in
-which it has come; a class with ``each_tick``, or a condition that is a Python function, is called
-after each tick. Spindles that the PLC turns get their jobs in the same way: ``spindles`` is the
-policy for their acknowledgement, ``@on("S3")`` gets each job.
+The realtime part watches for events declared in this form, and calls Python in the ticks in which
+they occur; a class with ``each_tick``, or a condition that is a Python function, is called after
+each tick. Spindles that the PLC turns get their jobs in the same way: ``spindles`` is the policy
+for their acknowledgement, ``@on("S3")`` gets each job.
 
 Actions after tick n count from tick n + 1 on (RC-002). After each tick come, in this order: inputs
 from the file, ``at``, ``when``, ``on``, ``each_tick``, acknowledgements; methods of one kind are
@@ -190,8 +190,8 @@ def _marked(mark: object) -> Callable[[_Method], _Method]:
 class _Memory:
     """The state of a PLC from tick to tick.
 
-    ``whens``: the conditions that are texts, on ``machine``; ``declared``: what the PLC waits for,
-    with the policies that it has been made of.
+    ``whens``: the conditions that are texts, on ``machine``; ``declared``: the events that the PLC
+    waits for, with the policies that they come from.
     """
 
     inputs: list[Stimulus]
@@ -209,8 +209,8 @@ class _Memory:
 class Plc(WatchedPlc):
     """The base class of a PLC, whose methods are marked with ``at``, ``on`` and ``when``.
 
-    ``acknowledge``: the policy for M and H functions; ``inputs``: a CSV file beside the PLC's own;
-    ``spindles``: the policy for the jobs of spindles that the PLC turns.
+    ``acknowledge``: the policy for M and H functions; ``inputs``: a CSV file next to the PLC's
+    file; ``spindles``: the policy for the jobs of spindles that the PLC turns.
 
     >>> class Cell(Plc):
     ...     acknowledge = after("20 ms")
@@ -291,7 +291,7 @@ class Plc(WatchedPlc):
             raise Failure(*unknown)
 
     def _slips(self) -> list[Diagnostic]:
-        """Return the slips in the class, which is looked at until it has none."""
+        """Return the slips in the class, which is checked until it has none."""
         kind = type(self)
         if vars(kind).get("_is_checked", False):
             return []
@@ -365,7 +365,7 @@ class Plc(WatchedPlc):
         self._acknowledge_jobs(jobs, hli)
 
     def _tool_of(self, hli: PlcView, request: ToolRequest) -> ToolData | None:
-        """Return what ``tool_data`` answers; raise ``Failure`` if it is not the data of a tool."""
+        """Return the answer of ``tool_data``; raise ``Failure`` if it is not the data of a tool."""
         answer: object = self.tool_data(hli, request)
         mistake = mistake_in(answer)
         if mistake is not None:

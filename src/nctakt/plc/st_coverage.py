@@ -27,7 +27,7 @@ from nctakt.translation.observing.compared import is_compared
 
 @dataclass(frozen=True, slots=True)
 class Counts:
-    """What a run has counted: how often, and of comparisons how near they came.
+    """Counts of a run: how often, and for comparisons how near they came.
 
     ``left``, ``right`` and ``distances``: both sides and how far they were apart, below 0 where
     that is not known.
@@ -39,7 +39,7 @@ class Counts:
     distances: Sequence[float]
 
     def miss(self, number: int) -> NearestMiss | None:
-        """Return how near a comparison came to what it has never been."""
+        """Return how near a comparison came to the result it never had."""
         if self.of[number] or self.distances[number] < 0.0:
             return None
         return NearestMiss(self.left[number], self.right[number], self.distances[number])

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The interface of a machine in the memory of a PLC in Structured Text (ST-761 … ST-764).
 
-In: a machine, which pointers a translated program uses. Out: the bytes behind these pointers as
-they begin, and what keeps them equal to the machine in each tick (``kernel.st.interface``). Offsets
-come from the table of the interface (``hli.table``), meanings from ``hli.interface_memory``.
+In: a machine, which pointers a translated program uses. Out: the initial bytes that these pointers
+lead to, and the objects that keep them equal to the machine in each tick (``kernel.st.interface``).
+Offsets come from the table of the interface (``hli.table``), meanings from
+``hli.interface_memory``.
 """
 
 from __future__ import annotations
@@ -93,7 +94,7 @@ class StInterface:
     variables: int = 0
 
     def go_on(self, machine: AssembledMachine, context: PlcContext) -> Iterator[Diagnostic]:
-        """Take the transitions of the operation mode that the PLC commands; yield what is wrong.
+        """Execute the operation mode transitions commanded by the PLC; yield mistakes.
 
         They are no inputs: a run that is repeated has them from its PLC.
         """
@@ -122,7 +123,7 @@ class StInterface:
 
 
 def lay_out(machine: AssembledMachine, begin: int, roots: Collection[str]) -> StInterface:
-    """Return the interface of a machine behind the pointers that a program uses."""
+    """Return the interface of a machine for the pointers that a program uses."""
     found = StInterface(begin, roots)
     count = len(machine.channels)
     prefixes = [prefix_of(index) if count > 1 else "" for index in range(count)]
@@ -144,7 +145,7 @@ def lay_out(machine: AssembledMachine, begin: int, roots: Collection[str]) -> St
 
 
 def names_of(machine: AssembledMachine, found: StInterface) -> dict[int, str]:
-    """Return the names of what lies in the interface by their addresses."""
+    """Return the names of the interface's elements by their addresses."""
     names = {}
     for one in found.placed:
         for path, slot in slots(one.area.shape.root).items():
@@ -164,7 +165,7 @@ def names_of(machine: AssembledMachine, found: StInterface) -> dict[int, str]:
 
 
 def is_used(root: str, roots: Collection[str]) -> bool:
-    """Return whether an area is there: channels and axes together, which share functions."""
+    """Return whether an area exists: channels and axes together, which share functions."""
     together = ("gpCh", "gpAx")
     return root in roots or (root in together and any(one in roots for one in together))
 
@@ -181,7 +182,7 @@ def _append(found: StInterface, content: bytes) -> int:
 def connect(
     machine: AssembledMachine, found: StInterface, context: PlcContext, memory: bytearray
 ) -> CncInterface:
-    """Return what keeps the interface in a program's memory equal to the machine."""
+    """Return the object that keeps the interface in a program's memory equal to the machine."""
     signals = {name: found.cell for name, found in machine.signals().items()}
     places = [one for one in found.placed if one.area.shape.root != "gpPform"]
     values = _shown(found.placed, signals, memory, machine.memory)

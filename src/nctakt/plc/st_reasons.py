@@ -2,8 +2,8 @@
 """Why a PLC in Structured Text has changed its variables: its notes -> histories (ST-840).
 
 In: the log of ``kernel.st.observing.notes`` and the rows of the program. Out: ``PlcHistory`` for
-each watched variable that a statement has written. Watched are the scalars of its own code, but for
-counters of FOR and pointers, and each place of the interface that a statement writes.
+each watched variable that a statement has written. Watched are the scalars of the project's code,
+except counters of FOR and pointers, and each place of the interface that a statement writes.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ _Changes = dict[int, deque[Sequence[int]]]
 
 @dataclass(frozen=True, slots=True)
 class _Noted:
-    """What had been noted at a moment: the log, changes that had been taken out of it, watches."""
+    """The notes at a moment: the log, changes already taken from it, watches."""
 
     log: memoryview
     taken: Mapping[int, Sequence[Sequence[int]]]
@@ -64,7 +64,7 @@ class _Noted:
 
 @dataclass(frozen=True, slots=True)
 class _Named:
-    """What a watch is called, and how its value is written."""
+    """The name of a watch, and the form of its value."""
 
     path: str
     is_interface: bool
@@ -72,7 +72,7 @@ class _Named:
 
 
 class StReasons:
-    """The notes of one PLC at work."""
+    """The notes of one running PLC."""
 
     def __init__(
         self,
@@ -104,14 +104,14 @@ class StReasons:
         return self._notes.watch(self._context.memory, address, kind)
 
     def take(self) -> None:
-        """Take what is in the log, where too much of it is needed."""
+        """Empty the log if it is nearly full."""
         if self._notes.is_crowded:
             _add(self._taken, self._notes.take_log())
 
     def histories(self) -> PlcHistories:
-        """Return the histories of what statements have written, in the order of their names.
+        """Return the histories of variables written by statements, in the order of their names.
 
-        They are made when somebody looks, of what is noted now.
+        They are made on request, from the present notes.
         """
         notes = self._notes
         notes.drop_old()
@@ -197,7 +197,7 @@ class StReasons:
         )
 
     def _facts(self, pairs: list[tuple[int, int]]) -> tuple[Fact, ...]:
-        """Return what led to a change: without statements that are over and led to no result."""
+        """Return what led to a change, without finished statements that led to no result."""
         open_facts: list[tuple[int, Fact]] = []
         result: tuple[int, list[tuple[int, Fact]]] = (-1, [])
         for index, (row, value) in enumerate(pairs):
@@ -240,7 +240,7 @@ class StReasons:
 
 
 def _words(noted: Sequence[int]) -> memoryview:
-    """Return words as they are now."""
+    """Return the present words."""
     return memoryview(bytes(noted)).cast("q")
 
 
@@ -254,7 +254,7 @@ def _add(kept: _Changes, log: memoryview) -> None:
 
 
 def _shower(found: Type | None, kind: int) -> Callable[[int], str]:
-    """Return what writes the bits of a value."""
+    """Return a formatter for the bits of a value."""
     labels: dict[int, str] = {}
     if isinstance(found, EnumType):
         for one in found.values.values():

@@ -98,9 +98,9 @@ if TYPE_CHECKING:
 _AXIS_MOTION = "__axis_motion"
 #: The list of the system's variables.
 _SYSTEM = "TwinCAT_SystemInfoVarList"
-#: The list in which code puts what is to be reported, and how much of a tick it holds.
+#: The list of reports by code, and its capacity per tick.
 _REPORTED, _MAX_MESSAGES = "__Messages", 16
-#: What a task counts in the list of tasks.
+#: Counters of a task in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
 #: Where a part of a path begins.
 _PART_BEGINS = re.compile(r"[.\[]")
@@ -152,7 +152,7 @@ class StructuredFile:
 
 
 def structured_programs(path: str | Path | None) -> list[Program]:
-    """Return the programs of a PLC's file as they run; none without a file in Structured Text.
+    """Return the programs of a PLC's file as run; none without a file in Structured Text.
 
     Raises as ``load_structured``.
     """
@@ -167,7 +167,7 @@ def inspected(
 ) -> tuple[list[Program], Sequence[Diagnostic], Project | None]:
     """Return the projects of a file, the warnings, and the project file around it.
 
-    ``others``: further files that make one project with it. Raises ``PlcError`` with all mistakes.
+    ``others``: further files of the same project. Raises ``PlcError`` with all mistakes.
     """
     collector, access = Collector(), FileAccess()
     project = find_project(Path(path), access)
@@ -202,7 +202,7 @@ def plc_of(
 ) -> StructuredPlc:
     """Return the PLC of a checked program with the settings of its project file.
 
-    ``axes``: further ones. Raises ``PlcError`` for what does not run here.
+    ``axes``: further ones. Raises ``PlcError`` for code that does not run here.
     """
     if not any(task.programs for task in program.tasks):
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
@@ -246,7 +246,7 @@ class StructuredPlc(RealtimePlc):
         self.translated: Translation = translate(program)
         #: The numbers of its branches, if they are counted.
         self._numbers: BranchNumbers | None = None
-        #: What is noted of it, if somebody wants to know why it acts.
+        #: The notes about it, if somebody wants to know why it acts.
         self._rows: NoteRows | None = None
         self._reasons: StReasons | None = None
         self._tasks: PlcTasks | None = None
@@ -330,13 +330,13 @@ class StructuredPlc(RealtimePlc):
         return call
 
     def count_branches(self) -> None:
-        """Count what its branches do from the next ``attach`` on."""
+        """Count the runs of its branches from the next ``attach`` on."""
         if self._numbers is None:
             self._numbers = BranchNumbers(self.program)
             self.translated = translate(self.program, self._numbers.by_identity)
 
     def explain(self) -> None:
-        """Count its branches and note what it changes from the next ``attach`` on."""
+        """Count its branches and note its changes from the next ``attach`` on."""
         self._numbers = self._numbers or BranchNumbers(self.program)
         self._rows = self._rows or NoteRows(self.program)
         self.translated = translate(self.program, self._numbers.by_identity, self._rows)
@@ -353,11 +353,11 @@ class StructuredPlc(RealtimePlc):
         return probed
 
     def changes(self) -> Sequence[PlcHistory]:
-        """Return what it has changed since it was attached, and why, if that is noted."""
+        """Return its changes since it was attached, and why, if that is noted."""
         return () if self._reasons is None else self._reasons.histories()
 
     def coverage(self) -> Coverage | None:
-        """Return which branches have run since it was attached; ``None`` if nothing counts them."""
+        """Return which branches have run since it was attached; ``None`` if not counted."""
         if self._numbers is None:
             return None
         own = self.context
@@ -382,7 +382,7 @@ class StructuredPlc(RealtimePlc):
         return _span(self.program, start)
 
     def _bind_axes(self, machine: AssembledMachine, outside: Connection) -> None:
-        """Give each AXIS_REF its axis; raises ``PlcError`` for those without one (ST-742)."""
+        """Assign each AXIS_REF its axis; raises ``PlcError`` for those without one (ST-742)."""
         found, missing = bound_axes(self.program, machine.configuration, self.axes)
         if missing:
             raise PlcError(*missing)
@@ -395,7 +395,7 @@ class StructuredPlc(RealtimePlc):
                     self.context.poke(variable.address, self.check(path, value))
 
     def _task_info(self, task: Task) -> tuple[int, tuple[int, ...]]:
-        """Fill in what code reads of a task (ST-721); return its number and what it counts in."""
+        """Fill in the task data read by code (ST-721); return its number and its counters."""
         number = self.program.tasks.index(task) + 1
         path = f"{_SYSTEM}._TaskInfo[{number}]"
         self._fill_in(
@@ -412,7 +412,7 @@ class StructuredPlc(RealtimePlc):
                 self.context.poke(variable.address, self.check(f"{path}.{name}", value))
 
     def _outside(self, machine: AssembledMachine, interface: StInterface) -> Connection:
-        """Return what calls reach of the machine."""
+        """Return the access of calls to the machine."""
         pointers = []
         for (root, index), value in interface.pointers.items():
             suffix = "" if root in SINGLE_ROOTS else f"[{index}]"
@@ -454,7 +454,7 @@ class StructuredPlc(RealtimePlc):
             machine.record.event_between_ticks(rows.EVENT_MESSAGE, source_id, number, 0.0, 0.0, 0.0)
 
     def news(self) -> Sequence[Diagnostic]:
-        """Return the fault that has stopped it, once; do what it commands that needs Python."""
+        """Return the fault that has stopped it, once; execute its commands that need Python."""
         if self._tasks is None or not self._tasks.has_news:
             return ()
         self._tasks.has_news = False
@@ -512,7 +512,7 @@ class StructuredPlc(RealtimePlc):
                 yield diagnostic(IGNORED_EXECUTE, block=block, count=str(count))
 
     def fault(self) -> Diagnostic | None:
-        """Return the fault that has stopped it, ``None`` while it goes on or is halted."""
+        """Return the fault that has stopped it, ``None`` while it runs or is halted."""
         return self._fault() if self.context.fault not in (0, kinds.HALTED) else None
 
     def _fault(self) -> Diagnostic:
@@ -534,7 +534,7 @@ class StructuredPlc(RealtimePlc):
         return diagnostic(message, _span(self.program, context.fault_source), "", **words)
 
     def _calls(self) -> str | Text:
-        """Return what a fault's text says of the calls that led to it, the innermost first."""
+        """Return the calls that led to a fault, for its text, the innermost first."""
         context = self.context
         shown = []
         for source in context.trail[: context.trail_length : kinds.TRAIL_WIDTH]:
@@ -545,7 +545,7 @@ class StructuredPlc(RealtimePlc):
         return Text(f"; called from {calls}", f"; aufgerufen aus {calls}") if calls else ""
 
     def _values(self, start: int) -> str:
-        """Return what a fault's text says of the variables in the line of a program's statement.
+        """Return the variables in the line of a program's statement, for a fault's text.
 
         Elsewhere a name may mean a variable of an instance or of a call, which is not known here.
         """
@@ -558,7 +558,7 @@ class StructuredPlc(RealtimePlc):
         return f"; {values}" if values else ""
 
     def _owner(self, start: int) -> Callable | None:
-        """Return whose text holds a position: the last one that begins before it."""
+        """Return the unit whose text holds a position: the last that begins before it."""
         called: list[Callable] = []
         for pou in self.program.pous.values():
             called += (pou, *pou.methods.values())
@@ -583,7 +583,7 @@ class StructuredPlc(RealtimePlc):
         return find_variable(self.program, name) is not None
 
     def mistake(self, name: str) -> Diagnostic | None:
-        """Return what is wrong with an element or member that there is not, or with no signal."""
+        """Return the mistake in a missing element or member, or in one that is not a signal."""
         found = find_variable(self.program, name)
         if found is not None:
             is_number = kind_of(found.type) is not None
@@ -599,13 +599,13 @@ class StructuredPlc(RealtimePlc):
         return None
 
     def names(self, *, are_numbers: bool) -> Iterator[str]:
-        """Yield the paths of its own values, no element of an array; if so, only of numbers."""
+        """Yield the paths of its values, without elements of arrays; if so, only of numbers."""
         for path, sought in own_values(self.program):
             if not are_numbers or kind_of(sought) is not None:
                 yield path
 
     def retained_paths(self) -> Iterator[str]:
-        """Yield the paths of what is RETAIN or PERSISTENT."""
+        """Yield the paths of RETAIN or PERSISTENT variables."""
         return retained_paths(self.program)
 
     def read(self, name: str) -> float | bool | str:
@@ -708,7 +708,7 @@ class StructuredPlc(RealtimePlc):
             tasks.post(variable.address, data)
 
     def signal(self, name: str) -> SignalCell | None:
-        """Return where a variable is shown in each tick; ``None`` for what is no number."""
+        """Return where a variable is shown in each tick; ``None`` if it is not a number."""
         variable = find_variable(self.program, name)
         kind = None if variable is None else kind_of(variable.type)
         if variable is None or kind is None or self._tasks is None or self._machine is None:
@@ -723,7 +723,7 @@ class StructuredPlc(RealtimePlc):
 
 
 def _body_of(task: Task, translated: Translation) -> Step:
-    """Return what a task runs in each cycle: its programs in their order."""
+    """Return the programs that a task runs in each cycle, in order."""
     bodies = [translated.bodies[pou.name.lower()] for pou in task.programs]
     return steps_in_order([translated.before, *bodies])
 

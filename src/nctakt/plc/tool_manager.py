@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tool manager of a PLC in Python: what a channel asks for, and the tool that answers.
+"""The tool manager of a PLC in Python: requests of a channel, and tools as answers.
 
 A class that derives from ``Plc`` manages the tools of all channels with an external tool management
 (P-CHAN-00016) if it has a method ``tool_data``. In: the values ``HLI.TOOL_REQUEST…``; out:
@@ -78,7 +78,7 @@ _SERIES = (("offsets", "offset", TOOL_OFFSETS), ("parameters", "parameter", TOOL
 
 
 def mistake_in(answer: object) -> tuple[str, Text] | None:
-    """Return what is wrong with an answer, and why; ``None`` for good data and for no tool."""
+    """Return the mistake in an answer, and why; ``None`` for good data and for no tool."""
     if answer is None:
         return None
     if not isinstance(answer, ToolData):

@@ -2,7 +2,7 @@
 """Suites of unit tests in Structured Text, under the names of TcUnit (ST-901 … ST-904).
 
 In: a project or a file with suites. Out: its suites with the tests that their texts name, found
-without a run; and what has become of each test after a run in virtual time.
+without a run; and the result of each test after a run in virtual time.
 """
 
 from __future__ import annotations
@@ -41,19 +41,19 @@ from nctakt.translation.variables import instances_of
 DEFAULT_UNTIL = 600
 _SUITE, _RUNNERS, _OPENERS = "fb_testsuite", ("run", "run_in_sequence"), ("test", "test_ordered")
 _DISABLED = "disabled_"
-#: Stands for all tests of a suite whose names its text does not say.
+#: Means all tests of a suite whose names are not in its text.
 OTHER_TESTS = "tests with computed names"
 _FAILED = Text("an assertion failed", "eine Zusicherung ist nicht erfüllt")
 _WHEN = Text("at {time}, tick {tick}", "bei {time}, Takt {tick}")
 
-#: What a syntax tree is made of.
+#: Types of nodes in a syntax tree.
 _TREE = (Node, list)
 _PARTS: dict[type, list[str]] = {}
 #: Ticks between two looks at whether the suites have ended.
 _TICKS_AT_ONCE = 200
-#: The library keeps what a run finds under this name.
+#: The library keeps the results of a run under this name.
 _RUN = "__TestRun"
-#: Where TcUnit's own sources say that all suites have ended, and what is read of their tests.
+#: Where TcUnit's sources say that all suites have ended, and the variables read of their tests.
 _SOURCES_ENDED = "GVL_TcUnit.TcUnitRunner.AllTestSuitesFinished"
 _READ_OF_TESTS = {"testname", "testisfinished", "testisskipped", "testisfailed", "assertionmessage"}
 
@@ -81,9 +81,9 @@ class Suite:
 
 @dataclass(slots=True, eq=False)
 class Outcome:
-    """What has become of a test; all is well if ``problems`` is empty.
+    """The result of a test; it passed if ``problems`` is empty.
 
-    ``problems``: what is wrong, as texts; ``duration_us``: from its begin to its end.
+    ``problems``: its failures, as texts; ``duration_us``: from its start to its end.
     """
 
     name: str
@@ -112,7 +112,7 @@ def may_hold_suites(path: Path, data: bytes) -> bool:
 def load_suites(path: Path, plc: Path | None = None) -> StructuredPlc:
     """Return the PLC that runs the suites of a file; raises ``PlcError`` with its mistakes.
 
-    Raises it also where sources of TcUnit keep results in a way that is not known (902911).
+    Also raises it if sources of TcUnit keep results in an unknown form (902911).
 
     ``plc``: the project's own text, which belongs to a single file with suites; of its tasks none
     runs then, but the programs of the file.
@@ -142,7 +142,7 @@ def _has_own_results(program: Program) -> bool:
 
 
 def _has_results_of_sources(base: Pou) -> bool:
-    """Return whether the suites of TcUnit's own sources keep what a run is read from."""
+    """Return whether the suites of TcUnit's sources keep the variables needed for results."""
     tests = base.members.get("tests")
     array = None if tests is None else tests.type
     test = array.element if isinstance(array, ArrayType) else None
@@ -157,7 +157,7 @@ def _base_of(program: Program) -> Pou | None:
 
 
 def _choose_tasks(program: Program, path: Path) -> None:
-    """Let the tasks run whose programs are in a file, else its programs that call the suites."""
+    """Run the tasks whose programs are in a file, else its programs that call the suites."""
     own = [
         pou
         for pou in program.pous.values()
@@ -253,7 +253,7 @@ def _calls(called: Callable) -> Iterator[Call]:
 def _parts_of(node: Node) -> list[str]:
     """Return where nodes of this kind may have further ones, the last of the text first.
 
-    What the checker has written into a call is in its arguments, too.
+    The checker's data in a call is in its arguments, too.
     """
     kind = type(node)
     if kind not in _PARTS:
@@ -355,7 +355,7 @@ class SuiteRun:
                 outcomes[name] = Outcome(name, problems=[reason])
 
     def _general_problems(self) -> list[str]:
-        """Return what concerns the tests of all suites."""
+        """Return the data about the tests of all suites."""
         found = self._stray("")
         if self._value("nTooMany"):
             span = self._span("nTooMany")
@@ -394,7 +394,7 @@ class SuiteRun:
         return outcome
 
     def _failure(self, row: str) -> str:
-        """Return where and when an assertion failed, its message, what it expects, what was."""
+        """Return where and when an assertion failed, its message, expected and actual values."""
         failed = self._value(f"{row}nFailure")
         span, nanoseconds = self._span(f"{row}nFailedFrom"), self._value(f"{row}tFailed")
         time = Time(nanoseconds // 1000)
@@ -425,7 +425,7 @@ class SuiteRun:
         return self._rendered(message)
 
     def _unknown(self) -> str | None:
-        """Return what is wrong where a test was finished that there is not."""
+        """Return the problem if a test was finished that does not exist."""
         unknown = self._span("nUnknown")
         if unknown is None:
             return None
@@ -508,9 +508,9 @@ def run_suites(
     language: Language = "en",
     suites: list[Suite] | None = None,
 ) -> SuiteResults:
-    """Run the suites of a PLC on a machine; raises ``Failure`` for what cannot begin.
+    """Run the suites of a PLC on a machine; raises ``Failure`` if they cannot start.
 
-    ``suites``: what ``suites_of`` has found, if that is known.
+    ``suites``: the result of ``suites_of``, if that is known.
     """
     kind = SuiteRun if _has_own_results(plc.program) else SourcesRun
     own = suites_of(plc.program) if suites is None else suites

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Hover text of the word under the mouse: the articles of ``nctakt explain``, and facts of the
-program.
+"""Hover text of the word under the mouse: articles of ``nctakt explain``, facts of the program.
 
 In: a document, a position. Out: Markdown, ``None`` for a word without an article.
 """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What of a PLC is written in Python: users' files as modules, blocks of Structured Text."""
+"""Parts of a PLC written in Python: users' files as modules, blocks of Structured Text."""

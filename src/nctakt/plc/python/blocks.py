@@ -2,8 +2,8 @@
 """Objects in Python that carry out function blocks of a PLC in the tick, one for each instance.
 
 In: a checked program, the stubs of its project. Out: ``PythonBlock``, whose object is called after
-each tick with the variables of its instance: it reads them as they are then, and what it sets
-counts from the next tick on (RC-002). A tape has what it sets as inputs of a PLC in Python.
+each tick with the variables of its instance: it reads their present values, and its writes count
+from the next tick on (RC-002). A tape has its writes as inputs of a PLC in Python.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class BlockVariables(Protocol):
 
 @dataclass(slots=True, eq=False)
 class _Instance:
-    """An instance of a block: its variables, and what its object has set in them."""
+    """An instance of a block: its variables, and the values set by its object."""
 
     program: Program
     path: str
@@ -85,7 +85,7 @@ class _Instance:
         return self.plc.read(path) if pending is None else pending[1]
 
     def set(self, name: str, value: object) -> None:
-        """Set an output, or all elements of one; raises ``Failure`` for what it cannot hold."""
+        """Set an output, or all elements of one; raises ``Failure`` for a value out of range."""
         found, path = self.find(name), f"{self.path}.{name}"
         first = name.replace("[", ".").partition(".")[0].strip()
         member = self.pou.members.get(first.lower())
@@ -150,7 +150,7 @@ class PythonBlock:
         self._instance: _Instance | None = None
 
     def after_tick(self, plc: BlockVariables, hli: PlcView, write: WriteVariable) -> None:
-        """Call the object; raises ``PlcError`` for what it raises (902978)."""
+        """Call the object; its exceptions become ``PlcError`` (902978)."""
         instance = self._instance
         if instance is None:
             instance = self._instance = _Instance(self._program, self._path, self._pou, plc, {})
@@ -176,7 +176,7 @@ class PythonBlocks:
     blocks: Sequence[tuple[Stub, Pou]]
 
     def begin(self) -> Sequence[PythonBlock]:
-        """Make the objects of all instances; raises ``PlcError`` for what the classes raise.
+        """Make the objects of all instances; exceptions of the classes become ``PlcError``.
 
         Raises ``Failure`` for a project that is not trusted (902025).
         """
@@ -220,7 +220,7 @@ def _elements(found: PlacedVariable, name: str) -> list[str] | None:
 
 
 def _plain(value: object) -> Value | None:
-    """Return a value as Python's own kinds have it; ``None`` for what is none."""
+    """Return a value as a built-in Python type; ``None`` for any other."""
     if isinstance(value, bool | str):
         return value
     if isinstance(value, numbers.Integral):

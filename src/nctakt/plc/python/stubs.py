@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the classes that stand in for blocks declare, read without running them.
+"""Declarations of the classes that replace blocks, read without running them.
 
 In: the settings of a project. Out: ``ProjectLibraries``, the libraries of its PLC: those whose
 sources are in its folders, with a function block for each class of ``[plc.stubs]``. A class has the
@@ -73,13 +73,13 @@ def libraries_of(project: Project | None) -> ProjectLibraries:
 
 
 def library_of(stub: Stub) -> str:
-    """Return the library that has the block of a stub, as it is called here."""
+    """Return the library that has the block of a stub, by its name here."""
     return known(stub.library) or stub.library or STUBS
 
 
 @dataclass(slots=True, eq=False)
 class StubbedLibrary(OwnLibrary):
-    """A library with blocks that classes in Python stand in for, by their names in lower case."""
+    """A library with blocks replaced by classes in Python, by their names in lower case."""
 
     stubs: dict[str, Stub] = field(default_factory=dict)
 
@@ -158,7 +158,7 @@ class _StubFile:
         lines = reporter.sources.lines[name] = split_lines(text)
         try:
             with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of escapes in texts; running it tells them
+                warnings.simplefilter("ignore")  # about escapes in texts; running it reports them
                 tree = ast.parse("\n".join(lines))
         except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
             line = min(max(getattr(error, "lineno", None) or 1, 1), max(len(lines), 1))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A user's Python file as a module, and what its exceptions mean to him.
+"""A user's Python file as a module, and its exceptions as shown to the user.
 
-In: a file. Out: a new module each time, of which nothing stays in Python's own table; of an
-exception its reason and the traceback through the user's files.
+In: a file. Out: a new module each time, of which nothing stays in ``sys.modules``; for an exception
+its reason and the traceback through the user's files.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ _OUR_FOLDER = Path(__file__).parent.parent.parent
 def load_module(
     path: Path, loaded: tuple[ModuleSpec, CodeType] | None
 ) -> tuple[ModuleType, tuple[ModuleSpec, CodeType]]:
-    """Return the user's file as a new module, and what it was made of: ``loaded`` the next time.
+    """Return the user's file as a new module, and its source: ``loaded`` the next time.
 
-    While the module is loaded it can import files beside it.
+    While the module is loaded it can import files next to it.
     """
     name = f"nctakt_plc_{path.stem}"
     code = None
@@ -48,14 +48,14 @@ def load_module(
         raise PlcError(diagnostic(PLC_CLASS_MISSING, file=str(path)))
     module = importlib.util.module_from_spec(spec)
     before = sys.modules.get(name)
-    sys.modules[name] = module  # data classes look their own module up
+    sys.modules[name] = module  # data classes look up their module
     try:
         with imports_beside(path):
             code = code or spec.loader.get_code(name)
             if code is None:
                 raise ImportError(name)
             exec(code, module.__dict__)
-    except (Exception, SystemExit) as error:  # the user's code may raise what it likes
+    except (Exception, SystemExit) as error:  # the user's code may raise anything
         raise load_error(error, path) from error
     finally:
         _restore(name, before)
@@ -64,7 +64,7 @@ def load_module(
 
 @contextlib.contextmanager
 def imports_beside(path: Path) -> Iterator[None]:
-    """Let a user's file import the files beside it while it is loaded."""
+    """Let a user's file import files next to it while it is loaded."""
     folder = str(path.parent.resolve())
     sys.path.insert(0, folder)
     try:
@@ -92,7 +92,7 @@ def refused_in(error: BaseException) -> tuple[Diagnostic, ...]:
 
 
 def _is_users(file: Path, plc: Path) -> bool:
-    """Return whether a file is the PLC's or lies beside it, and so is the user's."""
+    """Return whether a file is the PLC's or next to it, and so is the user's."""
     parents = file.absolute().parents
     installed = any(parent.name == "site-packages" for parent in parents)
     return plc.absolute().parent in parents and _OUR_FOLDER not in parents and not installed

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Values beside the lines of a PLC's text: what each line names, as it is in one instance.
+"""Values next to the lines of a PLC's text: the variables named in each, in one instance.
 
 In: lines of a file with the paths that they name, an instance or an open call. Out: texts. A name
-means what it means in its line: a variable that lives in a call has a value only while that is
-open, one of a block only where an instance is chosen.
+has the meaning of its line: a variable of a call has a value only while that call is open, one of a
+block only if an instance is chosen.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from nctakt.st.types import ArrayType, BlockType, Callable, Kind, Pou, Storage, 
 #: Instances of a block that are named at most, and elements of an array that are looked at.
 MAX_INSTANCES, MAX_ELEMENTS = 200, 100
 
-#: A tree's rows at most, those below one value, and how deep it unfolds.
+#: Maximum rows of a tree, rows below one value, and depth of expansion.
 MAX_ROWS, MAX_BELOW, MAX_DEPTH = 1000, 200, 30
 
 #: A line of a file, and the paths that it names.
@@ -63,7 +63,7 @@ class Beside:
     def texts(
         self, open_call: Call | None, instance: str, file: str, lines: Sequence[Line]
     ) -> list[list[str]]:
-        """Return the values of what lines name; "" for what has none there, or has parts."""
+        """Return the values of names in lines; "" for one that has none there, or has parts."""
         found = []
         for number, paths in lines:
             places = self._in_line(open_call, instance, file, number)
@@ -74,7 +74,7 @@ class Beside:
     def tree(
         self, open_call: Call | None, instance: str, file: str, line: Line, opened: Sequence[str]
     ) -> list[Branch]:
-        """Return what a line names as a tree, unfolded below the paths that are ``opened``."""
+        """Return the variables of a line as a tree, expanded below the ``opened`` paths."""
         number, paths = line
         places = self._in_line(open_call, instance, file, number)
         found: list[Branch] = []
@@ -94,7 +94,7 @@ class Beside:
         opened: set[str],
         found: list[Branch],
     ) -> None:
-        """Add a value and, where it is opened, what is below it.
+        """Add a value and, if it is opened, its children.
 
         ``root``: the path in the line, and that by which it is found.
         """
@@ -157,7 +157,7 @@ class Beside:
             if index < 0:
                 continue
             offset = piece.offsets[index]
-            for _ in range(line - piece.lines[index]):  # empty lines have no place of their own
+            for _ in range(line - piece.lines[index]):  # empty lines have no place
                 offset = piece.text.find("\n", offset) + 1
                 if not offset:
                     break
@@ -173,7 +173,7 @@ class Beside:
             return None
 
     def _value(self, shown: str, path: str, call: Call | None) -> PlcValue | None:
-        """Return the value of a path in a call; ``None`` for what has none there."""
+        """Return the value of a path in a call; ``None`` if it has none there."""
         if call is None or not path:
             return None
         first = path.partition(".")[0].partition("[")[0].partition("^")[0].strip().lower()
@@ -186,7 +186,7 @@ class Beside:
             return None
 
     def _lives_in_call(self, name: str, call: Call) -> bool:
-        """Return whether a name is one of a call's frame."""
+        """Return whether a name belongs to a call's frame."""
         for _, variable in self._places.seen(call):
             if variable.name.lower() == name:
                 return variable.storage is Storage.FRAME

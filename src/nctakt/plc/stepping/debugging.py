@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A PLC in Structured Text as a debugger sees it: its statements, calls and variables.
 
-In: a PLC on a machine. Out: what is looked for at its statements; where it has halted or failed:
-the calls that are open, their scopes, and values by path or expression. Probes are put into the
-code when the first statement is looked for; a PLC that no one debugs has none.
+In: a PLC on a machine. Out: hits of stops at its statements; where it has halted or failed: the
+open calls, their scopes, and values by path or expression. Probes are put into the code when the
+first statement is requested; a PLC that nobody debugs has none.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ from nctakt.translation.observing.units import methods_of
 #: Values that are given at once, at most.
 MAX_VALUES = 1000
 
-#: What evaluating an expression changes of a context for a while.
+#: Fields of a context changed temporarily by evaluating an expression.
 _OF_STATE = (
     "frame", "instance", "fault", "fault_source", "fault_a", "fault_b", "fault_frame",
     "fault_instance", "trail_length",
@@ -73,7 +73,7 @@ _GLOBAL, _PROGRAMS, _THIS = "VAR_GLOBAL", "PROGRAM", "THIS^"
 
 @dataclass(frozen=True, slots=True)
 class PlcFrame:
-    """A call that is open: what is called, the instance, and where it is.
+    """An open call: the callee, the instance, and the place.
 
     ``span``: the statement that comes next in it, or that has failed; ``within``: the same as the
     programming system shows it, of XML only.
@@ -101,7 +101,7 @@ class StDebugging:
         return statement_lines(self.program)
 
     def install(self) -> StatementCounter:
-        """Put probes into the code, once; return what counts the statements."""
+        """Put probes into the code, once; return the statement counter."""
         return self._installed().counter
 
     def _installed(self) -> Probes:
@@ -127,7 +127,7 @@ class StDebugging:
     def seek(
         self, sources: Sequence[int], condition: str, max_depth: int, chains: dict[int, Sought]
     ) -> list[Sought]:
-        """Look for statements by their sources, none: for any; ``chains``: what is looked for."""
+        """Look for statements by their sources, none: for any; ``chains``: the probes."""
         probes = self._installed()
         depth = max_depth or kinds.MAX_DEPTH
         found: list[Sought] = []
@@ -176,8 +176,8 @@ class StDebugging:
     def _units(self) -> list[tuple[int, Callable]]:
         """All that can be called, by where it begins and where each statement of its body does.
 
-        Of a block in plain text, the body comes after the methods. What lies inside a statement
-        lies before the next one.
+        Of a block in plain text, the body comes after the methods. Code inside a statement comes
+        before the next one.
         """
         found: list[tuple[int, Callable]] = []
         for pou in self.program.pous.values():
@@ -187,7 +187,7 @@ class StDebugging:
         return sorted(found, key=_START)
 
     def unit_of(self, source: int) -> Callable | None:
-        """Return whose text holds a position: whatever begins last before it."""
+        """Return the unit whose text holds a position: the last that begins before it."""
         index = bisect_right(self._units, source, key=_START)
         return self._units[index - 1][1] if index else None
 
@@ -197,7 +197,7 @@ class StDebugging:
 
     @property
     def context(self) -> PlcContext:
-        """What its code sees while it runs."""
+        """The context of its running code."""
         return self._plc.context
 
     @property
@@ -206,7 +206,7 @@ class StDebugging:
         return bool(self._plc.context.fault)
 
     def fault(self) -> Diagnostic | None:
-        """Return the fault that has stopped the PLC, ``None`` where it has halted or goes on."""
+        """Return the fault that has stopped the PLC, ``None`` if it has halted or runs."""
         return self._plc.fault()
 
     def _trail(self) -> Iterator[tuple[int, int, int]]:
@@ -216,7 +216,7 @@ class StDebugging:
             return
         yield context.fault_source, context.fault_frame, context.fault_instance
         words = list(context.trail[: context.trail_length])
-        # The last one is the call by the task.
+        # The last is the call by the task.
         for i in range(0, len(words) - kinds.TRAIL_WIDTH, kinds.TRAIL_WIDTH):
             source, instance, frame = words[i : i + kinds.TRAIL_WIDTH]
             yield source, frame, instance
@@ -259,19 +259,19 @@ class StDebugging:
 
     @cached_property
     def beside(self) -> Beside:
-        """What stands beside the lines of its text."""
+        """The values next to the lines of its text."""
         return Beside(self.program, self._places, self._shown, self.unit_of)
 
     def texts_beside(
         self, level: int | None, instance: str, file: str, lines: Sequence[Line]
     ) -> list[list[str]]:
-        """Return the values of what lines of a file name, in an open call or an instance."""
+        """Return the values of names in lines of a file, in an open call or an instance."""
         return self.beside.texts(self._call(level), instance, file, lines)
 
     def tree_beside(
         self, level: int | None, instance: str, file: str, line: Line, opened: Sequence[str]
     ) -> list[Branch]:
-        """Return what a line of a file names as a tree, in an open call or an instance."""
+        """Return the variables of a line of a file as a tree, in an open call or an instance."""
         return self.beside.tree(self._call(level), instance, file, line, opened)
 
     def scopes(self, level: int | None) -> list[str]:
@@ -281,7 +281,7 @@ class StDebugging:
         return [*dict.fromkeys(names), _GLOBAL, _PROGRAMS]
 
     def _sections(self, call: Call) -> Iterator[tuple[str, tuple[str, Variable]]]:
-        """Yield what a call sees with the keyword of its declaration, or ``THIS^``."""
+        """Yield the variables of a call with the keyword of their declaration, or ``THIS^``."""
         is_method = isinstance(call.called, Method)
         for prefix, variable in self._places.seen(call):
             own = prefix == "" or not is_method
@@ -311,7 +311,7 @@ class StDebugging:
         return self._places.placed(prefix, variable, call)
 
     def _is_own(self, path: str) -> bool:
-        """Return whether a program or a list of a path is one of the project itself."""
+        """Return whether a program or a list of a path belongs to the project itself."""
         first = path.partition(".")[0].lower()
         pou = self.program.pous.get(first)
         if pou is not None:
@@ -320,7 +320,7 @@ class StDebugging:
         return not any(getattr(one, "library", "") for one in lists)
 
     def below(self, level: int | None, path: str, first: int, count: int) -> list[PlcValue]:
-        """Return what is below a variable by its path; raises ``Failure``."""
+        """Return the children of a variable by its path; raises ``Failure``."""
         location = self._places.find(path, self._call(level))
         if location is None:
             raise Failure(diagnostic(UNKNOWN_PLC_VARIABLE, name=path))

@@ -2,7 +2,7 @@
 """Variables of a PLC as a statement sees them: paths -> places in its memory, and back.
 
 In: a path such as ``aTools[2].pNext^.nLife`` and the call in which it is asked. Out: address and
-type. Each address is checked before it is read; what refers to nothing is refused by name.
+type. Each address is checked before it is read; references to nothing are refused by name.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Place:
 
 @dataclass(frozen=True, slots=True)
 class Call:
-    """A call that is open: what is called, whose variables it sees, where those lie."""
+    """An open call: the callee, whose variables it sees, and their addresses."""
 
     called: Callable
     pou: Pou | None
@@ -79,7 +79,7 @@ class Places:
     def find(self, path: str, call: Call | None) -> Place | None:
         """Return the location of a path in a call, or of a global one; ``None`` for no path.
 
-        Raises ``Failure`` for an unknown name, and where the way leads over null.
+        Raises ``Failure`` for an unknown name, and if the path leads through null.
         """
         if _PATH.fullmatch(path) is None:
             return None
@@ -109,7 +109,7 @@ class Places:
     def _part(
         self, found: Place, name: str | None, indices: str | None, call: Call | None, path: str
     ) -> Place | None:
-        """Return a member, an element, or what a pointer points to."""
+        """Return a member, an element, or the target of a pointer."""
         if indices is not None:
             numbers = [self._index(one, call) for one in indices.split(",")]
             return None if None in numbers else self.element(found, [n or 0 for n in numbers])
@@ -164,7 +164,7 @@ class Places:
         return None, None
 
     def seen(self, call: Call) -> Iterator[tuple[str, Variable]]:
-        """Yield what a call sees: its own variables, then those of its instance."""
+        """Yield the variables that a call sees: its own, then those of its instance."""
         if call.called.result is not None:
             yield "", call.called.result
         for variable in call.called.variables.values():
@@ -191,7 +191,7 @@ class Places:
         return Place(path, kinds.NULL_BYTES + variable.offset, variable.type)
 
     def _handed_over(self, location: Place, variable: Variable) -> Place:
-        """Return what is handed over by VAR_IN_OUT, which has its address."""
+        """Return the target of a VAR_IN_OUT, which holds its address."""
         if variable.section is not Section.IN_OUT:
             return location
         address = self._word(location.address)
@@ -235,7 +235,7 @@ class Places:
                 yield one.name, location
 
     def element(self, found: Place, indices: list[int]) -> Place | None:
-        """Return an element of an array, or of what a pointer points to."""
+        """Return an element of an array, or of a pointer's target."""
         found = self.referred(found)
         sought = found.type
         if isinstance(sought, PointerType) and sought.target is not None and len(indices) == 1:
@@ -254,7 +254,7 @@ class Places:
         return replace(found, path=path, address=address, type=sought.element)
 
     def pointed(self, found: Place) -> Place:
-        """Return what a pointer points to; raises ``Failure`` where it points to nothing."""
+        """Return the target of a pointer; raises ``Failure`` if it points to nothing."""
         sought = self.referred(found).type
         if not isinstance(sought, PointerType) or sought.target is None:
             raise self._unknown(f"{found.path}^")
@@ -264,7 +264,7 @@ class Places:
         return Place(f"{found.path}^", at, sought.target)
 
     def referred(self, found: Place) -> Place:
-        """Return what a reference refers to; anything else as it is."""
+        """Return the target of a reference; anything else unchanged."""
         if not isinstance(found.type, ReferenceType):
             return found
         target = found.type.target
@@ -291,7 +291,7 @@ class Places:
     # --- back
 
     def path_of(self, address: int, sought: Type, bit: int = -1) -> str | None:
-        """Return the global path of what lies at an address, ``None`` where there is none."""
+        """Return the global path of the variable at an address, ``None`` if there is none."""
         for path, location in self.roots():
             found = self._within(replace(location, path=path), address, sought, bit)
             if found is not None:
@@ -337,7 +337,7 @@ def _has_members(sought: Type) -> bool:
 
 
 def is_type(found: Type, sought: Type) -> bool:
-    """Return whether a variable of a type may be meant by another one: a block by its bases."""
+    """Return whether a variable of a type may be used as another: a block as its bases."""
     if isinstance(found, BlockType) and isinstance(sought, BlockType):
         return sought.pou in found.pou.bases()
     return same_type(found, sought)

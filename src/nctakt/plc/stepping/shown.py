@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Values of a PLC as Structured Text writes them, structures and arrays as trees.
 
-In: places in the memory. Out: texts, names of enumerations, and what is below a value. What cannot
-be read is shown as such, and nothing else is in its location.
+In: places in the memory. Out: texts, names of enumerations, and children of a value. Unreadable
+values are shown as such, and have no children.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class Shown:
         self._places = places
 
     def value(self, name: str, location: Place, depth: int = 0) -> PlcValue:
-        """Return what a variable is and has; where it refers to nothing the text says so."""
+        """Return kind and value of a variable; if it refers to nothing, the text says so."""
         try:
             target = self._followed(location)
         except Failure as failure:
@@ -91,7 +91,7 @@ class Shown:
         )
 
     def _followed(self, location: Place) -> Place:
-        """Return what a reference or an interface variable means; null stays what it is."""
+        """Return the target of a reference or an interface variable; null stays null."""
         if isinstance(location.type, ReferenceType | InterfaceType):
             if not self._bits(location, 8):
                 return location
@@ -116,7 +116,7 @@ class Shown:
     # --- below a value
 
     def below(self, location: Place, first: int, count: int) -> list[PlcValue]:
-        """Return members, elements, or what a pointer points to: ``count`` of them from one on."""
+        """Return members, elements, or a pointer's target: ``count`` of them from one on."""
         location = self._followed(location)
         if isinstance(location.type, PointerType):
             pointed = self._places.pointed(location)
@@ -181,7 +181,7 @@ class Shown:
         return int.from_bytes(self._places.context.peek(location.address, size), "little")
 
     def scalar(self, location: Place) -> str:
-        """Return the text of what has no parts."""
+        """Return the text of a value without parts."""
         sought = location.type
         data = self._places.context.peek(location.address, max(sought.size, 1))
         if isinstance(sought, StringType):

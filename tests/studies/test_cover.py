@@ -154,6 +154,17 @@ def test_a_pulse_is_moved_to_where_the_axis_is() -> None:
     assert study.cover(100).is_whole
 
 
+def test_a_pulse_in_the_tick_of_another_branch_is_found() -> None:
+    """No distance says when: each time is tried in turn, one tick of 400 with one input in 100."""
+    moving = "V.RTA.ACS.ACT_POS.X > 12.5 && V.RTA.ACS.ACT_POS.X < 12.6"
+    cycle = on("V.E.COUNT_POS > 99000").replace("V.E.COUNT = 1", nested(moving, "V.E.TRIGGER == 1"))
+    pulse = {"time_of": "V.E.TRIGGER = 1", "for": "1 tick", "from": "0 s", "to": "400 ms"}
+    study = study_of(
+        program(cycle, "G01 X20 F6000"), "V.E.COUNT_POS", vary=[pulse], method="random", count=1
+    )
+    assert study.cover(600).is_whole
+
+
 def test_a_run_is_nearer_with_less_left() -> None:
     """First by the branches around it, then by the sides of the comparison."""
     cycle = on("V.E.COUNT_POS > 10").replace("V.E.COUNT = 1", on("V.E.COUNT_POS == 40"))

@@ -38,6 +38,10 @@ _MAX_KNOWN = 64
 #: Between two steps of a dimension that are tried.
 _STEP_FACTOR = 8
 
+#: Numbers of each dimension that are tried one after another where no step helps; only of
+#: dimensions with at most so many, as times have.
+_SWEPT, _MAX_SWEPT = 16, 1 << 12
+
 #: The result of a run: its distance to each branch.
 _Distances = dict[BranchKey, BranchDistance]
 
@@ -196,6 +200,7 @@ class _Search:
     def _approach(self, key: BranchKey) -> _Approach:
         """Descend from the nearest run, then repeatedly from points next to it or elsewhere."""
         current = self._nearest[key]
+        sweeps: dict[int, int] = {}
         while True:
             gained = True
             while gained:
@@ -204,8 +209,14 @@ class _Search:
                     better = yield from self._along(current, axis)
                     if better is not None:
                         current, gained = better, True
-            start = self._elsewhere(self._nearest[key][0])
-            current = start, (yield start)
+            nearest = self._nearest[key]
+            sweep = sweeps.setdefault(nearest[1].levels, 0)
+            sweeps[nearest[1].levels] += 1
+            better = yield from self._swept(nearest, sweep)
+            if better is None:
+                start = self._elsewhere(nearest[0])
+                better = start, (yield start)
+            current = better
 
     def _along(
         self, current: tuple[Coordinates, BranchDistance], axis: int
@@ -245,6 +256,23 @@ class _Search:
             if not distance.key < current[1].key:
                 return current
             current = tried, distance
+
+    def _swept(
+        self, nearest: tuple[Coordinates, BranchDistance], sweep: int
+    ) -> Generator[Coordinates, BranchDistance, tuple[Coordinates, BranchDistance] | None]:
+        """Return a better point beside the nearest one: in turn all numbers of each dimension.
+
+        A time at which something has to happen in the very tick of another event has no distance.
+        """
+        for axis, size in enumerate(self._space.sizes):
+            if size > _MAX_SWEPT:
+                continue
+            for index in range(sweep * _SWEPT, min((sweep + 1) * _SWEPT, size)):
+                tried = _moved(nearest[0], axis, index)
+                distance = yield tried
+                if distance.key < nearest[1].key:
+                    return tried, distance
+        return None
 
     def _elsewhere(self, nearest: Coordinates) -> Coordinates:
         """Return in turn a random point, the nearest one with one dimension changed, and a mixture.

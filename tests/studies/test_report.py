@@ -50,6 +50,13 @@ def plan(tmp_path: Path) -> Path:
     return path
 
 
+def test_the_page_has_its_plan(plan: Path) -> None:
+    """Whoever reads the page later knows what was varied; characters of HTML are escaped."""
+    page = plan.with_name("page.html")
+    main(["study", str(plan), "--report", str(page), "--quiet", "-j", "1"])
+    assert f"<pre>{PLAN.replace('<', '&lt;').replace(chr(34), '&quot;')}</pre>" in page.read_text()
+
+
 def test_the_page_stands_alone(plan: Path) -> None:
     """All pictures are well-formed SVG; nothing is fetched and nothing is run."""
     page, rows = plan.with_name("page.html"), plan.with_name("rows.csv")

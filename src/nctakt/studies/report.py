@@ -68,7 +68,7 @@ _TEXTS = {
         "verdict_map": "passed (blue) and failed (red) over {} and {}",
         "verdict_maps": "Passed and failed over two inputs",
         "extremes": "Least and greatest values", "least": "least {}", "greatest": "greatest {}",
-        "which": "which", "verdict": "verdict",
+        "which": "which", "verdict": "verdict", "plan": "Plan",
         "PAWN, median": "PAWN, median", "rank correlation": "rank correlation",
     },
     "de": {
@@ -85,7 +85,7 @@ _TEXTS = {
         "verdict_map": "bestanden (blau) und nicht (rot) über {} und {}",
         "verdict_maps": "Bestanden und nicht bestanden über zwei Eingängen",
         "extremes": "Kleinste und größte Werte", "least": "kleinstes {}",
-        "greatest": "größtes {}", "which": "welches", "verdict": "Urteil",
+        "greatest": "größtes {}", "which": "welches", "verdict": "Urteil", "plan": "Plan",
         "PAWN, median": "PAWN, Median", "rank correlation": "Rangkorrelation",
     },
 }  # fmt: skip
@@ -172,7 +172,7 @@ class _Report:
             if shown:
                 heading = self._text(key)
                 parts.append(f'<h2>{heading}</h2><div class="charts">{"".join(shown)}</div>')
-        parts += [self._extremes(command), self._table(command)]
+        parts += [self._extremes(command), self._table(command), self._source()]
         head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{_STYLE}</style>'
         return (
             f'<!doctype html><html lang="{self._language}"><head>{head}</head>'
@@ -202,6 +202,12 @@ class _Report:
             f'<span class="passed">{held}</span>, <span class="failed">{broken}</span>.</p>'
             f"<ul>{expected}</ul>{rest}{warnings}"
         )
+
+    def _source(self) -> str:
+        """Return the text of the plan's file."""
+        if not self._plan.source:
+            return ""
+        return f"<h2>{self._text('plan')}</h2><pre>{escape(self._plan.source)}</pre>"
 
     def _numbers(self, *names: str) -> list[Row]:
         """Return the rows in which all these columns are finite numbers."""

@@ -80,7 +80,7 @@ class Plan:
     ``system``: the scheduling list, its load and its operating system; ``is_schedule``: the list is
     simulated without a program, and ``program`` then is the list. ``further``: run options without
     their own entry here, by name. ``places``: where the entries are in the plan's file, with the
-    text of the line.
+    text of the line; ``source``: the text of that file, empty for a plan from Python.
     """
 
     program: Path
@@ -105,6 +105,7 @@ class Plan:
     names_default_plc: bool = False
     further: tuple[tuple[str, Any], ...] = ()
     places: Mapping[Entry, Place] = field(default_factory=dict, compare=False, repr=False)
+    source: str = field(default="", compare=False, repr=False)
 
     @property
     def options(self) -> ProgramOptions:

@@ -105,7 +105,8 @@ def read_plan(path: Path, default_machine: Path | None = None) -> Plan:
     except (ValueError, RecursionError) as error:  # not TOML; an impossible date; too deep
         raise Failure(_invalid(path, text, str(error))) from error
     lines = text.splitlines()
-    return read_tables(tables, path.parent, path.as_posix(), lines, default_machine)
+    plan = read_tables(tables, path.parent, path.as_posix(), lines, default_machine)
+    return replace(plan, source=text)
 
 
 def read_tables(

@@ -69,6 +69,8 @@ def test_what_is_no_whole_number(call: str, value: object) -> None:
         lambda: Controller().run(PROGRAM, on_message="print"),  # type: ignore[arg-type]
         lambda: Controller().run(PROGRAM, on_progress=3),  # type: ignore[arg-type]
         lambda: Controller().run(PROGRAM, replay="run.tape"),  # type: ignore[arg-type]
+        lambda: nctakt.check("part.nc", 5),  # type: ignore[arg-type]
+        lambda: Study(5),  # type: ignore[arg-type]
         lambda: Stimulus("1 ms", None, 1),  # type: ignore[arg-type]
         lambda: Stimulus("1 ms", "V.E.COUNT", None),  # type: ignore[arg-type]
     ],

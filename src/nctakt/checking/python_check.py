@@ -8,6 +8,7 @@ from pathlib import Path
 from nctakt.base.diagnostics import Diagnostic
 from nctakt.checking.check import check_files
 from nctakt.files.access import FileAccess
+from nctakt.lists.format import arguments
 from nctakt.lists.machine.machine import Machine, load_machine
 from nctakt.run.program_loader import NcText
 from nctakt.run.realtime.assembly import AssembledMachine
@@ -20,7 +21,7 @@ def check(
 
     ``machine``: the machine of all programs; without one each is checked for the machine in whose
     folder it lies, else for the demo machine. A file that cannot be read is a finding, too. Raises
-    ``Failure`` if no machine results.
+    ``Failure`` if no machine results, and for anything that is no input (901186).
 
     >>> [found.id for found in check(NcText("part.nc", "G01 XX"))]
     [20797]
@@ -28,5 +29,8 @@ def check(
     access = FileAccess()
     loaded = machine if isinstance(machine, Machine) else load_machine(machine, access=access)
     assembled = AssembledMachine(loaded, access, has_history=False)
-    result = check_files(inputs, assembled, for_all=machine is not None)
+    named = [
+        item if isinstance(item, NcText) else arguments.path("inputs", item) for item in inputs
+    ]
+    result = check_files(named, assembled, for_all=machine is not None)
     return [finding.diagnostic for finding in result.findings]

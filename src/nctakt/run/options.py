@@ -374,7 +374,13 @@ OPTIONS: Sequence[RunOption] = (
     ),
     RunOption(
         name="plc",
-        kind=Instances("cycle", Text("a Plc", "eine Plc")),
+        kind=Instances(
+            "cycle",
+            Text(
+                "a Plc (nctakt.plc.load_plc makes one of a file)",
+                "eine Plc (nctakt.plc.load_plc macht eine aus einer Datei)",
+            ),
+        ),
         help=Text(
             "Your own PLC; several run in this order [default: the project's, else built in].",
             "Eine eigene SPS; mehrere laufen in dieser Folge [Vorgabe: die des Projekts, sonst die "

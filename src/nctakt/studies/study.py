@@ -14,6 +14,7 @@ from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.base.notebook_progress import notebook_progress
 from nctakt.base.plain_values import plain_data
+from nctakt.lists.format import arguments
 from nctakt.results.trace.arrow import pandas_frame
 from nctakt.studies.measuring.measures import MeasuredValue, function_measure
 from nctakt.studies.measuring.outcome import NotMeasuredError
@@ -205,7 +206,7 @@ class Study:
         if file is None:
             plan = read_tables(plain_data(entries), Path(), default_machine=default_machine)
         else:
-            plan = replace(read_plan(Path(file), default_machine), **entries)
+            plan = replace(read_plan(arguments.path("file", file), default_machine), **entries)
         if functions:
             own = tuple(function_measure(name, one) for name, one in functions.items())
             plan = replace(plan, measures=(*plan.measures, *own))

@@ -11,8 +11,8 @@ import pytest
 
 from nctakt.cli import main
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
+from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.lists.machine.machine import Machine, load_machine
-from nctakt.lists.writing.commented import DEMO
 
 pytestmark = pytest.mark.slow
 
@@ -90,7 +90,7 @@ def test_each_parameter_is_explained_where_it_first_stands(tmp_path: Path) -> No
     assert german.startswith("# Kanal der Demo-Maschine\n")
 
 
-@pytest.mark.parametrize("path", sorted(DEMO.glob("*.lis")), ids=lambda path: path.name)
+@pytest.mark.parametrize("path", sorted(DEMO_FOLDER.glob("*.lis")), ids=lambda path: path.name)
 def test_each_line_of_the_demo_machine_is_kept(path: Path, tmp_path: Path) -> None:
     """Headings and entries in the same order, in both languages."""
     lines = path.read_text("utf-8").splitlines()

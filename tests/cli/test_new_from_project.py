@@ -9,17 +9,17 @@ from pathlib import Path
 import pytest
 
 from nctakt.cli import main
+from nctakt.lists.machine.files import DEMO_FOLDER
 from nctakt.lists.machine.machine import load_machine
-from nctakt.lists.writing.commented import DEMO
 
 
 def project(cycle_time: str = "2000") -> str:
     """The demo machine as a project has it: two lists share a name, one has an umlaut."""
-    startup = (Path(DEMO) / "hochlauf.lis").read_text("utf-8")
+    startup = (DEMO_FOLDER / "hochlauf.lis").read_text("utf-8")
     data: list[str] = []
 
     def virtual(match: re.Match[str]) -> str:
-        text = (Path(DEMO) / match[1]).read_text("utf-8")
+        text = (DEMO_FOLDER / match[1]).read_text("utf-8")
         data.append(f'<Data Offset="{len(data) + 1}"><![CDATA[\n# Größe\n{text}]]></Data>')
         name = "liste.lis" if match[1].startswith("achs") else match[1]
         return f"tc_virtual_{len(data)}\\{name}"

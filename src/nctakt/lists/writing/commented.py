@@ -9,18 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from pathlib import Path
 from types import MappingProxyType
 
 from nctakt.base.diagnostics import Language
 from nctakt.files.access import FileAccess
-from nctakt.lists.machine.files import ListSearch
+from nctakt.lists.machine.files import DEMO_FOLDER, ListSearch
 from nctakt.lists.machine.machine import load_machine
 from nctakt.lists.writing.conversion import Conversion, convert_lists
 from nctakt.lists.writing.list_items import Comment, Item
 from nctakt.lists.writing.list_writer import ListFormat
-
-DEMO = Path(__file__).parent / "demo"
 
 _GERMAN: Mapping[str, str] = MappingProxyType(
     {
@@ -106,7 +103,7 @@ def commented_lists(language: Language, list_format: ListFormat = "ascii") -> di
 
     access = FileAccess()
     machine = load_machine(access=access)
-    search = ListSearch(DEMO / "hochlauf.lis", access)
+    search = ListSearch(DEMO_FOLDER / "hochlauf.lis", access)
     lists = convert_lists(machine, search, access, Conversion(list_format, language, edit))
     return dict(lists.files)
 

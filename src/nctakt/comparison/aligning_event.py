@@ -141,7 +141,7 @@ class EventInLog:
 class GivenTime:
     """What is given of a log's time: where the run begins, in µs or by an event, and the drift.
 
-    What is ``None`` is to be found.
+    Values that are ``None`` are to be found.
     """
 
     begin: float | EventInLog | None = None
@@ -153,7 +153,7 @@ class GivenTime:
         return self.begin if isinstance(self.begin, EventInLog) else None
 
     def alignment(self, pairs: Sequence[tuple[Samples, Curve]], recorded: Recorded) -> Alignment:
-        """Return where the log lies beside a run; raises ``Failure`` (902846)."""
+        """Return the log's position relative to a run; raises ``Failure`` (902846)."""
         if self.begin is None:
             return align(pairs, self.drift)
         if isinstance(self.begin, EventInLog):

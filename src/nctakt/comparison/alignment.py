@@ -3,10 +3,10 @@
 
 First both are differentiated on a coarse grid and correlated; then the deviation at the log's own
 stamps is made small by Huber's least squares over offset, drift, bias and gain. The log is never
-resampled for what is reported, and bias and gain are reported, not removed.
+resampled for reported values, and bias and gain are reported, not removed.
 
-A delay is a step in time, a drift a slope: the log is followed window by window. What lies before
-its first step says where the run begins, and the slope between steps how the clocks differ.
+A delay is a step in time, a drift a slope: the log is followed window by window. The part before
+its first step gives the start of the run, and the slope between steps the difference of the clocks.
 """
 
 from __future__ import annotations
@@ -37,14 +37,14 @@ _SURE_QUALITY, _SURE_GAIN = 0.9, 0.05
 _MAX_DRIFT = 1e-3
 #: The windows in which a log is followed: their length in µs, and their largest number.
 _WINDOW_US, _MAX_WINDOWS = 2e6, 400
-#: How far beside its neighbour a window is looked for in µs, and the correlation that it needs.
+#: How far from its neighbour a window is searched, in µs, and the correlation that it needs.
 _REACH_US, _MIN_CORRELATION = 20e6, 0.9
 #: A window counts if at most this share of its variance and this error in µs are left, and its
 #: gain is as near to 1.
 _MAX_LEFT, _MAX_ERROR_US, _MAX_GAIN = 1e-3, 1000.0, 0.1
 #: The smallest number of windows between two steps, and of windows that say anything.
 _MIN_WINDOWS, _MIN_FOLLOWED = 3, 6
-#: The smallest step in µs, in standard errors, and what no window is known better than, in µs.
+#: The smallest step in µs, in standard errors, and the best accuracy of a window, in µs.
 _MIN_STEP_US, _STEP_ERRORS, _EXACT_US = 100.0, 5.0, 1.0
 #: A correlation counts as good as the best one from this share of it on.
 _ALIKE = 0.98
@@ -98,7 +98,7 @@ class Curve:
     def outside(self, times: Numbers, values: Numbers, around: int) -> Numbers:
         """Return how far values are from all that the signal has within ``around`` ticks."""
         first = (times // self.period_us).astype(numpy.int64) - around
-        wide, count = 2 * around + 2, len(self.values)  # both ticks beside a time, those around
+        wide, count = 2 * around + 2, len(self.values)  # both ticks next to a time, those around
         low, high = int(first.min()), int(first.max()) + wide
         missing = max(-low, 0), max(high - count, 0)
         part = numpy.pad(self.values[max(low, 0) : min(high, count)], missing, mode="edge")
@@ -159,7 +159,7 @@ class Alignment:
         return times
 
     def between(self, samples: Samples, begin_us: float, end_us: float) -> Samples:
-        """Return the samples from a time of the run to before another one."""
+        """Return the samples from a time of the run to before another."""
         run_time = partial(_run_time, samples, self)
         first, last = (
             bisect.bisect_left(range(len(samples)), time_us, key=run_time)
@@ -182,7 +182,7 @@ def align(pairs: Sequence[tuple[Samples, Curve]], drift: float | None = None) ->
 def placed(
     pairs: Sequence[tuple[Samples, Curve]], stamp_us: float, run_us: float, drift: float | None
 ) -> Alignment:
-    """Return where a log lies whose stamp is given as a time of the run.
+    """Return the position of a log whose stamp is given as a time of the run.
 
     ``drift``: that of the log, ``None`` to find it.
     """
@@ -223,7 +223,7 @@ def _aligned(pairs: Sequence[tuple[Samples, Curve]], max_drift: float) -> Alignm
 def aligned_before(
     pairs: Sequence[tuple[Samples, Curve]], alignment: Alignment, time_us: float
 ) -> Alignment:
-    """Return the alignment by what the log has before a time of the run.
+    """Return the alignment by the part of the log before a time of the run.
 
     A log that is late from some place on pulls the best offset of all of it to that side.
     """
@@ -446,7 +446,7 @@ def _window(part: tuple[Numbers, Numbers], curve: Curve, offset_us: float | None
 
 
 def _nearest(part: tuple[Numbers, Numbers], curve: Curve, offset_us: float) -> float | None:
-    """Return the offset nearest to another one at which a stretch correlates best."""
+    """Return the offset nearest to another at which a stretch correlates best."""
     stamps, values = part
     grid = numpy.arange(stamps[0], stamps[-1], _GRID_US)
     logged = numpy.diff(numpy.interp(grid, stamps, values))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Tables of numbers that need not fit into memory: written by rows, read by stretches of a column.
 
-What is longer than ``_IN_MEMORY`` bytes lies in a temporary file without a name, which vanishes
-with the process.
+Data longer than ``_IN_MEMORY`` bytes is in a temporary file without a name, which vanishes with the
+process.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from nctakt.messages.commands.comparison import NO_ROOM_FOR_SAMPLES
 
 Numbers = NDArray[numpy.float64]
 
-#: Rows of a block; in the file the columns of a block come one after another.
+#: Rows of a block; in the file the columns of a block follow each other.
 _BLOCK = 1 << 14
 #: Rows that are worked on at a time.
 STRETCH = 1 << 16

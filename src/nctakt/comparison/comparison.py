@@ -31,7 +31,7 @@ NOTHING_GIVEN = GivenTime()
 
 @dataclass(frozen=True, slots=True)
 class Running:
-    """What runs at a time: the block, and the reaction that fired last before it."""
+    """The activity at a time: the block, and the reaction that fired last before it."""
 
     time_us: int
     block: Span | None
@@ -40,7 +40,7 @@ class Running:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """A log beside a run; ``is_within``: no signal with a tolerance leaves it."""
+    """A log compared with a run; ``is_within``: no signal with a tolerance leaves it."""
 
     log: Log
     run: Run
@@ -61,7 +61,7 @@ class Comparison:
         return all(one.first_us is None for one in self.deviations)
 
     def running_at(self, time_us: int) -> Running:
-        """Return what runs at a time of the run."""
+        """Return the activity at a time of the run."""
         tick = time_us // self.run.cycle_time_us
         block = _last(self.blocks, tick)
         reaction = _last(self.reactions, tick)
@@ -81,11 +81,11 @@ def compare(
     *,
     kept: int = 0,
 ) -> Comparison:
-    """Return a log beside a run, of which ``recorded`` has the signals of the pairs.
+    """Compare a log with a run, of which ``recorded`` has the signals of the pairs.
 
-    ``tolerances``: by the names of signals, "" for all others; ``given``: what is known of
-    the log's time; ``kept``: how many samples of each pair are kept, as ``deviation_of`` does.
-    Raises ``Failure`` if they have no time in common (902522).
+    ``tolerances``: by the names of signals, "" for all others; ``given``: known facts about the
+    log's time; ``kept``: how many samples of each pair are kept, as ``deviation_of`` does. Raises
+    ``Failure`` if they have no time in common (902522).
     """
     raw = log.read([pair.column for pair in pairs])
     samples = [one.scaled(pair.factor, pair.offset) for pair, one in zip(pairs, raw, strict=True)]
@@ -132,7 +132,7 @@ def compare(
 
 
 def _findings(log: Log, alignment: Alignment, *, is_searched: bool) -> list[Diagnostic]:
-    """Return what reading and aligning the log left open."""
+    """Return the questions left open by reading and aligning the log."""
     # it may have been read before
     found = [one for at, one in enumerate(log.notes) if one not in log.notes[:at]]
     if alignment.reason is not None:
@@ -152,7 +152,7 @@ def _beside(
     tolerances: Mapping[str, Tolerance],
     kept: int,
 ) -> tuple[list[Deviation], list[Delay]]:
-    """Return what deviates, and from which blocks on the log is late, in one pass."""
+    """Return the deviations, and from which blocks on the log is late, in one pass."""
     delays = BlockDelays(blocks, cycle_time_us, alignment.is_scaled)
     deviations = [
         deviation_of(

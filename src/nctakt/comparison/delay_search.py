@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Where a log is later than the run, and by how much (LG-706), one delay after another.
+"""Where a log is later than the run, and by how much (LG-706), delay by delay.
 
-``BlockDelays`` finds the first block in which the log becomes late, the length by
-``length_at``; with it the alignment moves, so that the next delay is found on what is left. Where a
-length is not sure, what comes after the place is not known either.
+``BlockDelays`` finds the first block in which the log becomes late, the length by ``length_at``;
+with it the alignment moves, so that the next delay is found in the rest. If a length is not
+certain, nothing is known about the log after the place either.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from nctakt.comparison.lengths import (
 )
 from nctakt.results.trace.events import Event
 
-#: The largest number of delays; with more, the log is probably one of another program.
+#: The largest number of delays; with more, the log probably belongs to another program.
 MAX_DELAYS = 10
 #: The first stretch of the run in which the next delay is looked for; then four times as long.
 _STRETCH_US, _LONGER = 60e6, 4.0
@@ -68,7 +68,7 @@ class DelaySearch:
         return not fits(self._signals, alignment, 0.0, self._end_us)
 
     def begun(self, alignment: Alignment) -> Alignment:
-        """Return the alignment by what comes before the first delay, as it is if that is unsure.
+        """Return the alignment by the part before the first delay, unchanged if that is uncertain.
 
         The most of a log may lie after a delay, and the alignment with it.
         """

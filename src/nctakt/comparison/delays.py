@@ -3,11 +3,12 @@
 
 Within a block the deviation of a moving axis is its speed times the time that the log is late, and
 a rest. Where that time jumps from one block to the next, something took longer on the machine: a
-dwell, a function that waits, a corner. A log with a gain or a bias is always beside the run: there
-counts how deviation and speed change together within the block, less what position explains.
+dwell, a function that waits, a corner. A log with a gain or a bias always deviates from the run:
+then the measure is how deviation and speed change together within the block, less the part
+explained by position.
 
-Samples within one tick say together what one says: the run is known once a tick, so that a log that
-is sampled faster is not surer where the log is late.
+Samples within one tick count as one: the run is known once a tick, so that faster sampling does not
+make it more certain where the log is late.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from nctakt.results.trace.events import Event
 #: The smallest jump that counts, in µs and in standard errors.
 _MIN_JUMP_US, _SIGNIFICANT = 500.0, 5.0
 #: Share of the jumps so far that a jump has at least in a log with a gain or a bias: there a delay
-#: is known from the ramps of the speed alone, less exactly the nearer it is to how long they take.
+#: is known from the ramps of the speed alone, the less exactly the nearer it is to their duration.
 _UNSURE_SHARE = 0.5
 #: Smallest number of ticks of a block that have samples and in which a signal moves.
 _MIN_MOVING = 5
@@ -89,7 +90,7 @@ class BlockDelays:
         self._signal.add(number, starts, sizes, ticks, numpy.stack([slopes, differences, values]))
 
     def end_signal(self) -> None:
-        """End a signal: what is added afterwards is another one's."""
+        """End a signal: later additions belong to another."""
         sums = self._signal.without_position()
         self._sums += sums
         self._moving = numpy.maximum(self._moving, sums[2])
@@ -126,8 +127,8 @@ class BlockDelays:
 class _SignalSums:
     """Sums of a signal in each block: products of slopes, differences and values, moving ticks.
 
-    With ``is_scaled`` all three count less their mean in the block, whatever the stretches are: the
-    sums of two of them add up with the distance of their means.
+    With ``is_scaled`` all three count less their mean in the block, for any stretches: the sums of
+    two of them add up with the distance of their means.
     """
 
     def __init__(self, size: int, is_scaled: bool) -> None:
@@ -170,8 +171,9 @@ class _SignalSums:
     def without_position(self) -> Numbers:
         """Return slopes², slopes · differences, moving ticks, differences².
 
-        With ``is_scaled`` less what the values explain, as those of a gain do. At a constant speed
-        a delay cannot be distinguished from a bias, at one that the values explain not from a gain.
+        With ``is_scaled`` less the part explained by the values, as with a gain. At a constant
+        speed a delay cannot be distinguished from a bias, at a speed explained by the values not
+        from a gain.
         """
         slopes, both, differences, of_slopes, of_differences, squares = self._products
         sums = numpy.stack([slopes, both, self._moving, differences])

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Tables in text: separator, decimal mark, encoding, and the samples of their columns.
 
-Parts of a million characters are read one after another, so that a log may have any length; only
-the columns that are asked for are kept, as numbers of 8 bytes outside of the memory.
+Parts of a million characters are read in turn, so that a log may have any length; only requested
+columns are kept, as numbers of 8 bytes outside the memory.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ MAX_LINE = 1 << 20
 #: How an export marks its end (LG-106).
 END_MARK = "EOF"
 
-#: What bytes that the encoding does not have become.
+#: The replacement for bytes that the encoding does not have.
 _REPLACED = "\ufffd"
 
 #: Gives the cells of a column of some lines.
@@ -153,7 +153,7 @@ class Table(Log):
         return self.decimal == "," or (not self.decimal and self.separator != ",")
 
     def _numbers(self, cells: Sequence[str], numbers: range) -> NDArray[numpy.float64]:
-        """Return cells as numbers; empty ones are no numbers."""
+        """Return cells as numbers; empty ones are NaN."""
         plain = "\n".join(cells).replace(",", ".").split("\n") if self._has_comma else cells
         try:
             return numpy.array(array.array("d", map(float, plain)))
@@ -182,7 +182,7 @@ class Table(Log):
 
 
 def _cells(lines: Sequence[str], separator: str) -> _Texts:
-    """Return what gives the cells of a column, "" where a line is too short."""
+    """Return a getter of the cells of a column, "" if a line is too short."""
     counts = set(map(operator.methodcaller("count", separator), lines))
     if len(counts) == 1:
         width = counts.pop() + 1
@@ -193,7 +193,7 @@ def _cells(lines: Sequence[str], separator: str) -> _Texts:
 
 
 class _QuickNumbers:
-    """Reads lines that are a table of plain numbers several times as fast, where pyarrow is there.
+    """Reads lines that are a table of plain numbers several times as fast, if pyarrow is installed.
 
     They are the numbers that ``float`` reads; the columns of ``stamps`` come first.
     """

@@ -2,8 +2,8 @@
 """How far a log and a run are apart, signal by signal (LG-706).
 
 Deviations are log minus run, at the log's own stamps. Values between ticks are linear; those of
-whole numbers and truths are the tick's. What lasts a single sample is jitter of the stamps and is
-no exceedance. Stretch by stretch, so that the length does not matter.
+whole numbers and truths are the tick's. A single sample beyond the tolerance is jitter of the
+stamps and not an exceedance. It works stretch by stretch, so that the length does not matter.
 """
 
 from __future__ import annotations
@@ -23,8 +23,8 @@ from nctakt.comparison.mapping import Pair, Tolerance
 
 #: The share of the percentile that is reported.
 _SHARE = 0.99
-#: Samples that are kept: for a picture, which has fewer pixels; for a page, where one looks closer;
-#: for others, who get each one. Beyond twice as many every other one is left out.
+#: Samples that are kept: for a picture, which has fewer pixels; for a page, where one can zoom in;
+#: for others, who get all samples. Beyond twice as many every other sample is dropped.
 DRAWN, SHOWN, SHARED = 20_000, 200_000, 500_000
 #: Times, values of the log, and log minus run.
 _Part = tuple[Numbers, Numbers, Numbers]
@@ -34,7 +34,7 @@ _Part = tuple[Numbers, Numbers, Numbers]
 class Overlaid:
     """Both sides of a pair at the log's stamps, as times of the run in µs, to be drawn.
 
-    ``sizes``: what counts against the tolerance.
+    ``sizes``: the values compared with the tolerance.
     """
 
     times: Numbers
@@ -91,9 +91,9 @@ def deviation_of(
     delays: BlockDelays | None = None,
     kept: int = 0,
 ) -> Deviation | None:
-    """Return how far a pair is apart; ``None`` if no sample lies within the run.
+    """Return the deviation of a pair; ``None`` if no sample lies within the run.
 
-    ``delays`` gets what it says about the time that the log is late; ``kept``: how many samples of
+    ``delays`` gets its evidence for the time that the log is late; ``kept``: how many samples of
     both sides are kept at least, at most twice as many.
     """
     parts = beside(samples, curve, alignment, delays, is_whole=pair.signal.integral)
@@ -135,7 +135,7 @@ def deviation_of(
 
 
 def _change(samples: Samples, curve: Curve, alignment: Alignment, time_us: float) -> Change | None:
-    """Return what changes on one side alone at a sample; ``None`` if nothing does."""
+    """Return the change on one side alone at a sample; ``None`` if there is none."""
     before = alignment.between(samples, -numpy.inf, time_us - 0.5)
     after = alignment.between(samples, time_us - 0.5, numpy.inf)
     if not len(before) or not len(after):
@@ -174,7 +174,7 @@ def beside(
 ) -> Iterator[_Part]:
     """Yield times, values, and log minus run, of the samples that lie within the run.
 
-    ``delays`` gets what a signal that is not ``is_whole`` says about the time that it is late.
+    ``delays`` gets the evidence of a signal that is not ``is_whole`` for the time that it is late.
     """
     span = 0.0 if is_whole or delays is None else range_of(curve.values)
     for stamps, logged in samples.stretches():
@@ -263,7 +263,7 @@ class DeviationSums:
             self.beyond += int(counts.sum())
 
     def finish(self) -> None:
-        """Count the last sample, which has no other one after it."""
+        """Count the last sample, which has no successor."""
         times, is_beyond = self._held
         self._note(times, is_beyond & self._before)
 
@@ -279,7 +279,7 @@ class DeviationSums:
 
     @property
     def percentile(self) -> float:
-        """What 99 % of the absolute deviations do not exceed, linear between two samples."""
+        """The 99 % quantile of the absolute deviations, linear between two samples."""
         rank = _SHARE * (self.samples - 1)
         below = int(rank)
         top = numpy.sort(self._top)
@@ -289,7 +289,7 @@ class DeviationSums:
 
 
 class _Drawn:
-    """Keeps what is drawn: each sample, or ``count`` at least and twice as many at most."""
+    """Keeps the samples to draw: each one, or at least ``count`` and at most twice as many."""
 
     def __init__(self, count: int) -> None:
         self._count = count
@@ -307,7 +307,7 @@ class _Drawn:
             self._stride *= 2
 
     def overlaid(self) -> Overlaid:
-        """Return what has been kept."""
+        """Return the kept samples."""
         return Overlaid(*numpy.concatenate(self._kept, axis=1))
 
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""By how much a log is later from a place on (LG-706): one length, or none that is sure.
+"""By how much a log is later from a place on (LG-706): one length, or none that is certain.
 
-At a place the machine waits for the length, then the run goes on; a negative length leaves
-out the end of what was before. Lengths up to ``REACH_US`` are tried on a grid, with a gain and a
-bias of each signal solved for each; the best ones are refined at the log's own stamps. A length is
-sure if it fits as well as what lies before the place, and no other one does.
+At a place the machine waits for the length, then the run continues; a negative length leaves out
+the end of the part before. Lengths up to ``REACH_US`` are tried on a grid, with a gain and a bias
+of each signal solved for each; the best ones are refined at the log's own stamps. A length is
+certain if it fits as well as the part before the place, and no other length does.
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ _AS_GOOD = 2.0
 _MISFIT = 0.01
 #: Another length is excluded if its sum of squares is larger by this many squared errors.
 _EXCLUDED = 50.0
-#: This many standard errors must be at most so long: in µs, or as a share of the length.
+#: This many standard errors may be at most this long: in µs, or as a share of the length.
 _SIGNIFICANT, _EXACT_US, _EXACT = 5.0, 500.0, 0.005
 #: After the place, some signal must move by at least this many times the noise.
 _CLEAR = 20.0
-#: The length of the parts of a stretch that are checked for a delay of their own, in µs.
+#: The length of the parts of a stretch that are checked for a separate delay, in µs.
 _PART_US = 0.1e6
 #: The shortest length, in µs.
 MIN_LENGTH_US = 500.0
@@ -82,7 +82,7 @@ class Length:
 class _Piece:
     """A stretch of a signal: times of the run, values of the log.
 
-    ``span``: that of the log; ``noise``: the size of misfits that are none.
+    ``span``: that of the log; ``noise``: the size of misfits that do not count.
     """
 
     times: Numbers
@@ -92,7 +92,7 @@ class _Piece:
     noise: float = 0.0
 
     def misfit(self) -> float:
-        """Return the size of what gain and bias leave where the log is not late."""
+        """Return the size of the residual after gain and bias where the log is not late."""
         if len(self.times) < _MIN_SAMPLES:
             return 0.0
         left, _ = _left(self.curve.at(self.times), self.values)
@@ -121,7 +121,8 @@ def fits(
 def length_at(signals: Signals, late: Place) -> Length | float | None:
     """Return by how much the log is later from a place on.
 
-    Where no length is sure, when the place is, in µs of the run; ``None`` if it is not sure either.
+    If no length is certain, the time of the place, in µs of the run; ``None`` if it is not certain
+    either.
     """
     earliest = min(late.times_us)
     begin = max(late.begin_us, earliest - REACH_US)
@@ -195,7 +196,7 @@ def _pieces(
     end_us: float,
     noises: Sequence[float] = (),
 ) -> list[_Piece]:
-    """Return what the log has between two times of the run."""
+    """Return the part of the log between two times of the run."""
     found = []
     for number, (samples, curve) in enumerate(signals):
         part = alignment.between(samples, begin_us, end_us)
@@ -208,7 +209,7 @@ def _pieces(
 
 
 def _left(model: Numbers, values: Numbers) -> tuple[Numbers, float]:
-    """Return what a bias and a gain near 1 of a model leave of values, and the gain."""
+    """Return the residual of values after a bias and a gain near 1 of a model, and the gain."""
     ours, theirs = model - model.mean(), values - values.mean()
     square = float((ours * ours).sum())
     gain = float((ours * theirs).sum()) / square if square > 0.0 else 1.0
@@ -218,7 +219,7 @@ def _left(model: Numbers, values: Numbers) -> tuple[Numbers, float]:
 
 @dataclass(frozen=True, slots=True)
 class _Fit:
-    """What fits at the stamps: by how much the log is later after the place than aligned.
+    """The best fit at the stamps: by how much the log is later after the place than aligned.
 
     ``length_us``: later than before it; ``error_us``: its standard error; ``squares``: of the
     misfits, signal by signal; ``sizes``: the squares of errors; ``misfit``: the sum of the squares,
@@ -292,7 +293,7 @@ class _Search:
         return False
 
     def _is_late_elsewhere(self, fit: _Fit) -> bool:
-        """Return whether what is left is late in a part of the stretch: then the fit is false."""
+        """Return whether the residual is late in a part of the stretch: then the fit is false."""
         parts = int((self._end_us - self._begin_us) // _PART_US) + 1
         slopes, both, squares, counts = numpy.zeros((4, parts))
         for one, size in zip(self._pieces, fit.sizes, strict=True):
@@ -346,7 +347,7 @@ class _Search:
         after = ours[before:]
         size = 1 << int(len(after) + len(logged)).bit_length()
         spectrum = numpy.conj(numpy.fft.rfft(after, size)) * numpy.fft.rfft(logged, size)
-        changes = numpy.arange(count + 1)  # from these points on, the run goes on
+        changes = numpy.arange(count + 1)  # from these points on, the run continues
         early = numpy.minimum(changes, before)
         late = count + 1 - changes
         sums = _sums(ours)[early] + _sums(after)[late]
@@ -361,7 +362,7 @@ class _Search:
         return numpy.maximum(left, 0.0), steps
 
     def _refined(self, shift_us: float) -> _Fit:
-        """Return what fits best near a length."""
+        """Return the best fit near a length."""
         shift, earlier = shift_us, 0.0
         noises = numpy.array([one.noise**2 + (_FLOOR * one.span) ** 2 for one in self._pieces])
         for _ in range(_ROUNDS):
@@ -392,7 +393,7 @@ class _Search:
         return float(max(square, 0.0) ** 0.5)
 
     def _part(self, piece: _Piece, shift_us: float, earlier_us: float) -> tuple[Numbers, Numbers]:
-        """Return what is left of a piece, and its changes with both times, less gain and bias."""
+        """Return the residual of a piece, and its changes with both times, less gain and bias."""
         change = self.time_us + shift_us
         is_before = piece.times < min(self.time_us, change)
         is_after = piece.times >= change
@@ -426,7 +427,7 @@ def _normal(
 
 
 def _repeated(left: Numbers) -> float:
-    """Return how many samples say what one says, as neighbours have the same misfit."""
+    """Return how many samples count as one, since neighbours have the same misfit."""
     square = float((left * left).sum())
     if square <= 0.0:
         return 1.0

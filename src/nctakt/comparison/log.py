@@ -2,7 +2,7 @@
 """A machine's log as data: its columns, and the samples of those that are asked for.
 
 A log has several time bases (LG-101): each signal has its own stamps, in microseconds since the
-log's first one. ``notes`` holds what reading it left open.
+log's first one. ``notes`` has the questions left open by reading it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from nctakt.messages.commands.comparison import (
     TIME_RUNS_BACK,
 )
 
-#: A step between two samples of more than this many usual ones is a gap.
+#: A step between two samples of more than this many usual steps is a gap.
 _GAP_PERIODS = 20
 
 
@@ -44,7 +44,7 @@ class LogColumn:
 class Samples:
     """The samples of a column: ``times`` in µs since the log's first stamp, ascending.
 
-    A value is ``factor`` · what ``values`` holds + ``offset``.
+    A value is ``factor`` · the number in ``values`` + ``offset``.
     """
 
     times: Column

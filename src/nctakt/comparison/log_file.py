@@ -22,12 +22,12 @@ _MARKS = {
     codecs.BOM_UTF16_LE: "utf-16",
     codecs.BOM_UTF16_BE: "utf-16",
 }
-#: Suffixes of forms that are known and not read, with how to get one that is.
+#: Suffixes of known forms that are not read, and how to get one that is.
 _OTHER_FORMS = (".svdx", ".svd", ".svb", ".tcscopex", ".xml", ".tdms")
 
 
 def open_log(path: str | Path, access: FileAccess, said: Mapping[str, str] | None = None) -> Log:
-    """Return the log of a file; ``said``: what the mapping file says of it.
+    """Return the log of a file; ``said``: its section of the mapping file.
 
     Raises ``Failure`` for a file that cannot be read, and a form that is not known (902510).
     """

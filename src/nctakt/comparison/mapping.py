@@ -2,8 +2,8 @@
 """Which column of a log belongs to which signal of a run.
 
 In: the columns, the signals, and a mapping file in TOML. Out: pairs. A column with the name of a
-signal belongs to it; a similar name is a suggestion and marked as such; of several similar names
-none is taken.
+signal belongs to it; a similar name is a suggestion and marked as such; if several names are
+similar, none is used.
 """
 
 from __future__ import annotations
@@ -65,8 +65,8 @@ _TOLERANCE = re.compile(
 class Tolerance:
     """How far a log may be from a run: ``amount``, in the signal's unit or in % of its span.
 
-    ``ticks``: that much earlier or later, too: what counts is how far the log is from all that the
-    run has in this time.
+    ``ticks``: this much earlier or later, too: the measure is the log's distance from all values of
+    the run in this time.
     """
 
     amount: float = 0.0
@@ -87,7 +87,7 @@ class Tolerance:
 
 @dataclass(frozen=True, slots=True)
 class Wish:
-    """What a mapping file says of a signal."""
+    """A mapping file's settings for a signal."""
 
     column: str
     unit: str = ""
@@ -106,7 +106,7 @@ class MappingFile:
 
 @dataclass(frozen=True, slots=True)
 class Pair:
-    """A signal and its column; a value is ``factor`` · what the log holds + ``offset``."""
+    """A signal and its column; a value is ``factor`` · the log's number + ``offset``."""
 
     signal: Signal
     column: LogColumn
@@ -117,7 +117,7 @@ class Pair:
 
 
 def read_mapping(path: str | Path, access: FileAccess) -> MappingFile:
-    """Return a mapping file; raises ``Failure`` (902521) for one that is none."""
+    """Return a mapping file; raises ``Failure`` (902521) for any other file."""
     try:
         text = access.read_bytes(Path(path)).decode("utf-8")
         content = tomllib.loads(text)
@@ -240,7 +240,7 @@ def _by_name(
 
 
 def suggestion(name: str, axes: Sequence[str]) -> str:
-    """Return the signal that a column looks like, "" for none.
+    """Return the signal that a column resembles, "" for none.
 
     >>> suggestion("Axis X ActPos", ["X", "Y"]), suggestion("GVL.fbY.Sollwert", ["X", "Y"])
     ('X.ACS.ACT_POS', 'Y.ACS.CMD_POS')

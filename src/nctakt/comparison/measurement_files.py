@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Logs that are no tables in text: MF4 of measuring tools (ASAM MDF), Parquet, traces in JSON.
 
-In: the file. Out: ``Log``; only the columns that are asked for are kept. In MF4 each group has its
-own stamps, which count from the begin of the measurement; a Parquet table has a column of stamps,
-by its name or that of a mapping file, and units in the metadata of its fields or in brackets; a
-trace of nctakt in JSON has a header with its signals.
+In: the file. Out: ``Log``; only requested columns are kept. In MF4 each group has its own stamps,
+which count from the start of the measurement; a Parquet table has a column of stamps, by its name
+or that of a mapping file, and units in the metadata of its fields or in brackets; a trace of nctakt
+in JSON has a header with its signals.
 """
 
 from __future__ import annotations
@@ -92,12 +92,11 @@ class Mf4Log(Log):
 def _opened(library: Any, path: Path) -> Any:
     """Return an MF4 file, ``None`` for one that is damaged.
 
-    What the library has half made of that fails once more when it is thrown away, which Python
-    would print.
+    The library's half-made object fails once more when it is discarded, which Python would print.
     """
     hook, sys.unraisablehook = sys.unraisablehook, lambda _: None
     try:
-        with contextlib.suppress(Exception):  # it has no class of its own for faults
+        with contextlib.suppress(Exception):  # it has no exception class for faults
             return library.MDF(path)
         gc.collect()  # it is part of a cycle
         return None
@@ -137,7 +136,7 @@ class ParquetLog(Log):
             yield from self._file.iter_batches(STRETCH, [group], names, use_threads=False)
 
     def read(self, columns: Sequence[LogColumn]) -> list[Samples]:
-        """Return the samples of columns; empty cells and what is no number are none."""
+        """Return the samples of columns, without empty cells and non-numbers."""
         names = self._file.schema_arrow.names
         time = names[columns[0].time_column]
         asked = [time, *(names[one.column] for one in columns)]
@@ -219,7 +218,7 @@ class TraceLines(Log):
 
 
 def _number(value: Any) -> float:
-    """Return a value of a trace; raises ``TypeError`` and ``ValueError`` for what is none."""
+    """Return a value of a trace; raises ``TypeError`` and ``ValueError`` for anything else."""
     return numpy.nan if value is None else float(value)
 
 
@@ -228,7 +227,7 @@ def _are_missing(cells: Any) -> Any:
 
 
 def _numbers(cells: Any) -> Numbers:
-    """Return cells as floating-point numbers; empty ones are no numbers."""
+    """Return cells as floating-point numbers; empty ones are NaN."""
     numbers: Numbers = cells.astype(float)
     if cells.dtype.kind in "mM":  # dates and spans
         numbers[numpy.isnat(cells)] = numpy.nan

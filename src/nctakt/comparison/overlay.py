@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A log as curves that lie over those of a run, with the stretches beyond the tolerances.
 
-In: a comparison that keeps what it has overlaid. Out: for each signal points in ticks of the run.
-Of a log with more points than a screen has, the lowest and the highest of each stretch stay.
+In: a comparison that keeps its overlaid samples. Out: for each signal points in ticks of the run.
+If a log has more points than a screen, the lowest and the highest of each stretch are kept.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A comparison as a picture: both curves of each signal, and their difference below.
 
-In: a ``Comparison`` that keeps what it has overlaid. Out: PNG or SVG (matplotlib, extra ``plot``).
+In: a ``Comparison`` that keeps its overlaid samples. Out: PNG or SVG (matplotlib, extra ``plot``).
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def write_comparison_picture(comparison: Comparison, path: Path, language: Langu
 
 
 def _urgency(one: Deviation) -> tuple[bool, float]:
-    """Return what sorts signals beyond their tolerance, then the farthest, to the front."""
+    """Return a key that sorts signals beyond their tolerance, then the farthest, to the front."""
     return one.first_us is None, -abs(one.greatest)
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Tables in text with a row of names and a column of stamps: our own traces and anybody's CSV.
+"""Tables in text with a row of names and a column of stamps: nctakt's traces and any CSV.
 
-In: the text, and what a mapping file says about it (``[log]``). Names may carry units in brackets,
+In: the text, and its section of a mapping file (``[log]``). Names may carry units in brackets,
 ``Position X [mm]``. A table of a kind without stamps has its period in a comment (LG-301).
 """
 
@@ -33,7 +33,7 @@ TIME_UNITS = {
     "ns": 1e-3, "us": 1.0, "µs": 1.0, "\u03bcs": 1.0, "ms": 1e3, "s": 1e6, "sec": 1e6, "min": 6e7,
     "h": 3.6e9,
 }  # fmt: skip
-#: Columns of our own traces that are no signals.
+#: Columns of nctakt's traces that are not signals.
 NOT_SIGNALS = ("tick", "events")
 _UNIT = re.compile(r"\s*[\[(]([^\[\]()]*)[\])]\s*$")
 _PERIOD = re.compile(r"sampling period\D*(\d+)\s*ns", re.IGNORECASE)
@@ -108,7 +108,7 @@ def time_column(
 ) -> tuple[int, float]:
     """Return the column of the stamps and their unit in µs; raises ``Failure`` (902511, 902955).
 
-    ``said``: the ``[log]`` of a mapping file, which counts before what the name says.
+    ``said``: the ``[log]`` of a mapping file, which overrides the name.
     """
     at = find_time(cells, said)
     if at < 0:
@@ -129,10 +129,10 @@ def split_unit(name: str) -> tuple[str, str]:
 
 
 def _separator_of(names: str, values: str) -> str:
-    """Return what separates names and values: tab, semicolon or comma.
+    """Return the separator of names and values: tab, semicolon or comma.
 
-    It is in both rows equally often; names may have commas, values decimal ones. Where none is, it
-    is the most frequent one of the names.
+    It is in both rows equally often; names may have commas, values decimal ones. If none is, it is
+    the most frequent one in the names.
     """
     both = [one for one in "\t;," if 0 < names.count(one) == values.count(one)]
     return both[0] if both else max("\t;,", key=names.count)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a comparison needs of a run: its signals, its blocks, its reactions.
+"""The parts of a run that a comparison needs: signals, blocks, reactions.
 
-In: a trace in memory, or a run whose trace comes to ``RecordedColumns``, which keeps it outside of
-the memory.
+In: a trace in memory, or a run whose trace comes to ``RecordedColumns``, which keeps it outside the
+memory.
 """
 
 from __future__ import annotations
@@ -98,7 +98,7 @@ class RecordedColumns:
         self._table.add(numpy.asarray(rows).reshape(-1, width))
 
     def close(self) -> None:
-        """Do nothing: what is recorded stays."""
+        """Do nothing: the recording stays."""
 
     def __getitem__(self, name: str, /) -> Column:
         return self._table.column(self._numbers[name])

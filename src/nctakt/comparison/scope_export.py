@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Exports of TwinCAT Scope as text (LG-101 … LG-111).
 
-An export is several tables side by side, each with a time column of its own at its left, which
-repeats the key of each header row. Rows are found by their keys, never by line numbers. Whether
-values are scaled the file does not say: they are taken as they are.
+An export is several tables side by side, each with its own time column on the left, which repeats
+the key of each header row. Rows are found by their keys, never by line numbers. The file does not
+say whether values are scaled: they are used unchanged.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _KEYS = frozenset((
     "netid", "port", "offset", "scalefactor", "bitmask", "unit", "unit scalefactor", "unit offset",
     "starttime", "endtime", "startrecord", "endrecord",
 ))  # fmt: skip
-#: How an export spells that there is no unit.
+#: How an export spells a missing unit.
 _NO_UNIT = "(None)"
 _SEPARATORS = "\t;,: "
 #: A factor or an offset that changes nothing.
@@ -39,7 +39,7 @@ def is_scope_export(first_line: str) -> bool:
 
 
 class ScopeExport(Table):
-    """An export, open to be read; raises ``Failure`` for one that cannot be understood."""
+    """An export, open for reading; raises ``Failure`` if it cannot be understood."""
 
     def __init__(self, path: Path, access: FileAccess, encoding: str) -> None:
         super().__init__(path, access, encoding)
@@ -84,7 +84,7 @@ class ScopeExport(Table):
         return found
 
     def _tell_scales(self) -> None:
-        """Tell which rows say another scale: whether it is in the values is not known (LG-105)."""
+        """Report rows with another scale: whether the values include it is not known (LG-105)."""
         for column in self.columns:
             rows = {
                 key: self._rows[key][column.column]

@@ -2,8 +2,8 @@
 """Access to the files that a command reads and writes.
 
 In: paths as users, lists and programs name them. Out: their bytes or lines, or a ``Failure``: the
-size of a file that is read at once is bounded, files outside of the allowed folders are refused,
-and no file is both read and written by one command. Files are compared by device and inode, not by
+size of a file that is read at once is bounded, files outside the allowed folders are refused, and
+no file is both read and written by one command. Files are compared by device and inode, not by
 name.
 """
 
@@ -43,7 +43,7 @@ BEGIN_BYTES = 8192
 #: The lists of the built-in machine, which may always be read.
 _BUILT_IN = os.path.realpath(Path(__file__).parent.parent / "machines")
 
-#: What stands for the name of standard input.
+#: The name shown for standard input.
 STDIN_NAME = Path("<stdin>")
 
 #: Device and inode of a file.
@@ -71,7 +71,7 @@ class FileAccess:
         return bool(self._replaced)
 
     def has_changed(self) -> bool:
-        """Return whether a file that was read is not as it was then."""
+        """Return whether a file has changed since it was read."""
         return any(
             _is_other(path, state) for path, state in self._read.values() if path != STDIN_NAME
         )

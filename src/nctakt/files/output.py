@@ -3,7 +3,7 @@
 
 In: a path, the option that names it, text or bytes. Out: the file. It is written under a name that
 no file has, as ``trace.partial.csv`` for ``trace.csv``, else ``trace.partial-2.csv`` …, and renamed
-at the end: an earlier file stays until then, and what is cut off (a full disk, Ctrl-C, the process
+at the end: an earlier file stays until then, and a truncated file (a full disk, Ctrl-C, the process
 killed) can be read under a name that says so. A device or a pipe is written directly.
 """
 
@@ -104,7 +104,7 @@ class OutputFile:
     def _lock(self, file: IO[bytes], partial: Path) -> None:
         """Keep other processes from writing the same file; raises ``Failure`` (900919).
 
-        Of two that come at once each locks its own file before it looks for that of the other.
+        If two come at once, each locks its own file before it looks for that of the other.
         """
         if fcntl is None:
             return
@@ -162,14 +162,14 @@ class OutputFile:
     def __exit__(
         self, _type: object, error: BaseException | None, _traceback: TracebackType | None
     ) -> None:
-        """Close the file; after an exception what was written keeps its partial name."""
+        """Close the file; after an exception the file keeps its partial name."""
         if error is None:
             self.close()
         else:
             self._give_up(error)
 
     def _give_up(self, error: BaseException) -> None:
-        """Leave what was written under its partial name, and tell it with the error."""
+        """Leave the file under its partial name, and report it with the error."""
         if self._file.closed:
             return
         self._file.close()
@@ -209,7 +209,7 @@ def write_file(
 def check_outputs(outputs: Mapping[str, str | Path], access: FileAccess) -> None:
     """Raise ``Failure`` at once for files that could not be written when their data are ready.
 
-    ``outputs``: option -> file; ``access``: of what the command reads. Files stay as they are.
+    ``outputs``: option -> file; ``access``: of what the command reads. Files are not changed.
     """
     with contextlib.ExitStack() as files:
         for option, name in outputs.items():
@@ -229,7 +229,7 @@ def _partial_files(path: Path) -> Iterator[Path]:
     form = re.compile(rf"{re.escape(path.stem)}\.partial(-\d+)?{re.escape(path.suffix)}")
     try:
         files = list(path.parent.iterdir())
-    except OSError:  # a folder that no one may look into
+    except OSError:  # a folder without permission to read
         return
     yield from (file for file in files if form.fullmatch(file.name))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws a run: pictures, VCD, Perfetto; what ``Run.plot`` and the options of the command line use.
+"""Draws a run: pictures, VCD, Perfetto; used by ``Run.plot`` and options of the command line.
 
 In: a run with its trace, the axes of its machine, the lines of its programs. Out: a file. A method
 that writes raises ``OSError``, one that checks ``Failure``.
@@ -93,7 +93,7 @@ class Drawer:
         write_run_perfetto(self._timeline(run, idle=True), _trace(run), path, language)
 
     def detached(self, run: Run) -> Callable[[], Drawer]:
-        """Return what makes a drawer of this run without its controller, in any process."""
+        """Return a maker of this run's drawer that needs no controller, in any process."""
         spans = {event.span for event in run.events if event.span is not None}
         lines = {(span.file, span.line): self._line_at(span) for span in spans}
         return functools.partial(_detached, tuple(self._axes), lines, self._limits_jerk)

@@ -2,8 +2,8 @@
 """The timeline of a run -> lanes of bars and marks.
 
 In: ``Timeline``, signals with two values. Out: lanes in the order in which they are shown. A
-reaction and its condition share one: the condition is drawn in the back, the reaction in front, and
-its number is that of its marks on the path.
+reaction and its condition share one: the condition is drawn in the background, the reaction on top,
+and its number is that of its marks on the path.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from nctakt.results.trace.recorded import Trace
 class Bar:
     """From ``begin_s`` to ``end_s``; both are the same for a moment.
 
-    ``name`` and ``tip`` explain it: what it is, and where it comes from with which values.
+    ``name`` and ``tip`` explain it: its meaning, origin and values.
     """
 
     begin_s: float
@@ -36,7 +36,7 @@ class Bar:
 
 @dataclass(frozen=True, slots=True)
 class Lane:
-    """Bars of one thing; ``behind``: when its condition was true.
+    """Bars of one subject; ``behind``: when its condition was true.
 
     ``kind``: that of its track, or ``signal``. ``number``: of a reaction, from 1; else 0. ``text``:
     the source line of a reaction.

@@ -48,8 +48,8 @@ class AxisMotion:
     """The motion of one axis in mm or degrees and seconds.
 
     ``position`` is continuous, also for a modulo axis. ``derivatives``: speed, acceleration and
-    jerk. ``limits``: of these three, 0 for none. ``tip``: where the tool is along the axis, which
-    a transformation makes another place than that of the axis.
+    jerk. ``limits``: of these three, 0 for none. ``tip``: the tool's position along the axis, which
+    under a transformation differs from the axis position.
     """
 
     name: str

@@ -2,7 +2,7 @@
 """A scene -> one page with an interactive picture, which needs no network.
 
 In: ``Scene``. Out: a file with the data of the run, the viewer (``viewer_*.js``) and its look
-(``viewer.css``). Curves are on a grid of ticks; of long ones the lowest and highest value of each
+(``viewer.css``). Curves are on a grid of ticks; for long ones the lowest and highest value of each
 piece. The same run gives the same bytes.
 """
 
@@ -127,7 +127,7 @@ def _script(folder: Path) -> str:
 
 
 class _Packer:
-    """Packs a scene into what the viewer reads; ``notes``: what it leaves out."""
+    """Packs a scene into the viewer's format; ``notes``: omitted parts."""
 
     def __init__(self, scene: Scene, language: Language) -> None:
         self._scene = scene
@@ -225,7 +225,7 @@ class _Packer:
 
 
 def _packed(values: Values) -> str:
-    """Return numbers as base64 of little-endian float32; what is not finite is 0."""
+    """Return numbers as base64 of little-endian float32; non-finite values are 0."""
     finite = numpy.nan_to_num(values, nan=0.0, posinf=0.0, neginf=0.0)
     return b64encode(finite.astype("<f4").tobytes()).decode("ascii")
 

@@ -40,7 +40,7 @@ from nctakt.results.trace.recorded import Trace
 #: Maximum number of changes of a counter; of more the lowest and highest of each piece are kept.
 MAX_CHANGES = 100_000
 
-#: What is said on the track of a condition or reaction of which there is nothing.
+#: The text on the empty track of a condition or reaction.
 _NEVER: dict[TrackKind, Text] = {
     "condition": Text("never true", "nie wahr"),
     "reaction": Text("never ran", "nie gelaufen"),

@@ -19,7 +19,7 @@ from nctakt.files.vcd import VcdVariable, apart, levels, merged, truths, write_v
 from nctakt.results.timelines.timeline import Timeline, Track, TrackKind
 from nctakt.results.trace.recorded import Trace
 
-#: Between two slices that touch, a wire is low for so long, in µs; so long a moment is high.
+#: Between two slices that touch, a wire is low for this long, in µs; a moment is high for as long.
 GAP_US = 1
 
 #: The scopes of axes and spindles.
@@ -76,7 +76,7 @@ def _truth(
 
 
 def _separated(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Return times that overlap as one; those that only touch stay apart."""
+    """Return the times with overlapping ones merged; those that only touch stay separate."""
     joined: list[tuple[int, int]] = []
     for begin, end in sorted(times):
         if joined and begin < joined[-1][1]:
@@ -87,7 +87,7 @@ def _separated(times: list[tuple[int, int]]) -> list[tuple[int, int]]:
 
 
 def _texts(track: Track) -> Iterator[tuple[int, str]]:
-    """Yield the name of the slice that goes on, an empty one between slices."""
+    """Yield the name of the current slice, an empty one between slices."""
     end_us = -1
     for item in track.slices:
         if item.begin_us < end_us and item.is_moment:

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A run -> what a picture of it shows, whatever the format: path, lanes, panels.
+"""A run -> the content of a picture of it, in any format: path, lanes, panels.
 
 In: the trace, the timeline, the axes of the machine, the chosen signals. Out: ``Scene``. Above is
 the path with the places of reactions; below, over time, a lane for each reaction with its
-condition, each function and what is reported, then panels of curves. Panels without a change are
-left out.
+condition, each function and report, then panels of curves. Panels without a change are left out.
 """
 
 from __future__ import annotations
@@ -99,7 +98,7 @@ class Panel:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What a picture shows, times in s; ``notes``: what it leaves out; ``arrows``: signals."""
+    """What a picture shows, times in s; ``notes``: omitted parts; ``arrows``: signals."""
 
     title: str
     begin_s: float
@@ -161,7 +160,7 @@ def scene_of(
 
 
 def _is_shown(name: str) -> bool:
-    """Return whether a signal that no one chose is in the picture already, or tells little.
+    """Return whether an unchosen signal is in the picture already, or says little.
 
     Of further channels positions, speed and override are drawn as they were recorded.
     """
@@ -187,7 +186,7 @@ class _Panels:
         return text.get(self._language)
 
     def rest_notes(self) -> list[str]:
-        """Return what is said of axes that do not move."""
+        """Return the note about axes that do not move."""
         resting = [motion.name for motion in self._motions if not motion.moves]
         if not self._moving:
             return [self._text(_NOTHING)]

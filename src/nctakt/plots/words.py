@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tracks of a run are called, in both languages."""
+"""Names of the tracks of a run, in both languages."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _STATES = {
 
 
 def kind_name(kind: TrackKind, language: Language) -> str:
-    """Return what a kind of tracks is called."""
+    """Return the name of a kind of tracks."""
     return _KINDS[kind].get(language)
 
 

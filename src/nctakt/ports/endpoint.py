@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """A port at which clients come in: bounded in number and time until they have shown the token.
 
-In: connections. Out: for each a ``Visitor``, in a thread of its own, which becomes a guest by the
-token. What a visitor may cost is bounded: a few at a time, for some seconds, with few bytes. So
-whoever cannot come in keeps no one else out.
+In: connections. Out: for each a ``Visitor``, in a separate thread, which becomes a guest by the
+token. The cost of visitors is bounded: a few at a time, for some seconds, with few bytes. So a
+visitor without the token keeps nobody else out.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ from nctakt.messages.connections.ports import (
 )
 from nctakt.ports.token import TokenFile, is_same, new_token
 
-#: Visitors at a time. A further one sends the oldest away, unless that has just come.
+#: Visitors at a time. A further one displaces the oldest, unless that has just come.
 MAX_VISITORS = 32
 
 #: How long a visitor may stay at most, and how long it is not sent away, in seconds.
 VISIT_S, GRACE_S = 10.0, 0.5
 
-#: What a visitor may send in all, in bytes.
+#: Maximum total data from a visitor, in bytes.
 VISIT_BYTES = 1 << 20
 
 #: How many guests may be without a token, of those that there may be.
@@ -46,7 +46,7 @@ _LOOK_S = 0.5
 #: How long the threads of connections may take to end, in seconds.
 _CLOSING_S = 15.0
 
-#: What ``accept`` fails with while the system has no more descriptors, or the client has gone.
+#: Errors of ``accept`` while the system has no more descriptors, or the client has gone.
 _PASSING = (errno.EMFILE, errno.ENFILE, errno.ENOBUFS, errno.ENOMEM, errno.ECONNABORTED)
 
 
@@ -82,14 +82,14 @@ class Endpoint:
         self._is_closed = False
 
     def lines(self) -> list[str]:
-        """Return what the command prints: the address, the token, its file."""
+        """Return the output of the command: the address, the token, its file."""
         file = "" if self._file is None else f" ({self._file.path})"
         return [f"{self.host}:{self.port}", f"token {self.token}{file}"]
 
     # --- connections ----------------------------------------------------------------------------
 
     def serve(self, receive: Callable[[Visitor], None]) -> None:
-        """Let ``receive`` serve each connection, in a thread of its own, until ``close``."""
+        """Let ``receive`` serve each connection, in a separate thread, until ``close``."""
         while not self._is_closed:
             try:
                 connection, _ = self._socket.accept()
@@ -114,7 +114,7 @@ class Endpoint:
                 thread.start()
 
     def _take(self, connection: socket.socket) -> Visitor | None:
-        """Return a connection as a visitor, ``None`` where there is no place for it."""
+        """Return a connection as a visitor, ``None`` if there is no place for it."""
         with self._lock:
             oldest = self._visitors[0] if len(self._visitors) >= MAX_VISITORS else None
             if oldest is not None:
@@ -167,7 +167,7 @@ class Endpoint:
         visitor.reading.left = None
 
     def close(self) -> None:
-        """Take no further clients, hang up, and wait until what served them has ended."""
+        """Accept no further clients, hang up, and wait until their threads have ended."""
         self._is_closed = True
         self._socket.close()
         with self._lock:
@@ -182,7 +182,7 @@ class Endpoint:
 
 
 class Visitor:
-    """A connection: what it sends, and the way back. ``enter`` makes it a guest."""
+    """A connection: its input and output streams. ``enter`` makes it a guest."""
 
     def __init__(self, endpoint: Endpoint, connection: socket.socket) -> None:
         self._endpoint = endpoint
@@ -201,7 +201,7 @@ class Visitor:
         self._endpoint.admit(self, token, request, is_open=is_open)
 
     def hang_up(self) -> None:
-        """Let its streams end, in whatever thread they are read and written."""
+        """End its streams, in whatever thread they are read and written."""
         with contextlib.suppress(OSError):
             self._connection.shutdown(socket.SHUT_RDWR)
 

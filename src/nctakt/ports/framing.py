@@ -2,7 +2,7 @@
 """Messages of editors and debuggers on a stream of bytes, within bounds.
 
 In: bytes of a client: lines of a header, an empty line, JSON. Out: messages as dictionaries, and
-the way back. A message of more than ``MAX_MESSAGE`` bytes, a header without a length, and JSON that
+vice versa. A message of more than ``MAX_MESSAGE`` bytes, a header without a length, and JSON that
 is no object are reported by number; where the next message begins is found again on a pipe. On a
 socket such bytes end the connection: a page in a browser can send them, and must not be understood.
 """
@@ -32,7 +32,7 @@ Message = dict[str, Any]
 
 
 class Readable(Protocol):
-    """What messages are read from."""
+    """The source of messages."""
 
     def readline(self, limit: int, /) -> bytes:
         """Return a line, of at most ``limit`` bytes."""
@@ -52,8 +52,8 @@ class MessageReader:
     def read(self) -> Message | None:
         """Return the next message, ``None`` at the end of the stream.
 
-        Raises ``Failure`` for bytes that are none (901220, 901221, 901222); the next call goes on
-        after them.
+        Raises ``Failure`` for other bytes (901220, 901221, 901222); the next call continues after
+        them.
         """
         length = None if self._is_ended else self._length()
         if length is None:
@@ -106,7 +106,7 @@ class MessageReader:
 
 
 def _number(text: str) -> float:
-    """Return a number of JSON; raises ``ValueError`` for one that no message can hold."""
+    """Return a number of JSON; raises ``ValueError`` if no message can hold it."""
     number = float(text)
     if not isfinite(number):
         raise ValueError(text)

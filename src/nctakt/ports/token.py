@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The token of a port: a secret that its command prints, and keeps in a file of its user alone.
 
-Whoever reaches a port of this computer, another user or a page in a browser, could command what
-answers there; only who can read the file, or the terminal, knows the token.
+Anyone who reaches a port of this computer, another user or a page in a browser, could command the
+program there; only somebody who can read the file, or the terminal, knows the token.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a user's Python file imports, read from its text: nothing is run.
+"""Imports of a user's Python file, read from its text: nothing is run.
 
-In: Python files. Out: the names that they import, also inside of functions, and the files beside
-them that Python would take for these names.
+In: Python files. Out: the names that they import, also inside of functions, and the files next to
+them that Python would use for these names.
 """
 
 from __future__ import annotations
@@ -12,9 +12,9 @@ from collections.abc import Iterable, Iterator
 from importlib.machinery import BYTECODE_SUFFIXES, SOURCE_SUFFIXES
 from pathlib import Path
 
-#: The folder beside a module in which Python keeps what it has translated.
+#: The folder next to a module in which Python keeps compiled files.
 _TRANSLATED = "__pycache__"
-#: Endings of what Python loads: texts, translated ones, libraries.
+#: Suffixes of files that Python loads: sources, compiled ones, libraries.
 _ENDINGS = (*SOURCE_SUFFIXES, *BYTECODE_SUFFIXES, ".so", ".pyd")
 
 
@@ -37,9 +37,9 @@ def imported_names(path: Path) -> Iterator[str]:
 
 
 def with_imports(files: Iterable[Path]) -> Iterator[Path]:
-    """Yield files; behind a Python file all beside it that Python may take for it and its imports.
+    """Yield files; after a Python file all files next to it that Python may use for its imports.
 
-    A name of Python's own counts, too: the folder of a user's file is searched first.
+    A name of a standard module counts, too: the folder of a user's file is searched first.
     """
     known: dict[Path, None] = {}
     waiting = list(files)
@@ -56,7 +56,7 @@ def with_imports(files: Iterable[Path]) -> Iterator[Path]:
 
 
 def _modules(name: str, folder: Path) -> Iterator[Path]:
-    """Yield the files of a module of a folder: its own, its package's, what Python translated."""
+    """Yield the files of a module of a folder: its own, its package's, compiled ones."""
     searched = [(folder, f"{name}.*"), (folder / _TRANSLATED, f"{name}.*"), (folder / name, "**/*")]
     for below, pattern in searched:
         yield from (path for path in sorted(below.glob(pattern)) if path.suffix in _ENDINGS)

@@ -34,7 +34,7 @@ from nctakt.project.project_file import Project, find_project
 #: The environment variable for the machine.
 MACHINE_VARIABLE = "NCTAKT_MACHINE"
 
-#: Lists beside a program that are read to find a start-up list of an unusual name, at most.
+#: Maximum number of lists next to a program read to find a start-up list of an unusual name.
 _MAX_LISTS = 50
 #: Folders that are searched for a machine near a program, at most.
 _MAX_FOLDERS = 50
@@ -45,9 +45,9 @@ class MachineChoice:
     """A machine's folder or start-up list, and the setting that names it.
 
     ``setting``: the environment variable or the project file; empty for the machine around the
-    program and for the built-in one. ``overlooked``: a list beside a program on the built-in
+    program and for the built-in one. ``overlooked``: a list next to a program on the built-in
     machine that has the entries of a start-up list, but no usual name; ``nearby``: a start-up list
-    in a folder beside such a program.
+    in a folder next to such a program.
     """
 
     path: Path
@@ -91,7 +91,7 @@ def machine_of_environment() -> MachineChoice | None:
 def choose_machine(
     program: Path | None, project: Project | None, access: FileAccess
 ) -> MachineChoice:
-    """Return the machine of a program (``None``: a text that lies nowhere).
+    """Return the machine of a program (``None``: a text without a folder).
 
     The machine around a program counts only where ``access`` admits it.
     """
@@ -125,9 +125,9 @@ def _overlooked_list(folder: Path, access: FileAccess) -> Path | None:
 
 
 def _list_nearby(folder: Path, access: FileAccess) -> Path | None:
-    """Return the first start-up list in the folders of a folder, or in those beside it.
+    """Return the first start-up list in the folders of a folder, or in its siblings.
 
-    The latter count within the working directory: ``nc/part.nc`` beside ``lists/hochlauf.lis``.
+    The latter count within the working directory: ``nc/part.nc`` next to ``lists/hochlauf.lis``.
     """
     above = folder.resolve().parent
     is_within = above.is_relative_to(Path.cwd())

@@ -56,7 +56,7 @@ from nctakt.messages.commands.project import (
 )
 from nctakt.run.options import accepted_by, refused
 
-#: The names of a project file; the first one counts if a folder has both.
+#: The names of a project file; the first counts if a folder has both.
 OWN_NAME = "nctakt.toml"
 PYTHON_NAME = "pyproject.toml"
 
@@ -85,11 +85,11 @@ Place = tuple[Span, str]
 
 @dataclass(frozen=True, slots=True)
 class FmuSettings:
-    """What a project says about an FMU; ``file`` ``None``: it is named elsewhere.
+    """A project's settings for an FMU; ``file`` ``None``: it is named elsewhere.
 
     ``inputs``, ``outputs``: the FMU's variables -> names of the machine; ``start``: their values
-    before the first step; ``isolate``: it runs in a process of its own; ``limit``: how long a call
-    of it may last; ``places``: where each start value is.
+    before the first step; ``isolate``: it runs in a separate process; ``limit``: how long a call of
+    it may last; ``places``: where each start value is.
     """
 
     file: Path | None = None
@@ -104,7 +104,7 @@ class FmuSettings:
 
 @dataclass(frozen=True, slots=True)
 class Stub:
-    """A class of a file in Python that stands in for a function block of a library.
+    """A class in a Python file that replaces a function block of a library.
 
     ``library`` "": the block has no other owner; ``location``: of the entry.
     """
@@ -122,9 +122,9 @@ class Project:
 
     Paths are relative to the working directory where they lie below it, else absolute. ``values``
     are those of variables before the first tick; ``places``: where each is, and ``plc`` and
-    ``fmu``. ``libraries``: folders with sources of the PLC's libraries; ``axes``: what its
-    variables of the type AXIS_REF mean, by their paths. ``instruction_ns``: how long an
-    elementary instruction of Structured Text takes, 0: no time.
+    ``fmu``. ``libraries``: folders with sources of the PLC's libraries; ``axes``: the axes of its
+    variables of the type AXIS_REF, by their paths. ``instruction_ns``: how long an elementary
+    instruction of Structured Text takes, 0: no time.
     """
 
     file: Path
@@ -150,7 +150,7 @@ class Project:
     def placed(self, found: Diagnostic) -> Diagnostic:
         """Return a diagnostic about one of its values at the place of that value.
 
-        Others come back as they are: they are about values that somebody else gives.
+        Others are returned unchanged: they are about values from elsewhere.
         """
         name = str(found.values.get("name"))
         value = self.values.get(name)
@@ -163,7 +163,7 @@ class Project:
 def project_around(names: Sequence[str], access: FileAccess) -> Project | None:
     """Return the project of the first file or folder, of the working directory without one.
 
-    ``-`` stands for standard input. Raises ``Failure`` as ``find_project``.
+    ``-`` means standard input. Raises ``Failure`` as ``find_project``.
     """
     return find_project(Path(next((name for name in names if name != "-"), "")), access)
 
@@ -186,7 +186,7 @@ def find_project(begin: Path, access: FileAccess) -> Project | None:
 
 
 def from_here(path: Path) -> Path:
-    """Return the path as seen from the working directory if it lies below, else as it is."""
+    """Return the path as seen from the working directory if it lies below, else unchanged."""
     working = Path.cwd()
     return path.relative_to(working) if path.is_relative_to(working) else path
 
@@ -194,12 +194,12 @@ def from_here(path: Path) -> Path:
 def _is_file(path: Path) -> bool:
     try:
         return path.is_file()
-    except OSError:  # a folder that no one may look into
+    except OSError:  # a folder without permission to read
         return False
 
 
 def _read(file: Path, access: FileAccess) -> Project | None:
-    """Return the project of a file; ``None`` for a pyproject.toml without our table."""
+    """Return the project of a file; ``None`` for a pyproject.toml without nctakt's table."""
     data = access.read_bytes(file)
     is_own = file.name == OWN_NAME
     if not is_own and b"nctakt" not in data:  # most have nothing for us, and need no reader
@@ -218,7 +218,7 @@ def _line_of(found: Diagnostic) -> int:
 
 
 class _Reader:
-    """Reads one file entry for entry and reports what is wrong with its place."""
+    """Reads one file entry for entry and reports mistakes with their places."""
 
     def __init__(self, file: Path, data: bytes, collector: Collector) -> None:
         self._file = file
@@ -287,7 +287,7 @@ class _Reader:
         )
 
     def _stubs(self, value: Any) -> Iterator[Stub]:
-        """Yield the classes that stand in for blocks of the PLC."""
+        """Yield the classes that replace blocks of the PLC."""
         entries = value if isinstance(value, dict) else {}
         example = f"stubs = {{{_STUB_EXAMPLE}}}"
         for name, text in self._table_of("stubs", entries, example, str, "plc").items():
@@ -322,7 +322,7 @@ class _Reader:
         return 0
 
     def _refuse(self, key: str) -> None:
-        """Report an entry that is none, or a run option that belongs elsewhere."""
+        """Report an unknown entry, or a run option that belongs elsewhere."""
         span, line = self._location(key)
         found = refused(key, "project")
         if found is not None:
@@ -358,7 +358,7 @@ class _Reader:
         return found if found[1] else self._location(table)
 
     def _check_keys(self, table: str, value: Mapping[str, Any], known: Sequence[str]) -> None:
-        """Report the entries of a table that are none."""
+        """Report the unknown entries of a table."""
         for key in value:
             if key not in known:
                 self._collector.report(
@@ -370,7 +370,7 @@ class _Reader:
                 )
 
     def _fmu(self, value: Any) -> FmuSettings | None:
-        """Return the settings of the FMU beside the PLC."""
+        """Return the settings of the FMU coupled to the PLC."""
         if not isinstance(value, dict):
             file = self._path("fmu", value, 'fmu = "plant.fmu"')
             return None if file is None else FmuSettings(file)

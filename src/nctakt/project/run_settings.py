@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The settings of a run: what its words leave out comes from environment and project file.
+"""The settings of a run: missing ones come from environment and project file.
 
-In: programs, and what a command, a test, a plan or a launch configuration names. Out:
+In: programs, and the settings of a command, a test, a plan or a launch configuration. Out:
 ``RunSettings``. Every kind of run takes them from here, so that a program has one result, however
 it is started.
 """
@@ -30,22 +30,22 @@ from nctakt.project.machine_choice import MachineChoice, choose_machine, machine
 from nctakt.project.project_file import FmuSettings, Place, Project, find_project
 from nctakt.project.trust import list_of_trusted, why_distrusted
 
-#: What a run does with the FMU of its project.
+#: Uses of a project's FMU in a run.
 FmuUse = Literal["run", "leave_out", "refuse"]
 
-#: The word for the built-in PLC, where the project file names another one.
+#: The word for the built-in PLC, if the project file names another.
 DEFAULT_PLC = "default"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Named:
-    """What the words of a run name themselves; ``None`` and empty: nothing.
+    """Settings in the words of a run themselves; ``None`` and empty: not set.
 
     ``plcs``: files, ``DEFAULT_PLC`` for the built-in PLC; ``has_plc``: it has one that is no file;
     ``fmu``: a file; ``fmu_use``: whether it runs that of the project, leaves it out, or has to
-    refuse it; ``isolates``: whether it gives an FMU a process of its own.
-    ``values``: the variables that it sets before the first tick. ``is_limited``: it has a limit of
-    another form than ``until``. ``base``: the folder from which machine and PLC are seen.
+    refuse it; ``isolates``: whether it gives an FMU a separate process. ``values``: the variables
+    that it sets before the first tick. ``is_limited``: it has a limit of another form than
+    ``until``. ``base``: the folder from which machine and PLC are seen.
     """
 
     machine: str | Path | None = None
@@ -62,9 +62,9 @@ class Named:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunSettings:
-    """What a run takes.
+    """The settings that a run uses.
 
-    ``machine`` ``None``: the demo machine, because no one names one; ``machine_note`` says which
+    ``machine`` ``None``: the demo machine, because none is named; ``machine_note`` says which
     setting names it. ``plcs`` in the order of a tick; empty: the built-in one, or one that is no
     file. ``values``: those of variables before the first tick, beside those that the run sets
     itself.
@@ -86,7 +86,7 @@ class RunSettings:
         return next(iter(self.plcs), None)
 
     def placed(self, failure: Failure) -> Failure:
-        """Return a failure of the run; what is wrong with a project's value has its place there."""
+        """Return a failure of the run; mistakes in a project's value have their place there."""
         project = self.project
         if project is None:
             return failure
@@ -147,7 +147,7 @@ def _plcs(named: Named, project: Project | None, access: FileAccess) -> tuple[Pa
 
 
 def _fmu(named: Named, project: Project | None, access: FileAccess) -> FmuSettings | None:
-    """Return the FMU beside the PLC with its connections; ``None`` without one."""
+    """Return the FMU coupled to the PLC with its connections; ``None`` without one."""
     found = None if project is None else project.fmu
     if named.fmu is not None:
         return replace(found or FmuSettings(), file=named.base / named.fmu)
@@ -161,7 +161,7 @@ def _fmu(named: Named, project: Project | None, access: FileAccess) -> FmuSettin
 
 
 def _isolated(named: Named, fmu: FmuSettings | None) -> FmuSettings | None:
-    """Return the FMU in a process of its own, if that is asked for; raises ``Failure`` (902734)."""
+    """Return the FMU in a separate process, if that is requested; raises ``Failure`` (902734)."""
     if not named.isolates:
         return fmu
     if fmu is None:

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Whose settings may run code: those that no one else can write, or of a folder that is trusted.
+"""Settings that may run code: those that nobody else can write, or of a trusted folder.
 
-In: files that name code, or have it. Out: why they do not count. A project file in a folder above
-may be anybody's; it has code run only if it, the code, what Python imports beside that, and their
-folders belong to the user or to root and no one else may write them, if the user trusts the folder
-(a line in ``nctakt/trusted`` below the folder of the user's settings), or if he trusts all of them
-for a command (``--trust``). Systems without owners in Python's sense (Windows) are not asked.
+In: files that name code, or have it. Out: why they do not count. A project file in a parent folder
+may be anybody's; it may run code only if the file, the code, modules that Python imports next to
+it, and their folders belong to the user or to root and nobody else may write them, if the user
+trusts the folder (a line in ``nctakt/trusted`` below the folder of the user's settings), or if he
+trusts all of them for a command (``--trust``). Systems without owners in Python's sense (Windows)
+are not asked.
 """
 
 from __future__ import annotations
@@ -62,8 +63,7 @@ def list_of_trusted() -> Path:
 def why_distrusted(files: Iterable[Path], folder: Path) -> Text | None:
     """Return why files of a folder may not have code run; ``None`` if they may.
 
-    ``folder``: of the project, which the user may trust. Of a Python file what it imports counts,
-    too.
+    ``folder``: of the project, which the user may trust. For a Python file its imports count, too.
     """
     if pwd is None or _is_all_trusted:
         return None
@@ -85,7 +85,7 @@ def why_distrusted(files: Iterable[Path], folder: Path) -> Text | None:
 
 
 def _first_reason(files: Iterable[Path]) -> Text | None:
-    """Return what is wrong with the first file, or its folder, that others own or may write."""
+    """Return the problem with the first file, or its folder, that others own or may write."""
     for file in files:
         real = Path(os.path.realpath(file))
         for path in dict.fromkeys((file.absolute().parent, real.parent, real)):
@@ -113,7 +113,7 @@ def _reason(path: Path) -> Text | None:
 
 
 def _own_users() -> set[int]:
-    """Return root and the user, with ``sudo`` that one who has called it."""
+    """Return root and the user, with ``sudo`` the user who has called it."""
     users = {0, os.geteuid()}
     caller = os.environ.get("SUDO_UID", "")
     if os.geteuid() == 0 and caller.isascii() and caller.isdecimal():
@@ -144,7 +144,7 @@ def _is_listed(path: Path) -> bool:
     if sys.platform != "linux":
         return False
     try:
-        entries = os.getxattr(path, _ACCESS_LIST)[4:]  # behind the version
+        entries = os.getxattr(path, _ACCESS_LIST)[4:]  # after the version
     except OSError:  # it has none
         return False
     return any(

@@ -19,7 +19,7 @@ from nctakt.studies.plans.faults import FaultyPlc, PlcFaults
 
 
 class RunRequest(Protocol):
-    """What is run: programs of channel 1 and of others, options, a PLC and an FMU."""
+    """A run: programs of channel 1 and of others, options, a PLC and an FMU."""
 
     @property
     def programs(self) -> Sequence[Any]:

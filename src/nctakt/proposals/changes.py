@@ -25,7 +25,7 @@ _TOLERANCE = 2000.0
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """What is changed: a variable, a parameter of axes or a channel, how late a function is done.
+    """A change: a variable, a parameter of axes or a channel, the delay of a function.
 
     ``target``: the variable, the parameter's ID, the function. ``present``: the value that counts
     now; ``guess``: where a search begins; ``step``: values are its multiples.

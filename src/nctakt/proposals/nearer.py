@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """The search for the single change that brings a run nearer to a log.
 
-In: a comparison, and a function that runs the program again with a change. Out: proposals, the
-best first. How far apart curves are is one number: the root of the mean square of their deviations,
-each as a share of its curve's span, after both have been aligned anew. A run that has ended stays
-where it is, so that none is near by being short.
+In: a comparison, and a function that reruns the program with a change. Out: proposals, the best
+first. The distance of curves is one number: the root of the mean square of their deviations, each
+as a share of its curve's span, after realignment. A run that has ended keeps its last values, so
+that none is near just by being short.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Proposal:
 
 @dataclass(frozen=True, slots=True)
 class Proposals:
-    """The distance without a change, how many runs were made, and what brings it down."""
+    """The distance without a change, how many runs were made, and the changes that reduce it."""
 
     distance: float
     runs: int
@@ -74,7 +74,7 @@ class Proposals:
 
 
 class Search:
-    """The search for one log; ``given``: what is known of its time."""
+    """The search for one log; ``given``: known facts about its time."""
 
     def __init__(
         self,

@@ -25,7 +25,7 @@ class Fact:
 class Article:
     """An article: the word in its full form, its kind, its meaning in one sentence, its facts.
 
-    ``german``: the word in German where it is another one, else empty.
+    ``german``: the word in German if it differs, else empty.
     """
 
     name: str

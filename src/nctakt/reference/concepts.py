@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Articles about what people ask for by a word of their own: waiting, override, expectations.
+"""Articles about everyday words that people look up: waiting, override, expectations.
 
 In: a word or the words of a question, in English or German. Out: the articles of the subjects that
 it names; each leads on to the words of the language.
@@ -20,14 +20,14 @@ _EXAMPLES = ("Examples", "Beispiele")
 _FURTHER = ("See also", "Siehe auch")
 _OF_TIME = Text("word of nctakt time", "Wort von nctakt time")
 
-#: Guides that have a German one beside them.
+#: Guides that also exist in German.
 GERMAN_GUIDES = frozenset(("checking", "machine-folders", "running", "tutorial", "why"))
 _GUIDE = re.compile(rf"docs/({'|'.join(sorted(GERMAN_GUIDES))})\.md")
 
 
 @dataclass(frozen=True, slots=True)
 class _Concept:
-    """A subject, and what people call it; ``begins``: what its longer names begin with."""
+    """A subject and its names; ``begins``: the start of its longer names."""
 
     names: tuple[str, ...]
     article: Article
@@ -41,7 +41,7 @@ class _Concept:
 
 
 def _concept(names: str, meaning: Text, *facts: Fact) -> _Concept:
-    """Return a subject; ``names``: its name, then what else it is called; after ``;`` in German."""
+    """Return a subject; ``names``: its name, then other names; after ``;`` in German."""
     english, german = (part.split(", ") for part in names.split("; "))
     article = Article(english[0], _KIND, meaning, tuple(map(_with_guides, facts)), german[0])
     return _Concept((*english, *german), article)

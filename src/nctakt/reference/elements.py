@@ -162,7 +162,7 @@ def _block(block: table.Block) -> Article:
 
 @cache
 def _elements() -> Mapping[str, table.Element]:
-    """Return the elements that have a row of their own, by their paths without numbers."""
+    """Return the elements that have a separate row, by their paths without numbers."""
     return {
         path: element
         for path, element in table.patterns().items()

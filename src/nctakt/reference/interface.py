@@ -28,10 +28,10 @@ _STRUCTURE = Text("structure of the interface to the PLC", "Struktur der Schnitt
 _VALUE = Text("value of the interface to the PLC", "Wert der Schnittstelle zur SPS")
 _BY_CNC = Text("the CNC", "die CNC")
 _BY_PLC = Text("the PLC", "die SPS")
-#: What a PLC in Python calls to see the values of a structure.
+#: Calls by which a PLC in Python reads the values of a structure.
 _VIEWS = {AXIS.name: "axis", CHANNEL.name: "channel", SPINDLE.name: ""}
 
-#: What the manuals call a value of the interface, and its name here.
+#: The manuals' name of a value of the interface, and its name here.
 _OTHER_NAMES = {"pos_rt": "hli_unit.identifier"}
 
 

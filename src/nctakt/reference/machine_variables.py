@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Articles about the variables that a machine's own lists declare: V.E and V.CH.
+"""Articles about the variables declared by a machine's lists: V.E and V.CH.
 
 In: a machine, a name as in a program. Out: the articles of the variables of this name, or
 diagnostics with the nearest one.
@@ -63,7 +63,7 @@ class MachineVariables:
         ]
 
     def unknown(self, word: str) -> tuple[Diagnostic, ...]:
-        """Return what is said of a name that the machine does not declare."""
+        """Return the diagnostic of a name that the machine does not declare."""
         near = nearest(_plain(word), sorted({name for name, _, _, _ in _declared(self._machine)}))
         error = diagnostic(UNKNOWN_MACHINE_VARIABLE, name=word, plc=Text("", ""))
         if near:

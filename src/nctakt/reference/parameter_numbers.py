@@ -30,7 +30,7 @@ _FOUND = {
 
 
 def article(number: int, rows: tuple[ParameterNumber, ...]) -> Article:
-    """The article of one number: its parameters, and what it says of them."""
+    """The article of one number: its parameters, and its meaning for them."""
     return Article(str(number), _KIND, _FOUND[rows[0].found], tuple(map(_fact, rows)))
 
 

@@ -26,7 +26,7 @@ def _read() -> dict[str, Text]:
     return {rule: Text(en, de) for rule, en, de in rows}
 
 
-#: What each rule says, in a line.
+#: The content of each rule, in a line.
 RULES = _read()
 
 

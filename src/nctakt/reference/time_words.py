@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The words that ``nctakt time`` prints for kinds, phases and causes of time, with their meanings.
 
-In: the words of ``timing/words.py``. Out: each with what it says of a tick.
+In: the words of ``timing/words.py``. Out: each with its meaning for a tick.
 """
 
 from __future__ import annotations

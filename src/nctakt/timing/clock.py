@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The time of one channel: asked after each tick, it says what the tick was for.
+"""The time of one channel: called after each tick, it returns the tick's purpose.
 
 In: the channel between two ticks. Out: runs of ticks with the same purpose. A tick belongs to the
 block that is current at its end, or that has ended in it without another one.
@@ -21,7 +21,7 @@ from nctakt.timing.limits import PathLimits
 
 @dataclass(frozen=True, slots=True)
 class TickPurpose:
-    """What a tick is for: the source number and N number of its block, the tool, the rest."""
+    """The purpose of a tick: source number and N number of its block, the tool, the rest."""
 
     source: int
     number: int
@@ -63,7 +63,7 @@ class ChannelClock:
         self.intervals: list[Interval] = []
 
     def end_tick(self, tick: int) -> None:
-        """Note what the tick ``tick``, which has just ended, was for."""
+        """Note the purpose of the tick ``tick``, which has just ended."""
         purpose = self._purpose()
         path = self._channel.path
         self._speed_v, self._used, self._was_active = path.speed_v, path.used, path.is_active
@@ -112,7 +112,7 @@ class ChannelClock:
         return self._standing(source, "wait", Limit("wait", self._awaited[key]))
 
     def _awaited_text(self, word: str) -> Text:
-        """Return what a program waits for, without since when."""
+        """Return the reason why a program waits, without its start."""
         if word == "signal":
             number = self._channel.signals.awaited()[0]
             return Text(f"signal {number}", f"Signal {number}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The time of a run as data: stretches of ticks with what they are for and what limits them.
+"""The time of a run as data: stretches of ticks with their purposes and limits.
 
 In each channel each tick of the run belongs to exactly one stretch, so that all sums are whole
 ticks and equal those of the run.
@@ -16,14 +16,14 @@ from nctakt.base.diagnostics import Span, Text
 if TYPE_CHECKING:
     from nctakt.results.run import Run
 
-#: What a channel does in a tick. ``commands``: the path rests between two blocks, for commands or
-#: for the decoder; ``idle``: its program has not begun or is over.
+#: Activities of a channel in a tick. ``commands``: the path rests between two blocks, for commands
+#: or for the decoder; ``idle``: its program has not begun or is over.
 TimeKind = Literal["rapid", "feed", "dwell", "wait", "commands", "backward", "idle"]
 
 #: How the speed on the path changes in a tick.
 Phase = Literal["accelerating", "constant", "braking", "standing"]
 
-#: What limits the path in a tick; ``wait``: what the program waits for.
+#: Limits of the path in a tick; ``wait``: the reason why the program waits.
 Cause = Literal[
     "feed",
     "override operator",
@@ -58,7 +58,7 @@ NOTHING = Text("", "")
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """A cause with its particulars: an axis, a line, a realtime cycle, what is waited for."""
+    """A cause with its details: an axis, a line, a realtime cycle, the awaited event."""
 
     cause: Cause
     detail: Text = NOTHING
@@ -66,7 +66,7 @@ class Limit:
 
 @dataclass(frozen=True, slots=True)
 class Purpose:
-    """What ticks are for.
+    """The purpose of ticks.
 
     ``calls``: the programs that are open, the main program first. ``span``: the block or command;
     ``number``: its N number, 0 without one. ``tool``: the latest T word, 0 without one.

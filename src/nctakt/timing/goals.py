@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What the path slows down for: the nearest place ahead whose speed decides that of the present.
+"""Goals that the path slows down for: the nearest place ahead whose speed decides the present one.
 
 In: the current segment and the commands after it in the queue. Out: a ``Limit``. The look-ahead
 settles speeds from the last segment backwards (MO-3); so the one that decides is the first whose
-end speed is its own limit and not what a later one leaves over.
+end speed is its own limit and not left over by a later one.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ class Goals:
         self._line_of = line_of
 
     def find(self, row: _Row, factor: float) -> Limit:
-        """Return what the segment ``row``, the current one, slows down for."""
+        """Return the goal for which the segment ``row``, the current one, slows down."""
         if row[rows.JERK] > 0.0:
             return self._smooth_goal(row)
         if 0.0 < row[rows.NEXT_SPEED] * factor < row[rows.END_SPEED] * (1.0 - SAME):
@@ -51,7 +51,7 @@ class Goals:
             row = self._queue.command(number)
 
     def _end_of(self, row: _Row, number: int) -> Limit | None:
-        """Return what limits the speed at a segment's end; ``None`` if that lies further ahead."""
+        """Return the limit of the speed at a segment's end; ``None`` if it lies further ahead."""
         following = self._queue.segment_after(number)
         if following < 0:
             return self._standstill(row, following)
@@ -63,7 +63,7 @@ class Goals:
             return self._into(after, "corner")
         entry_v = self._queue.entry_speed_of(following)
         if end_v < min(entry_v, corner_v) * (1.0 - SAME):
-            return Limit("horizon")  # the speed was settled before what comes was known
+            return Limit("horizon")  # the speed was computed before the next segments were known
         if not isclose(end_v, entry_v, rel_tol=SAME):
             return Limit("unknown")
         if isclose(end_v, min(after[rows.SPEED], after[rows.MAX_SPEED]), rel_tol=SAME):
@@ -108,6 +108,6 @@ class Goals:
 
 
 def _slower(row: _Row) -> Cause:
-    """Return what makes a segment slower than the one before: its feed or a limit of its axes."""
+    """Return why a segment is slower than the one before: its feed or a limit of its axes."""
     is_feed = row[rows.MOTION] == rows.FEED_MOTION and row[rows.SPEED] <= row[rows.MAX_SPEED]
     return "next feed" if is_feed else "next limit"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What limits the path in a tick: a feed, an override, an axis, a curve, a goal ahead.
+"""Limits of the path in a tick: a feed, an override, an axis, a curve, a goal ahead.
 
 In: the speeds before and after the tick, and the current segment with its limits. Out: how the
 speed changes, and a ``Limit``. A limit is named only if its own value is that of the segment;
@@ -41,7 +41,7 @@ class PathLimits:
         self._tick_t = machine.configuration.cycle_time_us / 1e6
 
     def of_tick(self, row: _Row, before_v: float, after_v: float) -> tuple[Phase, Limit]:
-        """Return how the speed has changed on the segment ``row``, and what limits it."""
+        """Return how the speed has changed on the segment ``row``, and its limit."""
         limit_v, factor, stage = self._channel.path.planned()
         is_over = not self._channel.path.is_active
         phase = _phase(before_v, after_v)
@@ -68,7 +68,7 @@ class PathLimits:
     # --- speeds -----------------------------------------------------------------------------------
 
     def _speed(self, row: _Row, factor: float) -> Limit:
-        """Return what limits a speed that is neither reached nor left."""
+        """Return the limit of a speed that is neither reached nor left."""
         is_rapid = row[rows.MOTION] == rows.RAPID_MOTION
         if row[rows.SPEED] * factor <= row[rows.MAX_SPEED]:
             override = self._override(row, factor)
@@ -116,7 +116,7 @@ class PathLimits:
     # --- accelerations ----------------------------------------------------------------------------
 
     def _acceleration(self, row: _Row, gained_v: float, stage: int) -> Limit:
-        """Return what limits an acceleration: that of an axis, or its jerk."""
+        """Return the limit of an acceleration: that of an axis, or its jerk."""
         is_rapid = row[rows.MOTION] == rows.RAPID_MOTION
         column = 0 if is_rapid else 1
         if row[rows.JERK] > 0.0:

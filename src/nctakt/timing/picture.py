@@ -24,7 +24,7 @@ _BAR_HEIGHT_IN = 0.24
 _TIME = Text("time in s", "Zeit in s")
 _OTHERS = Text("{count} other blocks", "{count} weitere Sätze")
 
-#: What the colours tell apart, and the colours.
+#: The distinctions made by colours, and the colours.
 _COLOURS = {
     "rapid": RAPID,
     "feed": FEED,

@@ -55,7 +55,7 @@ def time_text(account: TimeAccount, language: Language) -> str:
 
 
 def what_if_text(variants: Sequence[Variant], language: Language) -> str:
-    """Return what each doubled limit saves, the most first."""
+    """Return the saving of each doubled limit, the largest first."""
     heads = (
         _DOUBLED.get(language),
         _TIME.get(language),

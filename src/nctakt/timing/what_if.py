@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a run would take if one limit were doubled: the same programs on changed machines.
+"""The time of a run if one limit were doubled: the same programs on changed machines.
 
-In: a machine, and what runs the programs on a machine. Out: a ``Variant`` for each limit. Nothing
-is estimated: each one is a run of its own.
+In: a machine, and a function that runs the programs on a machine. Out: a ``Variant`` for each
+limit. Nothing is estimated: each is a separate run.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def what_if(
     *,
     has_override: bool,
 ) -> list[Variant]:
-    """Return what ``run`` takes with each limit doubled.
+    """Return the time of ``run`` with each limit doubled.
 
     ``rerun`` runs its programs again on a machine with values of variables. ``has_override``:
     somebody sets the operator's override in the run, so that all F cannot be doubled by it.

@@ -81,7 +81,7 @@ def limit_text(limit: Limit, language: Language) -> str:
 
 
 def general_text(limit: Limit, language: Language) -> str:
-    """Return a cause without lines, which tells apart axes and what is waited for."""
+    """Return a cause without lines, which still distinguishes axes and awaited events."""
     if limit.cause in ("speed", "acceleration", "jerk", "wait", "override cycle"):
         return limit_text(limit, language)
     return limit_text(Limit(limit.cause), language)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What all parts of a translated body share: the project, the frame, and who does what.
+"""The common base of all parts of a translated body: the project, the frame, the division of work.
 
 The classes that translate locations, values, calls and statements derive from each other in that
-order; what an earlier one needs of a later one is declared here.
+order; methods of a later one that an earlier one needs are declared here.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class Frame:
 
 
 class CannotRunError(Exception):
-    """What is valid and does not run here: where it is and what it is called."""
+    """Valid code that does not run here: its place and its name."""
 
     def __init__(self, node: Node, what: str) -> None:
         super().__init__(what)
@@ -64,16 +64,16 @@ class CannotRunError(Exception):
 
 
 class Routines(Protocol):
-    """The project as a body sees it: the routine of what is called, and its memory."""
+    """The project as seen by a body: the routines of callees, and its memory."""
 
     layout: Layout
     #: The pointers to the CNC's interface that code uses.
     roots: set[str]
     #: The numbers of conditions and bodies that are counted, by identity.
     counted: Mapping[int, int]
-    #: What is noted of its own code, if somebody wants to know why it acted.
+    #: The notes about the project's code, if somebody wants to know why it acted.
     notes: NoteRows | None
-    #: The probes of its own code, while somebody debugs.
+    #: The probes of the project's code, while somebody debugs.
     probes: Probes | None
 
     def routine(self, called: Callable) -> Routine:
@@ -83,7 +83,7 @@ class Routines(Protocol):
         """Return the bytes of its frame that the caller fills."""
 
     def virtual(self, called: Callable, declared: Pou | InterfaceType) -> Callee:
-        """Return what finds the routine by the type of the instance."""
+        """Return the lookup of the routine by the type of the instance."""
 
     def types_of(self, declared: Pou | InterfaceType) -> list[tuple[int, int]]:
         """Return the ranges of the numbers of types that derive from it or implement it."""
@@ -105,7 +105,7 @@ class Routines(Protocol):
 
 
 class Body(ABC):
-    """The state of a translation, and what its parts do for each other."""
+    """The state of a translation, and the services of its parts for each other."""
 
     def __init__(self, project: Routines, called: Callable, pou: Pou | None) -> None:
         self.project = project
@@ -114,7 +114,7 @@ class Body(ABC):
         #: The block or program whose variables are seen; ``None`` in functions.
         self.pou = pou
         self.frame = Frame(called.frame_size)
-        #: What is noted of this code.
+        #: The notes about this code.
         known = project.notes
         self.notes = known if known is not None and id(called) in known.units else None
         #: The probes of this code, while somebody debugs it.
@@ -160,7 +160,7 @@ class Body(ABC):
 
 
 def value_type(expression: Expression) -> Type:
-    """Return the type of a value; of a reference that of what it refers to."""
+    """Return the type of a value; for a reference that of its target."""
     found = expression.type
     if isinstance(found, ReferenceType):
         found = found.target

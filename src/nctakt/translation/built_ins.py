@@ -117,7 +117,7 @@ class BuiltIns(Conversions):
 
 
 def chosen_text(address: Whole, one: StringPart, other: StringPart) -> StringPart:
-    """Return one of two texts, of which the address says which one it is."""
+    """Return one of two texts, selected by address."""
     return ChosenText(address, max(one.capacity, other.capacity), one.unit)
 
 
@@ -269,7 +269,7 @@ def _bound(is_upper: bool) -> Function[[BuiltIns, Call, list[Expression]], Node]
         if isinstance(dimension, int) and 1 <= dimension <= count:
             return bound(dimension - 1)
         first, again = body.kept_number(body.whole(operands[1]))
-        # What is no dimension stops the PLC as an index outside.
+        # An invalid dimension stops the PLC like an index out of range.
         node: Whole = ElementPlace(WholeConstant(0), again, 1, count, 0)
         for number in range(count):
             asked = first if number == count - 1 else again

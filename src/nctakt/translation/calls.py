@@ -42,7 +42,7 @@ from nctakt.translation.locations import Location, Origin
 from nctakt.translation.reflection import class_number, information
 from nctakt.translation.values import text_part
 
-#: Libraries whose functions ask from where they were called.
+#: Libraries whose functions need the place of their call.
 _ASKING = (TEST_LIBRARY, "Tc2_System")
 
 
@@ -81,7 +81,7 @@ class Calls(BuiltIns):
     def callee(
         self, instance: Expression, called: Callable, is_virtual: bool
     ) -> tuple[Whole, Callee]:
-        """Return the instance of a call, and what finds the routine of its type."""
+        """Return the instance of a call, and the lookup of its type's routine."""
         bare = instance.base if isinstance(instance, tree.Dereference) else instance
         if isinstance(bare, tree.This | tree.Super):
             node = self.own_instance(instance).address()
@@ -160,7 +160,7 @@ class Calls(BuiltIns):
         return steps_in_order([before, *steps])
 
     def addressed(self, value: Expression, found: Type) -> tuple[Step, Whole]:
-        """Return the address of a value, and what keeps it in the frame if it has none."""
+        """Return the address of a value, and the node that keeps it in the frame if it has none."""
         if has_address(value) and same_type(value_type(value), found):
             return Step(), self.pointer_of(value)
         kept = Location(Origin.FRAME, self.frame.take(found.size), found)

@@ -16,7 +16,7 @@ _NO_CHECK = "no_check"
 
 
 class CheckFunctions(Body):
-    """Calls of the project's own check functions."""
+    """Calls of the project's check functions."""
 
     def check_function(self, name: str) -> Pou | None:
         """Return a check function of the project, where this body asks for it."""

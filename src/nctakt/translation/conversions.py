@@ -131,7 +131,7 @@ class Conversions(Values):
         return StringPart(node, kinds.MAX_TEXT)
 
     def kept_number(self, node: Whole) -> tuple[Whole, Whole]:
-        """Return a number that the frame keeps, and what reads it after that."""
+        """Return a number that the frame keeps, and the node that reads it afterwards."""
         kept = self.frame.take(8)
         return KeptWhole(node, kept), Location(Origin.FRAME, kept, LINT).load(self.layout.data_end)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Variables, members, elements and what is pointed to -> locations (ST-311, ST-315 … ST-317)."""
+"""Variables, members, elements and targets of pointers -> locations (ST-311, ST-315 … ST-317)."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ UNSIGNED = {one.size: one for one in (BYTE, WORD, UDINT, ULINT)}
 
 
 class Designators(CheckFunctions):
-    """Places of what can be read or assigned."""
+    """Places that can be read or assigned."""
 
     def location(self, expression: Expression) -> Location:
         self.cost += 1
@@ -134,7 +134,7 @@ class Designators(CheckFunctions):
         return self.location(expression)
 
     def followed(self, slot: Location, variable: Variable) -> Location:
-        """Return what the slot of a reference or of a VAR_IN_OUT refers to; others as they are."""
+        """Return the target of a reference's or VAR_IN_OUT's slot; others unchanged."""
         if variable.section is Section.IN_OUT:
             slot = self._referred(slot, variable.type)
         if isinstance(slot.type, ReferenceType):
@@ -150,7 +150,7 @@ class Designators(CheckFunctions):
         return Location(Origin.COMPUTED, 0, found, PointedPlace(pointer, found.size))
 
     def slot(self, expression: Expression) -> Location:
-        """Return the slot of a reference or of an interface variable, as it is bound."""
+        """Return the slot of a reference or of an interface variable, as bound."""
         match expression:
             case Name(target=Variable() as variable):
                 return self.variable_location(variable, expression)
@@ -166,7 +166,7 @@ class Designators(CheckFunctions):
     def element_location(
         self, expression: Expression, base: Expression, indices: list[Expression]
     ) -> Location:
-        """Return the location of an element of an array, a text or what a pointer points to."""
+        """Return the location of an element of an array, a text or a pointer's target."""
         found = value_type(base)
         if isinstance(found, StringType):
             size, unit = (2, WORD) if found.is_wide else (1, BYTE)
@@ -229,7 +229,7 @@ class Designators(CheckFunctions):
         return Location(Origin.COMPUTED, 0, found.element, node)
 
     def pointer_of(self, expression: Expression) -> Whole:
-        """Return the address of a variable: ADR, REF= and what is handed over by address."""
+        """Return the address of a variable: ADR, REF= and arguments passed by address."""
         target = expression.target if isinstance(expression, Name | Member) else None
         if isinstance(target, Variable) and isinstance(target.type, ReferenceType):
             slot = self.slot(expression)

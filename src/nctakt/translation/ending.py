@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What runs after the last cycle: FB_exit of all instances (ST-405)."""
+"""Code that runs after the last cycle: FB_exit of all instances (ST-405)."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _EXIT = "fb_exit"
 
 
 def exits_of(project: Routines, location: Location, sought: Type) -> Iterator[Step]:
-    """Yield the calls of FB_exit of what a variable holds, in the reverse order of its start.
+    """Yield the calls of FB_exit for a variable's instances, in the reverse order of its start.
 
     An instance: the derived block's, its base's, then those of its members, the last one first.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What runs before the first cycle, and at the begin of each call (ST-403, ST-404)."""
+"""Code that runs before the first cycle, and at the start of each call (ST-403, ST-404)."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def own_init(pou: Pou) -> Method | None:
 
 
 def late_methods(pou: Pou) -> list[Method]:
-    """Return the methods of a block that are called after its initial values are there."""
+    """Return the methods of a block that are called after its initial values are set."""
     return [one for one in pou.methods.values() if _LATE in one.attributes]
 
 
@@ -75,7 +75,7 @@ class Initialisation(Statements):
     """The statements that begin variables."""
 
     def prologue(self) -> Step:
-        """Return what begins the variables of a call."""
+        """Return the initialization of a call's variables."""
         shared = {id(one) for one in self.called.parameters}
         steps: list[Step] = []
         variables = list(self.called.variables.values())
@@ -108,7 +108,7 @@ class Initialisation(Statements):
         return CopyBytes(location.address(), origin, len(image), source, 1)
 
     def start(self, location: Location, variable: Variable, source: int) -> list[Step]:
-        """Return the code that runs when a variable begins, after its constant parts are there."""
+        """Return the code that initializes a variable, after its constant parts are set."""
         sought, initial = variable.type, variable.initial
         if isinstance(sought, ReferenceType) and initial is not None:
             slot = Location(location.origin, location.offset, PVOID, location.node)
@@ -209,7 +209,7 @@ class Initialisation(Statements):
         return Evaluate(node, source, self.take_cost())
 
     def members(self, pou: Pou) -> Step:
-        """Return what begins the members of an instance, those of the base first."""
+        """Return the initialization of an instance's members, those of the base first."""
         steps: list[Step] = []
         for one in pou.members.values():
             if one.storage is Storage.INSTANCE and one.section is not Section.IN_OUT:

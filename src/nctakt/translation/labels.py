@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The labels of ``CASE`` as ranges: where each leads, and what a run has to come near to.
+"""The labels of ``CASE`` as ranges: where each leads, and the values that a run must come near.
 
 In: a checked ``CASE``. Out: ranges with the number of their branch; of a run that counts, also the
 values for which no label is written, which lead to ELSE.
@@ -13,7 +13,7 @@ from nctakt.st.tree import Case
 from nctakt.st.types import Elementary, EnumType
 from nctakt.translation.layout import as_word
 
-#: Lowest and highest label, and the number of what they lead to.
+#: Lowest and highest label, and the number of their target.
 LabelRange = tuple[int, int, int]
 
 _GREATEST = (1 << 63) - 1

@@ -143,7 +143,7 @@ class Layout:
         return aligned(self.stack_end + len(self._literals), 64)
 
     def memory(self, interface: bytes = b"") -> bytearray:
-        """Return a memory: the data as they are at the start, an empty stack, an interface."""
+        """Return a memory: the initial data, an empty stack, an interface."""
         memory = bytearray(kinds.NULL_BYTES) + self.data
         memory += bytes(self.stack_end - self.data_end) + self._literals
         memory += bytes(self.interface - len(memory)) + interface

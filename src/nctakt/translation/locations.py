@@ -57,8 +57,8 @@ class Origin(enum.Enum):
 class Location:
     """Where a value of a type lies; ``node`` computes the begin if it is not fixed.
 
-    ``bit`` is the number of a bit in a whole number, or -1; ``element`` is what ``node`` is made of
-    if it computes the begin of an element of an array.
+    ``bit`` is the number of a bit in a whole number, or -1; ``element`` has the parts of ``node``
+    if it computes the start of an element of an array.
     """
 
     origin: Origin

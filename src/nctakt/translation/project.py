@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A checked program -> routines and memory: what a PLC task runs.
+"""A checked program -> routines and memory, run by PLC tasks.
 
 In: ``st.program.Program`` without errors. Out: ``Translation``: a context with its memory, the
 routines that run before the first cycle and after the last one, and those of the programs. Only
-what a task reaches is translated; what cannot run there is refused by name.
+code reached by a task is translated; code that cannot run there is refused by name.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ from nctakt.translation.variables import instances_of
 
 @dataclass(slots=True, eq=False)
 class Translation:
-    """A program that can run; ``refused`` is what cannot, with its location.
+    """A program that can run; ``refused`` has the code that cannot, with its location.
 
     ``roots``: the pointers to the CNC's interface that it uses.
     """
@@ -53,7 +53,7 @@ class Translation:
     start: Step
     end: Step  # after the last cycle
     bodies: dict[str, Step]  # of the programs of the tasks, by their names in lower case
-    before: Step  # what the NC writes before each cycle of a task
+    before: Step  # values that the NC writes before each cycle of a task
     refused: list[CannotRunError]
     roots: set[str]
 
@@ -64,10 +64,10 @@ def translate(
     notes: NoteRows | None = None,
     probes: Probes | None = None,
 ) -> Translation:
-    """Translate what the tasks of a checked program reach.
+    """Translate the code reached by the tasks of a checked program.
 
-    ``counted``: the numbers of the conditions and bodies that are counted, by identity.
-    ``notes``: what is noted of its own code, ``probes``: those of its own statements.
+    ``counted``: the numbers of the conditions and bodies that are counted, by identity. ``notes``:
+    the notes about the project's code, ``probes``: those of its statements.
     """
     project = _Project(program, counted or {}, notes, probes)
     start, end, before = project.start(), project.end(), project.before_cycles()
@@ -108,7 +108,7 @@ class _Project:
         self._names = _names(program, self._blocks)
         self._kept: list[object] = []
 
-    # --- what bodies ask for
+    # --- services for bodies
 
     def number_of(self, pou: Pou) -> int:
         """Return the number that an instance of a block begins with."""
@@ -156,7 +156,7 @@ class _Project:
         return self.routine(self._resolved(declared, called))
 
     def virtual(self, called: Callable, declared: Pou | InterfaceType) -> Callee:
-        """Return what finds the routine by the type of the instance."""
+        """Return the lookup of the routine by the type of the instance."""
         ranges: list[tuple[int, int, Callee]] = []
         for pou in self._candidates(declared):
             method = self._resolved(pou, called)
@@ -188,7 +188,7 @@ class _Project:
         return sorted(instances, key=self.number_of)
 
     def _resolved(self, pou: Pou, called: Callable) -> Callable:
-        """Return what instances of a block have under the name of a method, or their body."""
+        """Return the routines of a block's instances for the name of a method, or their body."""
         if isinstance(called, Pou):
             return pou
         name, accessor = self._names[id(called)]
@@ -210,7 +210,7 @@ class _Project:
         return Evaluate(call, pou.start, 1)
 
     def start(self) -> Step:
-        """Put constant initial values into the data; return what runs before the first cycle."""
+        """Put constant initial values into the data; return the code before the first cycle."""
         frame = Callable("start", "start")
         body = Initialisation(self, frame, None)
         steps: list[Step] = []
@@ -231,7 +231,7 @@ class _Project:
         return _called_alone(steps, body.frame.size)
 
     def end(self) -> Step:
-        """Return what runs after the last cycle: FB_exit, of what has begun last first (ST-405)."""
+        """Return the code after the last cycle: FB_exit, in reverse order of the start (ST-405)."""
         steps: list[Step] = []
         for pou in reversed(self._blocks):
             if pou.kind is Kind.PROGRAM and pou.type is not None:
@@ -323,7 +323,7 @@ class _Project:
 
 
 def _called_alone(steps: list[Step], frame_size: int) -> Step:
-    """Return the call of steps with a frame of their own."""
+    """Return the call of steps with a separate frame."""
     routine = Routine()
     routine.complete(0, frame_size, steps_in_order(steps))
     return Evaluate(CallNode(routine, WholeConstant(0), 0, Step(), Step(), False, 0), 0, 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What code may ask about types and names: ANY, __VARINFO, instance paths (ST-620, ST-621)."""
+"""Queries of code about types and names: ANY, __VARINFO, instance paths (ST-620, ST-621)."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def class_number(found: Type, form: StructType) -> int:
 
 
 def information(expression: Expression, form: StructType) -> bytes:
-    """Return what ``__VARINFO`` says about a variable: the bytes of its structure."""
+    """Return the result of ``__VARINFO`` for a variable: the bytes of its structure."""
     found, target = expression.type, getattr(expression, "target", None)
     assert found is not None
     image = bytearray(form.size)

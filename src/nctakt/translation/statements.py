@@ -70,7 +70,7 @@ class Statements(Calls):
         return step if number is None else CountedStep(step, number)
 
     def statement(self, written: Statement) -> Step:
-        """Return a statement; what it keeps for a while is free after it."""
+        """Return a statement; its temporary room is free after it."""
         step = self._scoped(self._statement(written), written)
         self.frame.release()
         return step if self.probes is None else self.probes.probed(step, written)
@@ -280,7 +280,7 @@ class Statements(Calls):
 def is_same_variable(one: Expression, other: Expression) -> bool:
     """Return whether two expressions surely name the same variable and call nothing.
 
-    Indices are variables and constants; what dereferences pointers may differ.
+    Indices are variables and constants; dereferenced pointers may differ.
     """
     if isinstance(one.value, int):
         return one.value == other.value

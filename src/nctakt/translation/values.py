@@ -170,7 +170,7 @@ class Values(Designators):
         return self.location(expression).load_real(self.layout.data_end)
 
     def assigned(self, expression: AssignmentExpression) -> tuple[Step, Location]:
-        """Return an assignment within an expression, and what is read after it."""
+        """Return an assignment within an expression, and the value read after it."""
         target = self.location(expression.target)
         return self.assign(target, expression.assigned, expression.start), target
 

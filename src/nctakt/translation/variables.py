@@ -32,7 +32,7 @@ _PART = re.compile(r"\.?(\w+)|\[\s*(-?\d+(?:\s*,\s*-?\d+)*)\s*\]")
 
 @dataclass(frozen=True, slots=True)
 class PlacedVariable:
-    """A variable: where it lies, and what it is."""
+    """A variable: its place and its type."""
 
     address: int
     type: Type
@@ -71,7 +71,7 @@ def find_variable(program: Program, path: str) -> PlacedVariable | None:
 
 
 def own_values(program: Program) -> Iterator[tuple[str, Type]]:
-    """Yield path and type of each scalar and text of a project's own code, outside arrays."""
+    """Yield path and type of each scalar and text of a project's code, outside arrays."""
     for group in program.lists:
         prefix = f"{group.name}." if group.name else ""
         for variable in () if group.library else group.variables.values():
@@ -205,7 +205,7 @@ def _at_address(program: Program, address: str) -> PlacedVariable | None:
 
 
 def _first(program: Program, name: str) -> tuple[PlacedVariable | None, dict[str, Variable] | None]:
-    """Return what a path begins with: a program, a list or one of its variables."""
+    """Return the start of a path: a program, a list or one of its variables."""
     pou = program.pous.get(name)
     if pou is not None and pou.kind is Kind.PROGRAM and pou.type is not None:
         return PlacedVariable(kinds.NULL_BYTES + pou.instance, pou.type), None

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What of a comparison can be sent to others, without anything private."""
+"""Parts of a comparison that can be sent to others, without anything private."""

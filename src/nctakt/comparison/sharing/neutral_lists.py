@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The lists of a machine without what is private: entries that have an effect, neutral names.
+"""The lists of a machine without private parts: entries that have an effect, neutral names.
 
 In: a loaded machine, the names that are given. Out: ASCII lists by name, the start-up list first.
 Comments, unknown entries and entries without effect are left out; names of axes, spindles and
@@ -37,7 +37,7 @@ _KEPT = frozenset(
         "thread[].function[].name",
     )
 )
-#: What begins the patterns of names and types of the user.
+#: Prefixes of the patterns of the user's names and types.
 _OWN = ("var[", "vch[", "struct[", "coordinate_system.", "thread[")
 _PROGRAM = "_prog_file"
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""A program without what is private: no comments, no texts, neutral names for its own ones.
+"""A program without private parts: no comments, no texts, neutral names for its own.
 
 In: the lines of programs, the names of their files, the names of axes and spindles. Out: lines of
 the same numbers that run alike. Numbers, words, commands and the controller's variables stay;
-whatever is not known to be one of these gets a neutral name, the same one everywhere.
+anything not known to be one of these gets a neutral name, the same everywhere.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""What of a comparison can be sent to others: how far log and run are apart, nothing private.
+"""Parts of a comparison that can be sent to others: deviations of log and run, nothing private.
 
-In: a comparison that keeps what it has overlaid, the programs of its run, the words of its options.
-Out: files by name: the samples of the log, the programs and lists without names and texts, and what
-is to be found in them. The run is made again from these files alone, to say whether they suffice.
+In: a comparison that keeps its overlaid samples, the programs of its run, the words of its options.
+Out: files by name: the samples of the log, the programs and lists without names and texts, and a
+summary. The run is repeated from these files alone, to find out whether they suffice.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 LOG, FACTS, MACHINE = "log.csv", "facts.json", "machine"
 #: Most samples of all signals together.
 _MAX_SAMPLES = 1_000_000
-#: Values that differ by less are equal: the neutral run adds in another order nowhere.
+#: Values that differ by less are equal: the neutral run never adds in another order.
 _EQUAL = 1e-9
 #: Options whose words hold names of variables.
 _ASSIGNMENTS = ("set", "at")
@@ -87,7 +87,7 @@ class Share:
 
 @dataclass(frozen=True, slots=True)
 class SharedRun:
-    """What the run was made of: programs by channel, its options, and these as words."""
+    """The inputs of the run: programs by channel, its options, and these as words."""
 
     machine: Machine
     channels: Mapping[int, Sequence[Path | NcText]]
@@ -176,7 +176,7 @@ def _log_text(comparison: Comparison, names: NeutralNames) -> str:
 def _facts(
     document: dict[str, Any], given: Mapping[str, str], names: NeutralNames
 ) -> dict[str, Any]:
-    """Return the document of a comparison without what is private."""
+    """Return the document of a comparison without private parts."""
     signals = []
     for one in document["signals"]:
         name = names.text(one["signal"])
@@ -225,7 +225,7 @@ def _difference(
     channels: Mapping[int, Sequence[str]],
     names: NeutralNames,
 ) -> list[Diagnostic]:
-    """Run the files alone; return what is not as in the run of the user."""
+    """Run the files alone; return the differences from the run of the user."""
     signals = {
         one.pair.signal.name: names.text(one.pair.signal.name) for one in comparison.deviations
     }
@@ -271,7 +271,7 @@ def _first_difference(ours: Column, theirs: Column) -> int | None:
 
 
 def share_lines(share: Share, folder: str, language: Language) -> Iterator[str]:
-    """Yield what the folder holds, file by file."""
+    """Yield the content of the folder, file by file."""
     yield _TITLE.get(language).format(folder=folder)
     width = max(map(len, share.files))
     for name, text in share.files.items():

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""What a user watches of PLC code: branches, causes of changes, statements."""
+"""Observation of PLC code by users: branches, causes of changes, statements."""

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """The branches of a PLC program, numbered for counting: conditions, their parts, and bodies.
 
-In: a checked program. Out: its own functions, methods and bodies with their branches in the order
-of the text. A condition has two numbers (true, false), a body one; they are found by the identity
-of the expression or of the list of statements in the tree.
+In: a checked program. Out: the project's functions, methods and bodies with their branches in the
+order of the text. A condition has two numbers (true, false), a body one; they are found by the
+identity of the expression or of the list of statements in the tree.
 """
 
 from __future__ import annotations
@@ -56,7 +56,7 @@ class NumberedUnit:
 
 
 class BranchNumbers:
-    """All branches of a program's own code, by unit, and their numbers by identity."""
+    """All branches of a project's code, by unit, and their numbers by identity."""
 
     def __init__(self, program: Program) -> None:
         self.by_identity: dict[int, int] = {}

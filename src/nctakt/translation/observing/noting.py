@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is noted of a PLC program while somebody wants to know why it acted (ST-840).
+"""The notes about a PLC program while somebody wants to know why it acted (ST-840).
 
 In: a checked program. Out: a row for each operand and each condition of its own code, for its
 calls, and for assignments to results; ``kernel.st.observing.notes`` keeps their values. They are
@@ -26,7 +26,7 @@ _RELATIONS = (
 
 @dataclass(frozen=True, slots=True)
 class NoteRow:
-    """What the values of a row are: a part of the text; a condition's statement begins at it."""
+    """Kinds of the values of a row: a part of the text; a condition's statement begins at it."""
 
     kind: NoteKind
     node: Node
@@ -39,7 +39,7 @@ class NoteRows:
         self.rows: list[NoteRow] = []
         self.by_identity: dict[int, int] = {}
         self.units: set[int] = set()
-        #: Counters of FOR loops, which change without a statement of their own.
+        #: Counters of FOR loops, which change without a separate statement.
         self.counters: set[int] = set()
         #: Where statements end, by where they begin.
         self.ends: dict[int, int] = {}
@@ -73,7 +73,7 @@ class NoteRows:
                 self._walk(inner, called)
 
     def _condition(self, kind: NoteKind, expression: Expression) -> None:
-        """Give a condition and its operands rows; constants have none."""
+        """Assign rows to a condition and its operands; constants have none."""
         for operand in _operands(expression):
             if operand is not expression:
                 self.add("operand", operand)
@@ -82,7 +82,7 @@ class NoteRows:
 
 
 def _expressions(statement: Statement) -> Iterator[tuple[NoteKind, Expression]]:
-    """Yield what a statement decides by, or assigns."""
+    """Yield the expressions by which a statement decides, or that it assigns."""
     match statement:
         case tree.If(branches=branches):
             for branch in branches:
@@ -109,7 +109,7 @@ def bodies_of(statement: Statement) -> Iterator[Sequence[Statement]]:
 
 
 def leaves_early(statement: Statement) -> bool:
-    """Return whether an ``IF`` or ``CASE`` may leave, so that it decides about what follows it."""
+    """Return whether an ``IF`` or ``CASE`` may leave, so that it decides about later statements."""
     if isinstance(statement, tree.Exit | tree.Continue | tree.Return):
         return True
     if not isinstance(statement, tree.If | tree.Case):
@@ -123,7 +123,7 @@ def is_comparison(expression: Expression) -> bool:
 
 
 def _operands(expression: Expression) -> Iterator[Expression]:
-    """Yield the operands that decide: sides of comparisons, and what is joined by AND, OR, NOT."""
+    """Yield the operands that decide: sides of comparisons, and operands of AND, OR, NOT."""
     if expression.value is not None:
         return
     if is_comparison(expression) and isinstance(expression, tree.Binary):

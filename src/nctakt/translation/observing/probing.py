@@ -2,7 +2,7 @@
 """The statements of a PLC program at which a debugger can stop.
 
 In: a checked program. Out: the lines of its own statements; while somebody debugs, the probes that
-wrap them. What libraries do counts as part of the statement that calls it.
+wrap them. Code of libraries counts as part of the statement that calls it.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Probes:
 
 
 def statement_lines(program: Program) -> dict[str, dict[int, int]]:
-    """Return by file and line where the first of its own statements begins that begins there."""
+    """Return, by file and line, the first of the project's statements that begins there."""
     found: dict[str, dict[int, int]] = {}
     for called, _ in own_units(program):
         for statement in _all_of(called.body):

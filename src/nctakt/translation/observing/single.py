@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A single expression of a debugger -> a node that is evaluated before a statement.
 
-It sees what the statement sees, changes nothing and always ends: what calls code of the project,
-writes, or needs room of its own in the PLC's memory is refused by name.
+It sees what the statement sees, changes nothing and always ends: an expression that calls code of
+the project, writes, or needs room in the PLC's memory is refused by name.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ class _KnownLiterals(Layout):
 
 
 class _Alone:
-    """What the body of an expression sees of the project: its memory, and nothing to call."""
+    """The project as seen by the body of an expression: its memory, and nothing to call."""
 
     def __init__(self, layout: Layout) -> None:
         self.layout: Layout = _KnownLiterals(layout)
@@ -81,7 +81,7 @@ class _Alone:
         raise CannotRunError(Node(0, 0), variable.name)
 
     def own_function(self, name: str) -> Pou | None:
-        """Return that no function of the project checks what is only looked at."""
+        """Return that no function of the project checks values that are only inspected."""
         return None
 
     def starter(self, pou: Pou) -> Routine:
@@ -120,7 +120,7 @@ def translate_single(
 
 
 def _check(node: Expression) -> None:
-    """Raise ``CannotRunError`` for what may change something."""
+    """Raise ``CannotRunError`` for an expression that may change something."""
     if isinstance(node, tree.AssignmentExpression):
         raise CannotRunError(node, "an assignment")
     if isinstance(node, tree.Name | tree.Member) and isinstance(node.target, Property):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a checked program declares that can be called: its own functions, methods and bodies."""
+"""Callables declared by a checked program: its own functions, methods and bodies."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def methods_of(pou: Pou) -> Iterator[Method]:
 
 
 def own_units(program: Program) -> Iterator[tuple[Callable, str]]:
-    """Yield what the project itself declares and can be called, with its keyword."""
+    """Yield the callables declared by the project itself, with their keywords."""
     for pou in program.pous.values():
         if pou.library or pou.is_refused:
             continue

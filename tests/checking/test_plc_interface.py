@@ -44,6 +44,14 @@ def reported(path: Path) -> list[tuple[int, int]]:
         (PRESENT, [(902362, 3)]),
         (f"{PRESENT}{DONE}", []),
         (f"{PRESENT}{TAKE}CASE pM^.nr OF\n100: {DONE}\nEND_CASE", [(902363, 6)]),
+        (
+            f"{PRESENT}{TAKE}CASE UDINT_TO_INT(TO_UDINT(pM^.nr)) OF\n100: {DONE}\nEND_CASE",
+            [(902363, 6)],
+        ),
+        (
+            f"{PRESENT}{TAKE}IF UDINT_TO_DINT(pM^.nr) = 7777 THEN {DONE} END_IF",
+            [(902364, 5), (902363, 5)],
+        ),
         (f"{PRESENT}{TAKE}CASE pM^.nr OF\n0..9999: {DONE}\nEND_CASE", []),
         (f"{PRESENT}{TAKE}CASE pM^.nr OF\n100: b := TRUE;\nELSE\n{DONE}\nEND_CASE", []),
         (f"{PRESENT}{TAKE}IF pM^.nr = 7777 THEN b := TRUE; END_IF\n{DONE}", [(902364, 5)]),

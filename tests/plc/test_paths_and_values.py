@@ -120,3 +120,18 @@ def test_constants_are_not_set(cell: Path) -> None:
     """ST-401."""
     with pytest.raises(Failure, match="902964"):
         Controller().run(NC, plc=load_plc(cell), at=[("1 ms", "cMax", 3)])
+
+
+def test_a_var_in_out_has_no_path(tmp_path: Path) -> None:
+    """ST-401: its eight bytes hold an address, which is neither shown nor overwritten."""
+    text = (
+        "FUNCTION_BLOCK FB VAR_IN_OUT r : INT; END_VAR VAR n : INT; END_VAR n := r; "
+        "END_FUNCTION_BLOCK PROGRAM MAIN VAR fb : FB; k : INT := 7; END_VAR fb(r := k); END_PROGRAM"
+    )
+    (tmp_path / "cell.st").write_text(text + EACH_TICK, "utf-8")
+    plc = load_plc(tmp_path / "cell.st")
+    for words in ({"signals": ["MAIN.fb.r"]}, {"at": [("1 ms", "MAIN.fb.r", 1)]}):
+        with pytest.raises(Failure, match=r"90054[015]"):
+            Controller().run(NC, plc=plc, **words)
+    run = Controller().run(NC, plc=plc, signals=["MAIN.fb.n"])
+    assert int(run.trace["MAIN.fb.n"][-1]) == 7

@@ -179,6 +179,9 @@ def _compared(condition: Expression, numbers: Numbers, facts: _Facts) -> Numbers
 
 
 def _is_number_of_function(node: Expression) -> bool:
+    """Return whether an expression is the number of a function, converted or not."""
+    while isinstance(node, tree.Call) and node.kind is tree.CallKind.CONVERSION and node.operands:
+        node = node.operands[0]
     is_number = isinstance(node, tree.Member) and node.name.lower() == "nr"
     return is_number and _owner(node) == _PROCESS
 

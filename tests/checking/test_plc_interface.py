@@ -12,6 +12,7 @@ from support.changed_lists import machine_with
 
 from nctakt.cli.check import command
 
+NUMBERS = (*range(902361, 902370), 902979)
 HEAD = "PROGRAM MAIN\nVAR i : INT; pM : POINTER TO HLI_M_H_PROZESS; b : BOOL; END_VAR\n"
 PRESENT = "gpCh[0]^.head.plc_present_w := TRUE;\n"
 UNIT = "gpCh[0]^.techno_unit_std_sync[i]"
@@ -32,7 +33,7 @@ def reported(path: Path) -> list[tuple[int, int]]:
     done = CliRunner().invoke(command, [str(path), "--format", "json"])
     found = json.loads(done.stdout)["diagnostics"]
     assert not [one for one in found if one["severity"] == "error"]
-    return [(one["id"], one["line"]) for one in found if 902361 <= one["id"] <= 902369]
+    return [(one["id"], one["line"]) for one in found if one["id"] in NUMBERS]
 
 
 @pytest.mark.parametrize(
@@ -68,6 +69,22 @@ def test_code_is_compared_with_the_lists(
 ) -> None:
     """ST-762, ST-763: what no code answers, what never comes, what is never taken."""
     assert found_in(tmp_path, body) == expected
+
+
+@pytest.mark.parametrize(
+    ("cycle", "expected"), [("T#1MS", []), ("T#10MS", [(902979, 3)]), ("", [(902979, 3)])]
+)
+def test_functions_of_realtime_cycles_need_a_fast_task(
+    tmp_path: Path, cycle: str, expected: list[tuple[int, int]]
+) -> None:
+    """ST-802: a task of 10 ms, which is that without any, sees them up to nine ticks later."""
+    body = "b := gpCh[0]^.techno_unit_late_sync[0].please_rw;\nEND_PROGRAM\n"
+    task = f"TASK T(INTERVAL := {cycle}, PRIORITY := 1); PROGRAM P WITH T : MAIN;"
+    whole = f"CONFIGURATION C RESOURCE R ON PLC {task} END_RESOURCE END_CONFIGURATION"
+    machine_with(tmp_path / "lists")
+    (tmp_path / "nctakt.toml").write_text('machine = "lists"\n', "utf-8")
+    (tmp_path / "cell.st").write_text(f"{HEAD}{body}{whole if cycle else ''}", "utf-8")
+    assert reported(tmp_path / "cell.st") == expected
 
 
 def test_code_with_addresses_of_units_is_not_judged(tmp_path: Path) -> None:

@@ -3,7 +3,8 @@
 
 In: a checked PLC program that uses the interface, and a machine. Out: warnings for channels and
 axes that the machine lacks, functions of the channel lists that the code does not acknowledge or
-that only the code knows, handshakes that nothing completes, V.E variables of another layout.
+that only the code knows, handshakes that nothing completes, V.E variables of another layout, tasks
+too slow for realtime cycles.
 Computed values may be anything, and are left out.
 """
 
@@ -22,6 +23,7 @@ from nctakt.messages.plcs.plc_interface import (
     CODE_KNOWS_UNLISTED_FUNCTION,
     FUNCTION_NOT_ACKNOWLEDGED,
     INTERFACE_INDEX_OUTSIDE,
+    LATE_UNITS_SEEN_LATE,
     NOTHING_ACKNOWLEDGES,
     SEMAPHORE_NEVER_SET,
     VARIABLE_DIFFERS,
@@ -31,6 +33,7 @@ from nctakt.st.program import Program
 from nctakt.st.types import ArrayType, Callable, Expression, Node, Statement, StructType, Variable
 
 _UNIT, _PROCESS, _SEMAPHORE = "TECHNO_UNIT_CH", "HLI_M_H_PROZESS", "command_semaphor_rw"
+_LATE = "techno_unit_late_sync"
 #: Functions with these synchronisations wait for the PLC's answer.
 _ANSWERED = frozenset(("MVS_SVS", "MVS_SNS", "MNS_SNS", "MNE_SNS", "MEP_SVS", "MET_SVS"))
 
@@ -52,6 +55,8 @@ class _Facts:
     known: dict[int, Node]
     #: Assignments to pointers to structures.
     pointed: list[Pointed]
+    #: The units of functions that realtime cycles output.
+    late: list[Node]
     #: Parts of the interface are reached by addresses: other code may write them.
     has_addresses: bool = False
 
@@ -62,7 +67,7 @@ def report_interface_uses(program: Program, machine: Machine, collector: Collect
         group.name == LIST_NAME.rstrip(".") and group.variables for group in program.lists
     ):
         return
-    facts = _Facts([], [], [], [], set(), {}, [])
+    facts = _Facts([], [], [], [], set(), {}, [], [])
     for called in _bodies(program):
         _statements(called.body, None, facts)
     report = _Report(program, collector)
@@ -73,6 +78,11 @@ def report_interface_uses(program: Program, machine: Machine, collector: Collect
             report(INTERFACE_INDEX_OUTSIDE, index, name=root, index=number, count=counts[root])
     for node, values in differing(facts.pointed, machine):
         report(VARIABLE_DIFFERS, node, **values)
+    fastest = min((task.cycle_us for task in program.tasks if task.programs), default=0)
+    if facts.late and fastest > machine.cycle_time_us:
+        first = min(facts.late, key=lambda node: node.start)
+        cycle, tick = (f"{one / 1000:g} ms" for one in (fastest, machine.cycle_time_us))
+        report(LATE_UNITS_SEEN_LATE, first, cycle=cycle, tick=tick)
     if facts.has_addresses:
         return
     _report_functions(facts, machine, report)
@@ -245,6 +255,8 @@ def _expressions(node: Node, facts: _Facts) -> None:
             is_list = isinstance(target, Variable) and target.owner == LIST_NAME.rstrip(".")
             if is_list and isinstance(number, int) and isinstance(target, Variable):
                 facts.indices.append((target.name, one, number))
+        if isinstance(one, tree.Member) and one.name.lower() == _LATE and _root(one) == "gpCh":
+            facts.late.append(one)
         if isinstance(one, tree.Call) and one.function == "ADR":
             facts.has_addresses |= any(_is_of_interface(part) for part in one.operands)
         for field in dataclasses.fields(one):

@@ -46,6 +46,18 @@ SEMAPHORE_NEVER_SET = warning(
     remedy_de="command_semaphor_rw nach dem Befehl setzen, wenn es FALSE ist.",
     kind=("the type of the control unit", "der Typ der Control Unit"),
 )
+LATE_UNITS_SEEN_LATE = note(
+    902979,
+    en="the fastest task runs each {cycle}, realtime cycles output functions in each tick of "
+    "{tick}",
+    de="die schnellste Task läuft alle {cycle}, Echtzeitzyklen geben Funktionen in jedem Takt von "
+    "{tick} aus",
+    remedy_en="Let a task with the cycle time of the CNC handle the functions of realtime cycles.",
+    remedy_de="Die Funktionen von Echtzeitzyklen in einer Task mit der Zykluszeit der CNC "
+    "behandeln.",
+    cycle=("the cycle time of the task", "die Zykluszeit der Task"),
+    tick=("the cycle time of the CNC", "die Zykluszeit der CNC"),
+)
 VARIABLE_DIFFERS = warning(
     902366,
     en="{name} of type {type} is at byte {offset} of {root}; the lists have there: {other}",

@@ -78,6 +78,16 @@ POINT_MISSING_IN_NAME = error(
     found=_FOUND,
     replacement=_REPLACEMENT,
 )
+NAME_OF_INTERFACE = error(
+    20797,
+    classes=(0, 0),
+    known_as=(902979,),
+    en="{found} is a name of the interface to the PLC: programs do not have it",
+    de="{found} ist ein Name der Schnittstelle zur SPS: Programme kennen ihn nicht",
+    remedy_en="Set it from outside: --set, --at or the PLC; programs and PLC share V.E variables.",
+    remedy_de="Von außen setzen: --set, --at oder die SPS; Programm und SPS teilen V.E-Variablen.",
+    found=_FOUND,
+)
 SURPLUS_WORD = error(
     20797,
     classes=(0, 0),

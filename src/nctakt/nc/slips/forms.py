@@ -25,6 +25,7 @@ from nctakt.messages.programs.slips import (
     KEYWORDS_WITHOUT_EQUALS,
     LETTER_IN_NUMBER,
     MISSPELT_FREQUENCY,
+    NAME_OF_INTERFACE,
     OPERATOR_OF_OTHER_LANGUAGE,
     POINT_MISSING_IN_NAME,
     ROUND_BRACKETS,
@@ -164,6 +165,11 @@ FORM_SLIPS: tuple[FormSlip, ...] = tuple(
             r"(?P<rest>\.\w+(?:\.\w+)*))",
             POINT_MISSING_IN_NAME,
             r"\g<begin>.\g<space>\g<rest>",
+        ),
+        (
+            r"(?<![\w.])(?P<wrong>(?:HLI|gp\w+\s*\[[^\]]*\]\^?)(?:\.\w+(?:\[[^\]]*\])?)+)",
+            NAME_OF_INTERFACE,
+            "",
         ),
         (
             r"\d(?P<wrong>\s?(?:mm(?:/(?:min|s))?|m/min|in(?:ch)?|rpm|U/min|deg|ms|s|°))(?![\w.])",

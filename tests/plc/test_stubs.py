@@ -373,6 +373,27 @@ def test_a_stopped_plc_has_no_blocks(folder: Path) -> None:
     assert [one.id for one in run(plc_in(folder), 6).errors] == [902265]
 
 
+def test_instances_without_a_path_are_told(folder: Path) -> None:
+    """902980: what lives in a call or is shared by all instances; such outputs stay as they are."""
+    text = """
+    FUNCTION F : UDINT VAR fbLocal : FB_Sdo; END_VAR
+    fbLocal(nIndex := 1); F := fbLocal.nData;
+    END_FUNCTION
+    PROGRAM MAIN
+    VAR fbSdo : FB_Sdo; n : UDINT; END_VAR
+    VAR_TEMP aTemp : ARRAY[1..2] OF FB_Sdo; END_VAR
+    VAR_STAT fbStat : FB_Sdo; END_VAR
+    n := F() + aTemp[1].nData + fbStat.nData; fbSdo(bExecute := TRUE);
+    END_PROGRAM
+    """
+    (folder / "cell.st").write_text(text + EACH_TICK, "utf-8")
+    plc = plc_in(folder)
+    told = [(one.id, one.values["path"]) for one in plc.notes()]
+    assert told == [(902980, name) for name in ("F.fbLocal", "MAIN.aTemp", "MAIN.fbStat")]
+    assert not run(plc, 6).errors
+    assert (plc.read("MAIN.n"), plc.read("MAIN.fbSdo.bDone")) == (0, True)
+
+
 @pytest.mark.skipif(os.name != "posix", reason="no owners")
 def test_a_project_of_others_runs_no_class(folder: Path) -> None:
     """902025: code that others may have written is checked, but not run."""

@@ -51,7 +51,13 @@ from nctakt.messages.plcs.plc_code import (
 )
 from nctakt.plc.axis_references import bound_axes
 from nctakt.plc.error import PlcError
-from nctakt.plc.python.blocks import PythonBlock, PythonBlocks, WriteVariable, python_blocks
+from nctakt.plc.python.blocks import (
+    PythonBlock,
+    PythonBlocks,
+    WriteVariable,
+    python_blocks,
+    without_objects,
+)
 from nctakt.plc.python.stubs import libraries_of
 from nctakt.plc.st_coverage import Counts, coverage_of
 from nctakt.plc.st_interface import StInterface, connect, lay_out, names_of
@@ -207,9 +213,11 @@ def plc_of(
     if not any(task.programs for task in program.tasks):
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
     named = {} if project is None else project.axes
-    plc = StructuredPlc(program, findings, {**named, **(axes or {})})
+    blocks = None if project is None else python_blocks(program, project)
+    told = [*findings, *(() if blocks is None else without_objects(blocks))]
+    plc = StructuredPlc(program, told, {**named, **(axes or {})})
     plc.instruction_ns = 0 if project is None else project.instruction_ns
-    plc.blocks = None if project is None else python_blocks(program, project)
+    plc.blocks = blocks
     refused = [_refusal(program, one.node.start, one.what) for one in plc.translated.refused]
     if refused:
         raise PlcError(*refused)

@@ -138,16 +138,17 @@ def instances_of(program: Program, base: Pou) -> Iterator[tuple[str, int, Pou]]:
         for one in group.variables.values():
             if one.storage is Storage.GLOBAL:
                 address = kinds.NULL_BYTES + one.offset
-                yield from _instances(f"{prefix}{one.name}", one.type, address, base, known)
+                yield from instances_in(f"{prefix}{one.name}", one.type, address, base, known)
     for pou in program.pous.values():
         if pou.kind is Kind.PROGRAM and pou.type is not None:
             address = kinds.NULL_BYTES + pou.instance
-            yield from _instances(pou.name, pou.type, address, base, known)
+            yield from instances_in(pou.name, pou.type, address, base, known)
 
 
-def _instances(
+def instances_in(
     path: str, sought: Type, address: int, base: Pou, known: dict[int, bool]
 ) -> Iterator[tuple[str, int, Pou]]:
+    """Yield those within a variable; ``known``: which types have any."""
     if not _holds(sought, base, known):
         return
     if isinstance(sought, BlockType) and base in sought.pou.bases():
@@ -157,9 +158,9 @@ def _instances(
         for number, indices in enumerate(itertools.product(*ranges)):
             element, at = sought.element, address + number * sought.element.size
             name = f"{path}[{','.join(map(str, indices))}]"
-            yield from _instances(name, element, at, base, known)
+            yield from instances_in(name, element, at, base, known)
     for one in _parts(sought):
-        yield from _instances(f"{path}.{one.name}", one.type, address + one.offset, base, known)
+        yield from instances_in(f"{path}.{one.name}", one.type, address + one.offset, base, known)
 
 
 def _parts(sought: Type) -> list[Variable]:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from nctakt.messages.catalogue import error
+from nctakt.messages.catalogue import error, warning
 
 _BLOCK = ("the function block", "der Funktionsbaustein")
 _CLASS = ("the class in Python", "die Klasse in Python")
@@ -83,4 +83,16 @@ STUB_FAILED = error(
         "the calls that led there, in the user's files",
         "die Aufrufe bis dorthin, in den Dateien des Anwenders",
     ),
+)
+STUB_WITHOUT_OBJECT = warning(
+    902980,
+    en="{path} has no object of {name}: its outputs keep their initial values",
+    de="{path} hat kein Objekt von {name}: seine Ausgänge behalten ihre Anfangswerte",
+    remedy_en="Declare the instance in a program, a list, or a block that stands there.",
+    remedy_de="Die Instanz in einem Programm, einer Liste oder einem Baustein darin deklarieren.",
+    cause_en="Variables of functions and methods, VAR_TEMP, VAR_STAT and VAR_INST have no path.",
+    cause_de="Variablen von Funktionen und Methoden, VAR_TEMP, VAR_STAT und VAR_INST haben keinen "
+    "Pfad.",
+    path=("the variable", "die Variable"),
+    name=_CLASS,
 )

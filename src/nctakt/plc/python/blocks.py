@@ -9,16 +9,17 @@ from the next tick on (RC-002). A tape has its writes as inputs of a PLC in Pyth
 from __future__ import annotations
 
 import numbers
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Protocol, TypeAlias
 
 from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Diagnostic
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.messages import diagnostic
 from nctakt.messages.plcs.plc_code import NO_NUMBER, PLC_VALUE_REFUSED
-from nctakt.messages.plcs.stubs import STUB_FAILED, STUB_SETS_NO_OUTPUT
+from nctakt.messages.plcs.stubs import STUB_FAILED, STUB_SETS_NO_OUTPUT, STUB_WITHOUT_OBJECT
 from nctakt.plc.error import PlcError
 from nctakt.plc.python.stubs import library_of
 from nctakt.plc.python.user_modules import (
@@ -31,10 +32,18 @@ from nctakt.project.project_file import Project, Stub
 from nctakt.project.run_settings import check_trusted
 from nctakt.run.plcs.plc_view import PlcView
 from nctakt.st.program import Program
-from nctakt.st.types import ArrayType, Pou, Section, StringType
+from nctakt.st.types import ArrayType, Pou, Section, Storage, StringType
+from nctakt.st.types import Callable as CalledUnit
 from nctakt.translation.layout import kind_of
-from nctakt.translation.variables import PlacedVariable, find_variable, instances_of
+from nctakt.translation.variables import (
+    PlacedVariable,
+    find_variable,
+    instances_in,
+    instances_of,
+)
 
+#: Variables of programs and blocks that have no path.
+_WITHOUT_PATH = (Section.TEMP, Section.STAT, Section.INST)
 #: A value of a variable.
 Value: TypeAlias = float | bool | str
 #: Sets a variable by its path from the next tick on.
@@ -191,6 +200,28 @@ class PythonBlocks:
                 own = _object(stub, modules[stub.file])
                 found.append(PythonBlock(own, stub.file, self.program, path, kind))
         return found
+
+
+def without_objects(blocks: PythonBlocks) -> Iterator[Diagnostic]:
+    """Yield a warning for each variable with blocks that no object carries out (902980)."""
+    program = blocks.program
+    for called in (one for pou in program.pous.values() for one in _parts_of(pou)):
+        for variable in called.variables.values():
+            is_apart = variable.section in _WITHOUT_PATH or variable.storage is Storage.FRAME
+            if not is_apart or variable.section is Section.IN_OUT:
+                continue
+            for stub, pou in blocks.blocks:
+                if next(instances_in("", variable.type, 0, pou, {}), None) is not None:
+                    span = program.sources.span(variable.start, variable.start + len(variable.name))
+                    path = f"{called.path}.{variable.name}"
+                    yield diagnostic(STUB_WITHOUT_OBJECT, span, path=path, name=stub.class_name)
+
+
+def _parts_of(pou: Pou) -> Iterator[CalledUnit]:
+    """Yield a POU of the project, its methods and the accessors of its properties."""
+    if not pou.library:
+        accessors = [one for part in pou.properties.values() for one in (part.get, part.set)]
+        yield from (pou, *pou.methods.values(), *(one for one in accessors if one is not None))
 
 
 def python_blocks(program: Program, project: Project) -> PythonBlocks | None:

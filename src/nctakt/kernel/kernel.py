@@ -16,6 +16,7 @@ import cython
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.axis_requests import AxisRequests
@@ -138,8 +139,8 @@ class Kernel:
         self.tick = 0
         self.input_count = 0
         self.input_capacity = 0
-        self.input_cells = memoryview(bytearray(8)).cast("q")
-        self.input_words = memoryview(bytearray(8)).cast("q")
+        self.input_cells = integers(1)
+        self.input_words = integers(1)
         self.input_slots = memoryview(bytearray(len(memory))).cast("q")
         self.make_room(16)
         axes.publish_all()
@@ -198,7 +199,7 @@ class Kernel:
     def present_bytes(self, cell: int, count: int) -> bytes:
         """Bytes of ``count`` cells; those that are posted count before they are latched."""
         check_range(cell, 0, len(self.words) - count, "cell")
-        words = memoryview(bytearray(8 * count)).cast("q")
+        words = integers(count)
         for i in range(count):
             slot = self.slot_of(cell + i)
             words[i] = self.words[cell + i] if slot < 0 else self.input_words[slot]
@@ -209,7 +210,7 @@ class Kernel:
         posted = [(self.input_cells[i], self.input_words[i]) for i in range(self.input_count)]
         self.input_capacity = count
         memory = memoryview(bytearray(8 * count))
-        self.input_cells = memoryview(bytearray(8 * count)).cast("q")
+        self.input_cells = integers(count)
         self.input_words = memory.cast("q")
         self.input_values = memory.cast("d")
         for i, (cell, word) in enumerate(posted):

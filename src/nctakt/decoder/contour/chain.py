@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from nctakt.decoder.contour import pieces, rows
 from nctakt.decoder.contour.pieces import Crossing
+from nctakt.kernel.base.arrays import doubles
 
 
 class Chain:
@@ -25,8 +26,8 @@ class Chain:
     def __init__(self) -> None:
         self.crossings = Crossing()
         count = 2 * rows.ROOM + rows.MAX_LEADING
-        self.rows = memoryview(bytearray(8 * count * rows.PIECE_WIDTH)).cast("d")
-        self.hidden = memoryview(bytearray(8 * rows.MAX_HIDDEN * rows.HIDDEN_WIDTH)).cast("d")
+        self.rows = doubles(count * rows.PIECE_WIDTH)
+        self.hidden = doubles(rows.MAX_HIDDEN * rows.HIDDEN_WIDTH)
         self.hidden_count = 0
         self.left_out_count = 0
         self.count = 0

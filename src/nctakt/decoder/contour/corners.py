@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from nctakt.decoder.contour import pieces, rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 
 
 class Corners:
@@ -24,8 +25,8 @@ class Corners:
     """
 
     def __init__(self) -> None:
-        self.motions = memoryview(bytearray(8 * rows.MOTIONS * rows.MOTION_WIDTH)).cast("d")
-        self.joint = memoryview(bytearray(8 * 3 * rows.PIECE_WIDTH)).cast("d")
+        self.motions = doubles(rows.MOTIONS * rows.MOTION_WIDTH)
+        self.joint = doubles(3 * rows.PIECE_WIDTH)
         self.joint_count = 0
         self.by_arc = False
         self.is_direct = False

@@ -15,6 +15,7 @@ from __future__ import annotations
 from nctakt.decoder.contour import pieces, rows
 from nctakt.decoder.contour.chain import Chain
 from nctakt.decoder.contour.corners import Corners
+from nctakt.kernel.base.arrays import doubles
 
 #: A piece up to this length is a rounding error, mm.
 NOTHING_MM = 1e-9
@@ -33,7 +34,7 @@ class ToolPath(Chain):
     def __init__(self) -> None:
         super().__init__()
         self.corners = Corners()
-        self.cut_off = memoryview(bytearray(8 * rows.PIECE_WIDTH)).cast("d")
+        self.cut_off = doubles(rows.PIECE_WIDTH)
         self.cut_off_number = 0
         self.is_open = False
         self.last_motion = 0

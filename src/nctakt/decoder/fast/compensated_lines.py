@@ -11,6 +11,7 @@ from __future__ import annotations
 from nctakt.decoder.contour import rows as contour_rows
 from nctakt.decoder.contour.tool_path import ToolPath
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.tick.command_queue import CommandQueue
 
 
@@ -31,14 +32,14 @@ class CompensatedLines:
         self.first = 0
         self.second = 1
         self.distance = 0.0
-        size = 8 * max(1, count)
-        self.start = memoryview(bytearray(size)).cast("d")
-        self.target = memoryview(bytearray(size)).cast("d")
-        self.begin = memoryview(bytearray(size)).cast("d")
-        self.end = memoryview(bytearray(size)).cast("d")
-        self.arc = memoryview(bytearray(8 * rows.ARC_WIDTH)).cast("d")
+        size = max(1, count)
+        self.start = doubles(size)
+        self.target = doubles(size)
+        self.begin = doubles(size)
+        self.end = doubles(size)
+        self.arc = doubles(rows.ARC_WIDTH)
         #: Source numbers of the last motions, by their number modulo 64.
-        self.sources = memoryview(bytearray(8 * 64)).cast("d")
+        self.sources = doubles(64)
         self.source = 0
         self.number = 0
         self.motion = rows.FEED_MOTION
@@ -48,7 +49,7 @@ class CompensatedLines:
         self.limits_jerk = False
         self.has_first_piece = False
         self.has_next = False
-        self.next_target = memoryview(bytearray(size)).cast("d")
+        self.next_target = doubles(size)
         self.next_source = 0
         self.next_number = 0
         self.next_motion = rows.FEED_MOTION

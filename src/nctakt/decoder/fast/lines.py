@@ -11,6 +11,7 @@ from __future__ import annotations
 from nctakt.decoder.fast.compensated_lines import CompensatedLines
 from nctakt.decoder.kinematics.transformed_way import TransformedWay
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.tick.command_queue import CommandQueue
 from nctakt.nc.fast.plain_lines import PlainScanner
 from nctakt.nc.vocabulary.functions import RAPID
@@ -48,16 +49,16 @@ class PlainLines:
         self.calls = 0
         self.depth = 0
         self.count = count
-        size = 8 * max(1, count)
+        size = max(1, count)
         #: Where the axes are; where the latest block begins and ends: mm or degrees.
-        self.positions = memoryview(bytearray(size)).cast("d")
-        self.start = memoryview(bytearray(size)).cast("d")
-        self.target = memoryview(bytearray(size)).cast("d")
+        self.positions = doubles(size)
+        self.start = doubles(size)
+        self.target = doubles(size)
         #: Of each axis: zero of absolute positions, mm or degrees per unit, software limits.
-        self.offsets = memoryview(bytearray(size)).cast("d")
-        self.factors = memoryview(bytearray(size)).cast("d")
-        self.lows = memoryview(bytearray(size)).cast("d")
-        self.highs = memoryview(bytearray(size)).cast("d")
+        self.offsets = doubles(size)
+        self.factors = doubles(size)
+        self.lows = doubles(size)
+        self.highs = doubles(size)
         self.motion = RAPID
         self.rapid = RAPID
         self.feed_v = 0.0

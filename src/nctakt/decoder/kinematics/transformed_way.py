@@ -13,6 +13,7 @@ from __future__ import annotations
 from nctakt.kernel import rows
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.kinematics import map_rows
 
 #: Degrees between two samples.
@@ -33,23 +34,23 @@ class TransformedWay:
     """
 
     def __init__(self, count: int, transformations: Transformations) -> None:
-        room = 8 * max(1, count)
+        room = max(1, count)
         self.count = count
         self.transformations = transformations
         self.number = 0
         self.position = 0.0
         self.obstacle = map_rows.AXIS_OUTSIDE
-        self.lows = memoryview(bytearray(room)).cast("d")
-        self.highs = memoryview(bytearray(room)).cast("d")
-        self.start = memoryview(bytearray(room)).cast("d")
-        self.target = memoryview(bytearray(room)).cast("d")
-        self.arc = memoryview(bytearray(8 * rows.ARC_WIDTH)).cast("d")
-        self.point = memoryview(bytearray(room)).cast("d")
-        self.near = memoryview(bytearray(room)).cast("d")
-        self.newest = memoryview(bytearray(room)).cast("d")
-        self.middle = memoryview(bytearray(room)).cast("d")
-        self.before = memoryview(bytearray(room)).cast("d")
-        self.begin = memoryview(bytearray(room)).cast("d")
+        self.lows = doubles(room)
+        self.highs = doubles(room)
+        self.start = doubles(room)
+        self.target = doubles(room)
+        self.arc = doubles(rows.ARC_WIDTH)
+        self.point = doubles(room)
+        self.near = doubles(room)
+        self.newest = doubles(room)
+        self.middle = doubles(room)
+        self.before = doubles(room)
+        self.begin = doubles(room)
 
     def limit(self, axis: int, low: float, high: float) -> None:
         """Set the software limits of an axis."""

@@ -32,6 +32,7 @@ from nctakt.kernel.axes.coordinates import Offsets, Turns
 from nctakt.kernel.axes.couplings import Couplings
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 
 
@@ -44,38 +45,38 @@ class Axes:
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.count = count
-        self.command = memoryview(bytearray(8 * (count + 1))).cast("d")
+        self.command = doubles(count + 1)
         self.has_lag = False
         self.is_late = False
-        self.lag_d = memoryview(bytearray(8 * count)).cast("d")
-        self.lag_kept = memoryview(bytearray(8 * count)).cast("d")
-        self.lag_alone = memoryview(bytearray(8 * count)).cast("d")
-        self.lag_gained = memoryview(bytearray(8 * count)).cast("d")
-        self.followed = memoryview(bytearray(8 * count)).cast("d")
-        self.drive_d = memoryview(bytearray(8 * count)).cast("d")
-        self.unsent = memoryview(bytearray(8 * count)).cast("d")
-        self.target = memoryview(bytearray(8 * (count + 1))).cast("d")
-        self.modulo_low = memoryview(bytearray(8 * count)).cast("d")
-        self.modulo_range = memoryview(bytearray(8 * count)).cast("d")
-        self.on_path = memoryview(bytearray(8 * (count + 1))).cast("q")
-        self.independent = memoryview(bytearray(8 * (count + 1))).cast("q")
-        self.override_mode = memoryview(bytearray(8 * count)).cast("q")
-        self.ignores_hold = memoryview(bytearray(8 * count)).cast("q")
-        self.override_pct = memoryview(bytearray(8 * count)).cast("d")
-        self.max_override_pct = memoryview(bytearray(8 * count)).cast("d")
-        self.independent_pct = memoryview(bytearray(8 * count)).cast("d")
-        self.plc_factor = memoryview(bytearray(8 * count)).cast("d")
+        self.lag_d = doubles(count)
+        self.lag_kept = doubles(count)
+        self.lag_alone = doubles(count)
+        self.lag_gained = doubles(count)
+        self.followed = doubles(count)
+        self.drive_d = doubles(count)
+        self.unsent = doubles(count)
+        self.target = doubles(count + 1)
+        self.modulo_low = doubles(count)
+        self.modulo_range = doubles(count)
+        self.on_path = integers(count + 1)
+        self.independent = integers(count + 1)
+        self.override_mode = integers(count)
+        self.ignores_hold = integers(count)
+        self.override_pct = doubles(count)
+        self.max_override_pct = doubles(count)
+        self.independent_pct = doubles(count)
+        self.plc_factor = doubles(count)
         for i in range(count):
             self.override_pct[i] = 100.0
             self.max_override_pct[i] = 100.0
             self.independent_pct[i] = 100.0
             self.plc_factor[i] = 1.0
-        self.locked = memoryview(bytearray(8 * (count + 1))).cast("q")
+        self.locked = integers(count + 1)
         self.locked_count = 0
         self.override_version = 0
         self.has_stops = False
-        self.stop_low = memoryview(bytearray(8 * count)).cast("d")
-        self.stop_high = memoryview(bytearray(8 * count)).cast("d")
+        self.stop_low = doubles(count)
+        self.stop_high = doubles(count)
         for i in range(count):
             self.stop_low[i] = -1e300
             self.stop_high[i] = 1e300
@@ -83,10 +84,10 @@ class Axes:
         self.turns = Turns(count)
         self.transformations = Transformations(count)
         self.couplings = Couplings(count)
-        self.actual = memoryview(bytearray(8 * count)).cast("d")
-        self.shown_command = memoryview(bytearray(8 * count)).cast("d")
-        self.shown_actual = memoryview(bytearray(8 * count)).cast("d")
-        self.shown_target = memoryview(bytearray(8 * count)).cast("d")
+        self.actual = doubles(count)
+        self.shown_command = doubles(count)
+        self.shown_actual = doubles(count)
+        self.shown_target = doubles(count)
         self.is_shifted = True
         self.has_moved = True
 

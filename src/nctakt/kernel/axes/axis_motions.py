@@ -18,6 +18,7 @@ from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.axis_plans import AxisPlans, MotionLimits
 from nctakt.kernel.axes.homing import Homing
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.base.record import Record
 
@@ -26,15 +27,15 @@ class WaitingMotions:
     """The motion of each axis that begins after its present one; kind ``codes.IDLE``: none."""
 
     def __init__(self, count: int) -> None:
-        self.kind = memoryview(bytearray(8 * count)).cast("q")
-        self.owner = memoryview(bytearray(8 * count)).cast("q")
-        self.serial = memoryview(bytearray(8 * count)).cast("q")
-        self.source = memoryview(bytearray(8 * count)).cast("q")
-        self.value = memoryview(bytearray(8 * count)).cast("d")
-        self.speed_v = memoryview(bytearray(8 * count)).cast("d")
-        self.direction = memoryview(bytearray(8 * count)).cast("q")
-        self.held = memoryview(bytearray(8 * count)).cast("q")
-        self.swings = memoryview(bytearray(8 * count)).cast("q")
+        self.kind = integers(count)
+        self.owner = integers(count)
+        self.serial = integers(count)
+        self.source = integers(count)
+        self.value = doubles(count)
+        self.speed_v = doubles(count)
+        self.direction = integers(count)
+        self.held = integers(count)
+        self.swings = integers(count)
 
 
 class Oscillations:
@@ -46,14 +47,14 @@ class Oscillations:
     """
 
     def __init__(self, count: int) -> None:
-        self.left = memoryview(bytearray(8 * count)).cast("q")
-        self.stage = memoryview(bytearray(8 * count)).cast("q")
-        self.pausing = memoryview(bytearray(8 * count)).cast("q")
-        self.first_pause = memoryview(bytearray(8 * count)).cast("q")
-        self.second_pause = memoryview(bytearray(8 * count)).cast("q")
-        self.first_d = memoryview(bytearray(8 * count)).cast("d")
-        self.second_d = memoryview(bytearray(8 * count)).cast("d")
-        self.stroke_d = memoryview(bytearray(8 * count)).cast("d")
+        self.left = integers(count)
+        self.stage = integers(count)
+        self.pausing = integers(count)
+        self.first_pause = integers(count)
+        self.second_pause = integers(count)
+        self.first_d = doubles(count)
+        self.second_d = doubles(count)
+        self.stroke_d = doubles(count)
 
     def end(self, axis: int) -> None:
         """End the oscillation of an axis, if it has one."""
@@ -73,8 +74,8 @@ class AxisFaults:
         self.reported_count = 0
         self.failed_count = 0
         self.ring_size = count
-        self.message = memoryview(bytearray(8 * count)).cast("q")
-        self.failed = memoryview(bytearray(8 * count)).cast("q")
+        self.message = integers(count)
+        self.failed = integers(count)
 
     def enter(self, axis: int, message: int, channel: int) -> None:
         """Let an axis be in an error, which ``channel`` has to report; 0: none."""
@@ -112,18 +113,18 @@ class AxisMotions:
         self.faults = AxisFaults(count)
         self.active_count = 0
         # The present motions.
-        self.kind = memoryview(bytearray(8 * count)).cast("q")
-        self.held = memoryview(bytearray(8 * count)).cast("q")
-        self.owner = memoryview(bytearray(8 * count)).cast("q")
-        self.serials = memoryview(bytearray(8 * count)).cast("q")
-        self.sources = memoryview(bytearray(8 * count)).cast("q")
-        self.goal = memoryview(bytearray(8 * count)).cast("d")
-        self.end = memoryview(bytearray(8 * count)).cast("d")
-        self.commanded_v = memoryview(bytearray(8 * count)).cast("d")
-        self.direction = memoryview(bytearray(8 * count)).cast("d")
-        self.arrived = memoryview(bytearray(8 * count)).cast("q")
+        self.kind = integers(count)
+        self.held = integers(count)
+        self.owner = integers(count)
+        self.serials = integers(count)
+        self.sources = integers(count)
+        self.goal = doubles(count)
+        self.end = doubles(count)
+        self.commanded_v = doubles(count)
+        self.direction = doubles(count)
+        self.arrived = integers(count)
         # Which channel has the axis, from 1.
-        self.in_channel = memoryview(bytearray(8 * count)).cast("q")
+        self.in_channel = integers(count)
         for axis in range(count):
             self.axes.show_state(axis, codes.STANDSTILL)
 

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 from nctakt.kernel.axes.trajectory import Trajectories
+from nctakt.kernel.base.arrays import doubles, integers
 
 
 class MotionLimits:
@@ -18,14 +19,14 @@ class MotionLimits:
     """
 
     def __init__(self, count: int) -> None:
-        self.is_enabled = memoryview(bytearray(8 * count)).cast("q")
-        self.low = memoryview(bytearray(8 * count)).cast("d")
-        self.high = memoryview(bytearray(8 * count)).cast("d")
-        self.listed_low = memoryview(bytearray(8 * count)).cast("d")
-        self.listed_high = memoryview(bytearray(8 * count)).cast("d")
-        self.max_v = memoryview(bytearray(8 * count)).cast("d")
-        self.max_a = memoryview(bytearray(8 * count)).cast("d")
-        self.max_j = memoryview(bytearray(8 * count)).cast("d")
+        self.is_enabled = integers(count)
+        self.low = doubles(count)
+        self.high = doubles(count)
+        self.listed_low = doubles(count)
+        self.listed_high = doubles(count)
+        self.max_v = doubles(count)
+        self.max_a = doubles(count)
+        self.max_j = doubles(count)
 
     def put_back(self, axis: int) -> None:
         """Put the software limits of the axis list in force again."""
@@ -45,12 +46,12 @@ class AxisPlans:
         self.cycle_time_us = cycle_time_us
         self.forgiven_t = -1e-12 * cycle_time_us
         self.trajectories = Trajectories(count)
-        self.speed = memoryview(bytearray(8 * count)).cast("d")
-        self.acceleration = memoryview(bytearray(8 * count)).cast("d")
-        self.last_direction = memoryview(bytearray(8 * count)).cast("d")
-        self.planned_v = memoryview(bytearray(8 * count)).cast("d")
-        self.start_d = memoryview(bytearray(8 * count)).cast("d")
-        self.ticks = memoryview(bytearray(8 * count)).cast("q")
+        self.speed = doubles(count)
+        self.acceleration = doubles(count)
+        self.last_direction = doubles(count)
+        self.planned_v = doubles(count)
+        self.start_d = doubles(count)
+        self.ticks = integers(count)
         for axis in range(count):
             self.last_direction[axis] = 1.0
 

@@ -11,6 +11,7 @@ in ``codes.py``.
 from __future__ import annotations
 
 from nctakt.kernel import codes, rows
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index, check_size
 
 
@@ -20,9 +21,9 @@ class Offsets:
     def __init__(self, count: int) -> None:
         check_size(count, "number of axes")
         self.count = count
-        self.values = memoryview(bytearray(8 * codes.OFFSET_KINDS * count)).cast("d")
-        self.program = memoryview(bytearray(8 * count)).cast("d")
-        self.origin = memoryview(bytearray(8 * count)).cast("d")
+        self.values = doubles(codes.OFFSET_KINDS * count)
+        self.program = doubles(count)
+        self.origin = doubles(count)
 
     def set(self, axis: int, kind: int, value: float) -> None:
         """Set one offset of an axis, in mm or degrees."""
@@ -61,9 +62,9 @@ class Turns:
 
     def __init__(self, count: int) -> None:
         self.active = 0
-        self.second = memoryview(bytearray(8 * count)).cast("q")
-        self.third = memoryview(bytearray(8 * count)).cast("q")
-        self.matrix = memoryview(bytearray(8 * rows.MATRIX_SIZE * count)).cast("d")
+        self.second = integers(count)
+        self.third = integers(count)
+        self.matrix = doubles(rows.MATRIX_SIZE * count)
 
     def set(self, queue: memoryview[float], row: int) -> None:
         """Take the turn of the command at ``row``."""

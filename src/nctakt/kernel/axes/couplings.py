@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index, check_size
 
 
@@ -26,13 +27,13 @@ class Couplings:
         self.count = 0
         self.fixed_count = 0
         self.watched_count = 0
-        self.slave = memoryview(bytearray(8 * axis_count)).cast("q")
-        self.master = memoryview(bytearray(8 * axis_count)).cast("q")
-        self.factor = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.slave_begin = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.master_begin = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.allowed_d = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.closed = memoryview(bytearray(8 * axis_count)).cast("q")
+        self.slave = integers(axis_count)
+        self.master = integers(axis_count)
+        self.factor = doubles(axis_count)
+        self.slave_begin = doubles(axis_count)
+        self.master_begin = doubles(axis_count)
+        self.allowed_d = doubles(axis_count)
+        self.closed = integers(axis_count)
 
     def pair_of(self, slave: int) -> int:
         """Return the number of the pair in which an axis is the slave, -1 for none."""

@@ -7,6 +7,7 @@ import math
 
 from nctakt.kernel import rows
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.arrays import doubles, integers
 
 DEGREES_PER_RADIAN = 57.29577951308232
 
@@ -15,11 +16,11 @@ class CuttingSpeeds:
     """``active_count``: spindles that follow an axis; ``rapid_cell``: not 0 while at rapid."""
 
     def __init__(self, count: int) -> None:
-        size = 8 * max(1, count)
-        self.surface_v = memoryview(bytearray(size)).cast("d")
-        self.face_axis = memoryview(bytearray(size)).cast("q")
-        self.centre_d = memoryview(bytearray(size)).cast("d")
-        self.limit_v = memoryview(bytearray(size)).cast("d")
+        size = max(1, count)
+        self.surface_v = doubles(size)
+        self.face_axis = integers(size)
+        self.centre_d = doubles(size)
+        self.limit_v = doubles(size)
         self.active_count = 0
         self.axes: Axes | None = None
         self.rapid_cell = 0

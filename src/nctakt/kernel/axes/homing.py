@@ -9,6 +9,7 @@ Homing outlives programs and resets.
 from __future__ import annotations
 
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index
 
 
@@ -22,15 +23,15 @@ class Homing:
     def __init__(self, axes: Axes) -> None:
         count = axes.count
         self.axes = axes
-        self.running = memoryview(bytearray(8 * count)).cast("q")
-        self.is_allowed = memoryview(bytearray(8 * count)).cast("q")
-        self.distance = memoryview(bytearray(8 * count)).cast("d")
-        self.speed = memoryview(bytearray(8 * count)).cast("d")
-        self.overrun = memoryview(bytearray(8 * count)).cast("d")
-        self.position = memoryview(bytearray(8 * count)).cast("d")
-        self.ordered = memoryview(bytearray(8 * count)).cast("d")
-        self.is_homed = memoryview(bytearray(8 * count)).cast("q")
-        self.reference = memoryview(bytearray(8 * count)).cast("d")
+        self.running = integers(count)
+        self.is_allowed = integers(count)
+        self.distance = doubles(count)
+        self.speed = doubles(count)
+        self.overrun = doubles(count)
+        self.position = doubles(count)
+        self.ordered = doubles(count)
+        self.is_homed = integers(count)
+        self.reference = doubles(count)
 
     def configure(
         self, axis: int, *, distance: float, speed: float, overrun: float, position: float

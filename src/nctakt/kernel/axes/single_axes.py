@@ -13,6 +13,7 @@ from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.axes.axis_motions import AxisMotions
 from nctakt.kernel.base import bounds
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.record import Record
 
 #: The highest number that an owner can have.
@@ -31,7 +32,7 @@ class SingleAxes(AxisMotions):
         self.serial = 0
         self.requested_axis = 0
         self.has_exchanged = False
-        self.closed = memoryview(bytearray(8 * axes.count)).cast("q")
+        self.closed = integers(axes.count)
 
     # --- commands -------------------------------------------------------------------------------
 

@@ -9,6 +9,7 @@ is limited to what the path axis can do. Degrees and seconds.
 from __future__ import annotations
 
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import doubles
 
 
 class SpindleLimits:
@@ -18,21 +19,21 @@ class SpindleLimits:
     """
 
     def __init__(self, count: int) -> None:
-        size = 8 * max(1, count)
+        size = max(1, count)
         self.count = count
-        self.speed_v = memoryview(bytearray(size)).cast("d")
-        self.acceleration_a = memoryview(bytearray(size)).cast("d")
-        self.jerk_j = memoryview(bytearray(size)).cast("d")
-        self.low_v = memoryview(bytearray(size)).cast("d")
-        self.step = memoryview(bytearray(size)).cast("d")
-        self.own_v = memoryview(bytearray(size)).cast("d")
-        self.own_a = memoryview(bytearray(size)).cast("d")
-        self.tool_low_v = memoryview(bytearray(size)).cast("d")
-        self.tool_v = memoryview(bytearray(size)).cast("d")
-        self.tool_a = memoryview(bytearray(size)).cast("d")
-        self.bound_v = memoryview(bytearray(size)).cast("d")
-        self.bound_a = memoryview(bytearray(size)).cast("d")
-        self.bound_j = memoryview(bytearray(size)).cast("d")
+        self.speed_v = doubles(size)
+        self.acceleration_a = doubles(size)
+        self.jerk_j = doubles(size)
+        self.low_v = doubles(size)
+        self.step = doubles(size)
+        self.own_v = doubles(size)
+        self.own_a = doubles(size)
+        self.tool_low_v = doubles(size)
+        self.tool_v = doubles(size)
+        self.tool_a = doubles(size)
+        self.bound_v = doubles(size)
+        self.bound_a = doubles(size)
+        self.bound_j = doubles(size)
 
     def configure(
         self, spindle: int, speed_v: float, acceleration_a: float, jerk_j: float, step: int

@@ -8,6 +8,7 @@ thread is cut a spindle keeps the override that it has.
 from __future__ import annotations
 
 from nctakt.kernel import cells
+from nctakt.kernel.base.arrays import doubles, integers
 
 
 class SpindleOverrides:
@@ -17,14 +18,14 @@ class SpindleOverrides:
     """
 
     def __init__(self, memory: bytearray, first_cell: int, count: int) -> None:
-        size = 8 * max(1, count)
+        size = max(1, count)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.count = count
-        self.programmed_v = memoryview(bytearray(size)).cast("d")
-        self.acted_pct = memoryview(bytearray(size)).cast("d")
-        self.highest_pct = memoryview(bytearray(size)).cast("d")
-        self.is_ignored = memoryview(bytearray(size)).cast("q")
+        self.programmed_v = doubles(size)
+        self.acted_pct = doubles(size)
+        self.highest_pct = doubles(size)
+        self.is_ignored = integers(size)
         for spindle in range(count):
             self.acted_pct[spindle] = 100.0
             self.highest_pct[spindle] = 100.0

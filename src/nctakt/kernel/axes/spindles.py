@@ -21,6 +21,7 @@ from nctakt.kernel.axes.spindle_limits import SpindleLimits
 from nctakt.kernel.axes.spindle_overrides import SpindleOverrides
 from nctakt.kernel.axes.trajectory import Trajectories
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_cells, check_index, check_size
 from nctakt.kernel.base.record import Record
 
@@ -36,7 +37,7 @@ class Spindles:
     ) -> None:
         check_size(count, "number of spindles")
         check_cells(first_cell, cells.SPINDLE_CELLS * count, memory)
-        size = 8 * max(1, count)
+        size = max(1, count)
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.count = count
@@ -44,33 +45,33 @@ class Spindles:
         self.record = record
         self.cycle_t = cycle_time_us * 1e-6
         self.plans = Trajectories(count)
-        self.is_plc = memoryview(bytearray(size)).cast("q")
+        self.is_plc = integers(size)
         self.limits = SpindleLimits(count)
         self.overrides = SpindleOverrides(memory, first_cell, count)
         self.cutting = CuttingSpeeds(count)
-        self.position = memoryview(bytearray(size)).cast("d")
-        self.speed_v = memoryview(bytearray(size)).cast("d")
-        self.acceleration = memoryview(bytearray(size)).cast("d")
-        self.mode = memoryview(bytearray(size)).cast("q")
-        self.begin_position = memoryview(bytearray(size)).cast("d")
-        self.begin_tick = memoryview(bytearray(size)).cast("q")
-        self.commanded_v = memoryview(bytearray(size)).cast("d")
-        self.commanded_position = memoryview(bytearray(size)).cast("d")
-        self.direction = memoryview(bytearray(size)).cast("q")
-        self.function = memoryview(bytearray(size)).cast("q")
-        self.is_open = memoryview(bytearray(size)).cast("q")
-        self.is_held = memoryview(bytearray(size)).cast("q")
-        self.owner = memoryview(bytearray(size)).cast("q")
-        self.source = memoryview(bytearray(size)).cast("q")
-        self.serial = memoryview(bytearray(size)).cast("q")
-        self.taken_tick = memoryview(bytearray(size)).cast("q")
-        self.has_no_axis = memoryview(bytearray(size)).cast("q")
-        self.axis = memoryview(bytearray(size)).cast("q")
-        self.plc_state = memoryview(bytearray(size)).cast("q")
-        self.done_tick = memoryview(bytearray(size)).cast("q")
-        self.job = memoryview(bytearray(size)).cast("q")
-        self.reached_v = memoryview(bytearray(size)).cast("d")
-        self.laps = memoryview(bytearray(size)).cast("d")
+        self.position = doubles(size)
+        self.speed_v = doubles(size)
+        self.acceleration = doubles(size)
+        self.mode = integers(size)
+        self.begin_position = doubles(size)
+        self.begin_tick = integers(size)
+        self.commanded_v = doubles(size)
+        self.commanded_position = doubles(size)
+        self.direction = integers(size)
+        self.function = integers(size)
+        self.is_open = integers(size)
+        self.is_held = integers(size)
+        self.owner = integers(size)
+        self.source = integers(size)
+        self.serial = integers(size)
+        self.taken_tick = integers(size)
+        self.has_no_axis = integers(size)
+        self.axis = integers(size)
+        self.plc_state = integers(size)
+        self.done_tick = integers(size)
+        self.job = integers(size)
+        self.reached_v = doubles(size)
+        self.laps = doubles(size)
         self.issued = 0
         self.version = 0
         self.active_count = 0

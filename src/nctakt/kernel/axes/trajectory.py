@@ -26,6 +26,7 @@ import math
 
 from nctakt.kernel import codes
 from nctakt.kernel.axes import plan_rows
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.base.bounds import check_size
 
 
@@ -37,7 +38,7 @@ class Trajectories:
 
     def __init__(self, count: int) -> None:
         check_size(count, "number of axes")
-        self.rows = memoryview(bytearray(8 * plan_rows.PLAN_WIDTH * max(1, count))).cast("d")
+        self.rows = doubles(plan_rows.PLAN_WIDTH * max(1, count))
         self.distance_d = 0.0
         self.speed_v = 0.0
         self.acceleration_a = 0.0

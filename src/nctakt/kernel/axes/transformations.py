@@ -9,6 +9,7 @@ axes have positions in MCS, IPO and PCS that differ from those in ACS.
 from __future__ import annotations
 
 from nctakt.kernel import codes
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index, check_size
 from nctakt.kernel.kinematics import map_rows
 from nctakt.kernel.kinematics.maps import KinematicMaps
@@ -27,19 +28,19 @@ class Transformations:
         check_size(axis_count, "number of axes")
         self.maps = KinematicMaps(axis_count)
         self.active_count = 0
-        self.active = memoryview(bytearray(8 * axis_count)).cast("q")
-        self.gathered = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.mapped = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.near = memoryview(bytearray(8 * axis_count)).cast("d")
-        self.tips = memoryview(bytearray(8 * codes.TIPS * codes.TIP_AXES)).cast("d")
-        self.directions = memoryview(bytearray(8 * 3 * (axis_count + 1))).cast("d")
+        self.active = integers(axis_count)
+        self.gathered = doubles(axis_count)
+        self.mapped = doubles(axis_count)
+        self.near = doubles(axis_count)
+        self.tips = doubles(codes.TIPS * codes.TIP_AXES)
+        self.directions = doubles(3 * (axis_count + 1))
         self.named = 0
         self.joint_count = 0
-        self.joint_axes = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
-        self.joint_members = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
-        self.joint_mapped = memoryview(bytearray(8 * codes.TIP_AXES)).cast("q")
+        self.joint_axes = integers(codes.TIP_AXES)
+        self.joint_members = integers(codes.TIP_AXES)
+        self.joint_mapped = integers(codes.TIP_AXES)
         self.target_number = 0
-        self.mapped_targets = memoryview(bytearray(8 * codes.TIP_AXES)).cast("d")
+        self.mapped_targets = doubles(codes.TIP_AXES)
 
     def activate(self, slot: int, number: int) -> None:
         """Activate map ``number`` in the channel whose first axis is ``slot``; 0: none."""

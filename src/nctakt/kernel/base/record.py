@@ -10,6 +10,7 @@ a row is a copy of the chosen cells. ``rows.py`` has the columns of events and p
 from __future__ import annotations
 
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index, check_size
 
 
@@ -34,10 +35,10 @@ class Record:
         self.row_capacity = row_capacity
         self.select([])
         self.event_capacity = event_capacity
-        self.events = memoryview(bytearray(8 * rows.EVENT_WIDTH * event_capacity)).cast("d")
+        self.events = doubles(rows.EVENT_WIDTH * event_capacity)
         self.event_count = 0
         self.probe_capacity = probe_capacity
-        self.probes = memoryview(bytearray(8 * rows.PROBE_WIDTH * probe_capacity)).cast("d")
+        self.probes = doubles(rows.PROBE_WIDTH * probe_capacity)
         self.probe_count = 0
         self.tick = 0
         self.channel = 0
@@ -55,11 +56,11 @@ class Record:
         for cell in signals:
             check_index(cell, len(self.cells), "cell")
         self.signal_count = len(signals)
-        self.signals = memoryview(bytearray(8 * max(1, len(signals)))).cast("q")
+        self.signals = integers(max(1, len(signals)))
         for i, cell in enumerate(signals):
             self.signals[i] = cell
         kept = 2 if reduced else self.row_capacity
-        self.rows = memoryview(bytearray(8 * max(1, kept * len(signals)))).cast("d")
+        self.rows = doubles(max(1, kept * len(signals)))
         self.is_reduced = reduced
         self.begin_extent()
 
@@ -181,14 +182,10 @@ class Record:
         """Make the empty buffers large enough for a tick with this many events and probes."""
         if events > self.event_capacity and self.event_count == 0:
             self.event_capacity = 2 * events
-            self.events = memoryview(bytearray(8 * rows.EVENT_WIDTH * self.event_capacity)).cast(
-                "d"
-            )
+            self.events = doubles(rows.EVENT_WIDTH * self.event_capacity)
         if probes > self.probe_capacity and self.probe_count == 0:
             self.probe_capacity = 2 * probes
-            self.probes = memoryview(bytearray(8 * rows.PROBE_WIDTH * self.probe_capacity)).cast(
-                "d"
-            )
+            self.probes = doubles(rows.PROBE_WIDTH * self.probe_capacity)
 
     def take_rows(self) -> bytes:
         """The rows recorded since the last call, row after row of float64."""

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_cells
 
 
@@ -20,9 +21,9 @@ class Timers:
         self.cells = memoryview(memory).cast("d")
         self.first_cell = first_cell
         self.cycle_time_us = cycle_time_us
-        self.is_running = memoryview(bytearray(8 * cells.TIMERS)).cast("q")
-        self.started_tick = memoryview(bytearray(8 * cells.TIMERS)).cast("q")
-        self.elapsed_ticks = memoryview(bytearray(8 * cells.TIMERS)).cast("q")
+        self.is_running = integers(cells.TIMERS)
+        self.started_tick = integers(cells.TIMERS)
+        self.elapsed_ticks = integers(cells.TIMERS)
 
     def command(self, action: int, timer: int, tick: int) -> None:
         """Carry out an action: ``codes.TIMER_START`` …

@@ -12,6 +12,7 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.single_axes import SingleAxes
 from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_index, check_range, check_size
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.cycles.context import Context
@@ -99,21 +100,21 @@ class CycleManager:
         self.single_axes = single_axes
         self.first_owner = first_owner
         self.capacity = capacity
-        self.state = memoryview(bytearray(8 * capacity)).cast("q")
-        self.identity = memoryview(bytearray(8 * capacity)).cast("q")
-        self.scope = memoryview(bytearray(8 * capacity)).cast("q")
-        self.source = memoryview(bytearray(8 * capacity)).cast("q")
-        self.serial = memoryview(bytearray(8 * capacity)).cast("q")
-        self.reusable = memoryview(bytearray(8 * capacity)).cast("q")
-        self.restarts = memoryview(bytearray(8 * capacity)).cast("q")
-        self.started_tick = memoryview(bytearray(8 * capacity)).cast("q")
-        self.block = memoryview(bytearray(8 * capacity)).cast("q")
-        self.size = memoryview(bytearray(8 * capacity)).cast("q")
-        self.moves_on = memoryview(bytearray(8 * capacity)).cast("q")
+        self.state = integers(capacity)
+        self.identity = integers(capacity)
+        self.scope = integers(capacity)
+        self.source = integers(capacity)
+        self.serial = integers(capacity)
+        self.reusable = integers(capacity)
+        self.restarts = integers(capacity)
+        self.started_tick = integers(capacity)
+        self.block = integers(capacity)
+        self.size = integers(capacity)
+        self.moves_on = integers(capacity)
         self.memory_limit = 1 << 62
         self.memory_used = 0
         self.loaded: list[RealtimeCycle] = []
-        self.order = memoryview(bytearray(8 * capacity)).cast("q")
+        self.order = integers(capacity)
         self.loaded_count = 0
         self.root = RunThrough()
         self.latest_start = -1

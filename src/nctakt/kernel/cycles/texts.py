@@ -9,6 +9,7 @@ of an assignment has zeros only. A structure or array is copied leaf by leaf.
 from __future__ import annotations
 
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_cells, check_range, check_size
 from nctakt.kernel.cycles import instructions
 from nctakt.kernel.cycles.context import Context
@@ -171,8 +172,8 @@ class Copy(Counted):
         self.frozen_characters = memoryview(frozen)
         self.frozen = memoryview(frozen).cast("d")
         self.count = len(leaves)
-        self.leaf_cell = memoryview(bytearray(8 * max(1, len(leaves)))).cast("q")
-        self.leaf_size = memoryview(bytearray(8 * max(1, len(leaves)))).cast("q")
+        self.leaf_cell = integers(max(1, len(leaves)))
+        self.leaf_size = integers(max(1, len(leaves)))
         self.leaf_is_live = memoryview(bytearray(max(1, len(leaves))))
         for i, (cell, size, is_live) in enumerate(leaves):
             check_cells(cell, max(1, -(-size // 8)), frozen)

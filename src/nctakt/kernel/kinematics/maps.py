@@ -17,6 +17,7 @@ the history refer to them.
 from __future__ import annotations
 
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.base.bounds import check_range, check_size
 from nctakt.kernel.kinematics import map_rows, rotating_planes
 from nctakt.kernel.kinematics.map_checks import check_column, check_map
@@ -40,12 +41,12 @@ class KinematicMaps:
         self.axis_count = axis_count
         self.capacity = CAPACITY
         self.used = 1
-        self.values = memoryview(bytearray(8 * CAPACITY * map_rows.MAP_WIDTH)).cast("d")
-        self.columns = memoryview(bytearray(8 * 9)).cast("d")
-        self.linear = memoryview(bytearray(8 * 3)).cast("d")
-        room = 8 * max(1, axis_count)
-        self.between = memoryview(bytearray(room)).cast("d")
-        self.near_between = memoryview(bytearray(room)).cast("d")
+        self.values = doubles(CAPACITY * map_rows.MAP_WIDTH)
+        self.columns = doubles(9)
+        self.linear = doubles(3)
+        room = max(1, axis_count)
+        self.between = doubles(room)
+        self.near_between = doubles(room)
         self.orientation = Orientation()
         self.x = 0.0
         self.y = 0.0
@@ -75,7 +76,7 @@ class KinematicMaps:
         """Double the room for maps."""
         kept = self.values
         self.capacity *= 2
-        self.values = memoryview(bytearray(8 * self.capacity * map_rows.MAP_WIDTH)).cast("d")
+        self.values = doubles(self.capacity * map_rows.MAP_WIDTH)
         for i in range(self.used * map_rows.MAP_WIDTH):
             self.values[i] = kept[i]
 

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.base.bounds import check_index, check_range
 
 
@@ -50,16 +51,16 @@ class ArcLimits:
     def __init__(self, count: int, room: int = 0) -> None:
         self.count = count
         self.room = max(1, count, room)
-        self.max_v = memoryview(bytearray(8 * self.room)).cast("d")
-        self.max_a = memoryview(bytearray(8 * self.room)).cast("d")
-        borders = 8 * (rows.MAX_PIECES + 1)
-        self.first_parts = memoryview(bytearray(borders)).cast("d")
-        self.second_parts = memoryview(bytearray(borders)).cast("d")
-        self.first_curvatures = memoryview(bytearray(borders)).cast("d")
-        self.second_curvatures = memoryview(bytearray(borders)).cast("d")
-        self.caps = memoryview(bytearray(8 * rows.MAX_PIECES)).cast("d")
-        self.keeps = memoryview(bytearray(8 * rows.MAX_PIECES)).cast("d")
-        self.ends = memoryview(bytearray(borders)).cast("d")
+        self.max_v = doubles(self.room)
+        self.max_a = doubles(self.room)
+        borders = rows.MAX_PIECES + 1
+        self.first_parts = doubles(borders)
+        self.second_parts = doubles(borders)
+        self.first_curvatures = doubles(borders)
+        self.second_curvatures = doubles(borders)
+        self.caps = doubles(rows.MAX_PIECES)
+        self.keeps = doubles(rows.MAX_PIECES)
+        self.ends = doubles(borders)
         self.pieces = 0
         self.first_a = 0.0
         self.second_a = 0.0

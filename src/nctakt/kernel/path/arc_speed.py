@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.path.arc_limits import ArcLimits
 from nctakt.kernel.path.trapezoid_profile import TrapezoidProfile
 
@@ -22,8 +23,8 @@ class ArcSpeed(ArcLimits):
     def __init__(self, count: int, profile: TrapezoidProfile, room: int = 0) -> None:
         super().__init__(count, room)
         self.profile = profile
-        self.highs = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
-        self.lows = memoryview(bytearray(8 * (rows.MAX_PIECES + 1))).cast("d")
+        self.highs = doubles(rows.MAX_PIECES + 1)
+        self.lows = doubles(rows.MAX_PIECES + 1)
         self.prepared_v = 0.0
         self.next_feed_v = 0.0
         self.max_end_v = 0.0

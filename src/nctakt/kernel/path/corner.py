@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.path import cubic, geometry
 from nctakt.kernel.path.segment_limits import SegmentLimits
 
@@ -29,15 +30,15 @@ class Corner:
 
     def __init__(self, limits: SegmentLimits) -> None:
         self.limits = limits
-        room = 8 * limits.room
-        self.entering = memoryview(bytearray(room)).cast("d")
-        self.leaving = memoryview(bytearray(room)).cast("d")
-        self.entering_curve = memoryview(bytearray(room)).cast("d")
-        self.leaving_curve = memoryview(bytearray(room)).cast("d")
-        self.steps = memoryview(bytearray(room)).cast("d")
-        self.shares = memoryview(bytearray(room)).cast("d")
-        self.turns = memoryview(bytearray(room)).cast("d")
-        self.unused = memoryview(bytearray(room)).cast("d")
+        room = limits.room
+        self.entering = doubles(room)
+        self.leaving = doubles(room)
+        self.entering_curve = doubles(room)
+        self.leaving_curve = doubles(room)
+        self.steps = doubles(room)
+        self.shares = doubles(room)
+        self.turns = doubles(room)
+        self.unused = doubles(room)
         self.centripetal_share = 0.0
         self.last_centripetal_share = 0.0
         self.last_length = 0.0

@@ -22,6 +22,7 @@ from __future__ import annotations
 
 from nctakt.kernel import rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.path.corner import Corner
 from nctakt.kernel.path.segment_limits import SegmentLimits
 
@@ -36,8 +37,8 @@ class CornerRounding:
         self.limits = limits
         self.corner = corner
         self.width = rows.segment_width(limits.room)
-        self.row = memoryview(bytearray(8 * self.width)).cast("d")
-        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
+        self.row = doubles(self.width)
+        self.spare = doubles(2 * self.width)
 
     def round(self, segments: memoryview[float], before: int, row: int, back: int) -> int:
         """Make a rounding over the corner between two segments; return 0 if none fits.

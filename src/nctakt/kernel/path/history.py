@@ -11,6 +11,7 @@ its own values, and is a goal at either end, which the walk reaches without acce
 from __future__ import annotations
 
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.path.goal import Goal
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
@@ -30,14 +31,14 @@ class History:
         self.path = path
         self.look_ahead = ahead
         self.goal = Goal()
-        self.foreign = memoryview(bytearray(8 * path.room)).cast("q")
+        self.foreign = integers(path.room)
         self.number = 0
         self.front_number = 0
         self.front_map = 0
-        self.stretch = memoryview(bytearray(8 * MAX_STRETCH)).cast("q")
+        self.stretch = integers(MAX_STRETCH)
         self.max_stretch = MAX_STRETCH
         self.stretch_end = 0
-        self.goal_row = memoryview(bytearray(8 * path.width)).cast("d")
+        self.goal_row = doubles(path.width)
         self.limit_a = 0.0
         self.limit_j = 0.0
         self.rounding_a = 1e300

@@ -23,6 +23,7 @@ from __future__ import annotations
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.corner import Corner
 from nctakt.kernel.path.corner_rounding import CornerRounding
@@ -48,7 +49,7 @@ class LookAhead:
         self.blocks = blocks
         self.width = rows.segment_width(self.limits.room)
         self.capacity = 0
-        self.spare = memoryview(bytearray(16 * self.width)).cast("d")
+        self.spare = doubles(2 * self.width)
 
     def resize(self, capacity: int) -> None:
         """Work on a queue of ``capacity`` rows from now on."""

@@ -14,6 +14,7 @@ from __future__ import annotations
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.base.bounds import check_index, check_size
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.arc_speed import ArcSpeed
@@ -47,8 +48,8 @@ class Path(PathAxes):
         self.width = rows.segment_width(self.room)
         self.history_size = history_size
         self.ring_size = history_size + 1
-        self.history_rows = memoryview(bytearray(8 * self.ring_size * self.width)).cast("d")
-        self.ends = memoryview(bytearray(8 * self.room)).cast("d")
+        self.history_rows = doubles(self.ring_size * self.width)
+        self.ends = doubles(self.room)
         self.used = 0
         self.oldest = 0
         self.front = 0
@@ -63,7 +64,7 @@ class Path(PathAxes):
         self.pieces = 0
         self.jerk_profile = JerkProfile(self.cycle_time_t)
         self.life = ToolLifeCounter(cycle_time_us)
-        self.positions = memoryview(bytearray(8 * self.room)).cast("d")
+        self.positions = doubles(self.room)
         self.stage = 0
         self.stage_end_d = 0.0
         self.factor = 1.0

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.axes.axes import Axes
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.path import geometry
 
@@ -28,19 +29,19 @@ class PathAxes:
         self.shown_version = -1
         self.room = max(1, room, len(members))
         self.count = 0
-        self.members = memoryview(bytearray(8 * self.room)).cast("q")
+        self.members = integers(self.room)
         for axis in members:
             check_index(axis, axes.count, "axis")
         self.set_axes(members)
-        self.moved = memoryview(bytearray(8 * self.room)).cast("q")
+        self.moved = integers(self.room)
         self.moved_count = 0
         self.refused_axis = 0
-        self.history_rows = memoryview(bytearray(8)).cast("d")
+        self.history_rows = doubles(1)
         self.maps = axes.transformations.maps
         self.slot = members[0] if members else 0
-        self.unmapped = memoryview(bytearray(8 * self.room)).cast("d")
-        self.near = memoryview(bytearray(8 * self.room)).cast("d")
-        self.standing = memoryview(bytearray(8 * self.room)).cast("d")
+        self.unmapped = doubles(self.room)
+        self.near = doubles(self.room)
+        self.standing = doubles(self.room)
         self.row = 0
         self.direction = 1
 

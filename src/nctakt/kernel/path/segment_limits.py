@@ -15,6 +15,7 @@ from __future__ import annotations
 from nctakt.kernel import rows
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path import arc_limits, geometry
 from nctakt.kernel.path.arc_limits import ArcLimits
@@ -41,27 +42,27 @@ class SegmentLimits:
         self.room = max(1, count, places)
         self.max_factor = max(1.0, max_factor)
         self.tick_t = cycle_time_us / 1e6
-        room = 8 * self.room
-        self.linear = memoryview(bytearray(room)).cast("q")
-        self.rapid_v = memoryview(bytearray(room)).cast("d")
-        self.max_v = memoryview(bytearray(room)).cast("d")
-        self.rapid_a = memoryview(bytearray(room)).cast("d")
-        self.feed_a = memoryview(bytearray(room)).cast("d")
-        self.rapid_slope_a = memoryview(bytearray(room)).cast("d")
-        self.feed_slope_a = memoryview(bytearray(room)).cast("d")
-        self.rapid_j = memoryview(bytearray(room)).cast("d")
-        self.feed_j = memoryview(bytearray(room)).cast("d")
-        self.axis_a = memoryview(bytearray(room)).cast("d")
-        self.axis_j = memoryview(bytearray(room)).cast("d")
-        self.listed_v = memoryview(bytearray(room)).cast("d")
-        self.listed_a = memoryview(bytearray(room)).cast("d")
-        self.kept_rapid_a = memoryview(bytearray(room)).cast("d")
-        self.kept_feed_a = memoryview(bytearray(room)).cast("d")
-        self.kept_rapid_slope_a = memoryview(bytearray(room)).cast("d")
-        self.kept_feed_slope_a = memoryview(bytearray(room)).cast("d")
-        self.kept_rapid_j = memoryview(bytearray(room)).cast("d")
-        self.kept_feed_j = memoryview(bytearray(room)).cast("d")
-        self.vector = memoryview(bytearray(16 * rows.VECTOR_WIDTH)).cast("d")
+        room = self.room
+        self.linear = integers(room)
+        self.rapid_v = doubles(room)
+        self.max_v = doubles(room)
+        self.rapid_a = doubles(room)
+        self.feed_a = doubles(room)
+        self.rapid_slope_a = doubles(room)
+        self.feed_slope_a = doubles(room)
+        self.rapid_j = doubles(room)
+        self.feed_j = doubles(room)
+        self.axis_a = doubles(room)
+        self.axis_j = doubles(room)
+        self.listed_v = doubles(room)
+        self.listed_a = doubles(room)
+        self.kept_rapid_a = doubles(room)
+        self.kept_feed_a = doubles(room)
+        self.kept_rapid_slope_a = doubles(room)
+        self.kept_feed_slope_a = doubles(room)
+        self.kept_rapid_j = doubles(room)
+        self.kept_feed_j = doubles(room)
+        self.vector = doubles(2 * rows.VECTOR_WIDTH)
         self.is_reduced = False
         self.has_changed = False
         self.rounded_part = 0.5
@@ -70,8 +71,8 @@ class SegmentLimits:
         self.arcs.share(self.listed_v, self.listed_a)
         self.transformed = TransformedLimits(count, self.linear, self.room)
         self.transformed.limit(self.rapid_v, self.max_v, self.axis_a, self.axis_j)
-        self.direction = memoryview(bytearray(room)).cast("d")
-        self.unused = memoryview(bytearray(room)).cast("d")
+        self.direction = doubles(room)
+        self.unused = doubles(room)
         self.has_jerk_limit = False
         self.spindles: Spindles | None = None
 

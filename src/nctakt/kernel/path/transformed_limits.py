@@ -13,6 +13,7 @@ from __future__ import annotations
 from nctakt.kernel import rows
 from nctakt.kernel.axes.transformations import Transformations
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.path import cubic
 
@@ -47,11 +48,11 @@ class TransformedLimits:
         self.count = count
         self.linear = linear
         self.room = places
-        room = 8 * places
-        self.rapid_v = memoryview(bytearray(room)).cast("d")
-        self.max_v = memoryview(bytearray(room)).cast("d")
-        self.axis_a = memoryview(bytearray(room)).cast("d")
-        self.axis_j = memoryview(bytearray(room)).cast("d")
+        room = places
+        self.rapid_v = doubles(room)
+        self.max_v = doubles(room)
+        self.axis_a = doubles(room)
+        self.axis_j = doubles(room)
         self.transformations = Transformations(1)
         self.free_a = 1.0 - BEND_A
         self.free_j = 1.0 - BEND_J - BEND_RAMP_J
@@ -59,19 +60,19 @@ class TransformedLimits:
         self.steps = 1
         self.is_even = True
         self.plane_axis = -1
-        self.near = memoryview(bytearray(room)).cast("d")
-        self.point = memoryview(bytearray(room)).cast("d")
-        self.start = memoryview(bytearray(room)).cast("d")
-        self.target = memoryview(bytearray(room)).cast("d")
-        self.samples = memoryview(bytearray(4 * room)).cast("d")
-        self.result = memoryview(bytearray(room)).cast("d")
-        self.first = memoryview(bytearray(room)).cast("d")
-        self.second = memoryview(bytearray(room)).cast("d")
-        self.third = memoryview(bytearray(room)).cast("d")
-        self.entering = memoryview(bytearray(room)).cast("d")
-        self.leaving = memoryview(bytearray(room)).cast("d")
-        self.entering_curve = memoryview(bytearray(room)).cast("d")
-        self.leaving_curve = memoryview(bytearray(room)).cast("d")
+        self.near = doubles(room)
+        self.point = doubles(room)
+        self.start = doubles(room)
+        self.target = doubles(room)
+        self.samples = doubles(4 * room)
+        self.result = doubles(room)
+        self.first = doubles(room)
+        self.second = doubles(room)
+        self.third = doubles(room)
+        self.entering = doubles(room)
+        self.leaving = doubles(room)
+        self.entering_curve = doubles(room)
+        self.leaving_curve = doubles(room)
 
     def start_at(self, axes: memoryview[float], members: memoryview[int]) -> None:
         """Take where the axes are: of two solutions the next segment starts at the nearer one."""

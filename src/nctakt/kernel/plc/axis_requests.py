@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from nctakt.kernel import codes
 from nctakt.kernel.axes.single_axes import SingleAxes
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_range
 
 #: Requests whose answers are kept; more cannot be posted for one tick.
@@ -21,13 +22,13 @@ class AxisRequests:
     def __init__(self, single_axes: SingleAxes) -> None:
         self.single_axes = single_axes
         self.capacity = CAPACITY
-        self.kind = memoryview(bytearray(8 * CAPACITY)).cast("q")
-        self.axis = memoryview(bytearray(8 * CAPACITY)).cast("q")
-        self.value = memoryview(bytearray(8 * CAPACITY)).cast("d")
-        self.speed_v = memoryview(bytearray(8 * CAPACITY)).cast("d")
-        self.mode = memoryview(bytearray(8 * CAPACITY)).cast("q")
-        self.direction = memoryview(bytearray(8 * CAPACITY)).cast("q")
-        self.answer = memoryview(bytearray(8 * CAPACITY)).cast("q")
+        self.kind = integers(CAPACITY)
+        self.axis = integers(CAPACITY)
+        self.value = doubles(CAPACITY)
+        self.speed_v = doubles(CAPACITY)
+        self.mode = integers(CAPACITY)
+        self.direction = integers(CAPACITY)
+        self.answer = integers(CAPACITY)
         self.posted = 0
         self.latched = 0
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from nctakt.kernel import cells, codes, rows
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_index, check_range
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.image_slots import Units
@@ -50,7 +51,7 @@ class InterfaceImage:
         self.as_unsigned_32 = scratch.cast("I")
         self.as_real = scratch.cast("d")
         self.refused_capacity = 2 * len(self.words)
-        self.refused_cells = memoryview(bytearray(8 * self.refused_capacity)).cast("q")
+        self.refused_cells = integers(self.refused_capacity)
         self.refused_count = 0
         self.refused_reported = 0
         self.reports_to = self
@@ -111,21 +112,21 @@ class InterfaceImage:
     def hold_table(self, table: list[tuple[int, int, int, int, bool, float]]) -> None:
         """Hold the variables of a table, each with a shadow of its cells, all of them stale."""
         count = len(table)
-        self.is_input = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.factor = memoryview(bytearray(8 * count + 8)).cast("d")
-        self.is_scaled = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.offset = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.kind = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.cell = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.size = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.cell_count = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.first_shadow = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.is_stale = memoryview(bytearray(8 * count + 8)).cast("q")
-        self.was_refused = memoryview(bytearray(8 * count + 8)).cast("q")
+        self.is_input = integers(count + 1)
+        self.factor = doubles(count + 1)
+        self.is_scaled = integers(count + 1)
+        self.offset = integers(count + 1)
+        self.kind = integers(count + 1)
+        self.cell = integers(count + 1)
+        self.size = integers(count + 1)
+        self.cell_count = integers(count + 1)
+        self.first_shadow = integers(count + 1)
+        self.is_stale = integers(count + 1)
+        self.was_refused = integers(count + 1)
         shadows = sum(-(-size // 8) for _, _, _, size, _, _ in table)
-        self.shadow = memoryview(bytearray(8 * shadows + 8)).cast("q")
-        self.shadowed_cell = memoryview(bytearray(8 * shadows + 8)).cast("q")
-        self.shadowed_entry = memoryview(bytearray(8 * shadows + 8)).cast("q")
+        self.shadow = integers(shadows + 1)
+        self.shadowed_cell = integers(shadows + 1)
+        self.shadowed_entry = integers(shadows + 1)
         self.shadow_count = 0
         self.stale_count = count
         for i, (offset, kind, cell, size, is_input, factor) in enumerate(table):

@@ -12,6 +12,7 @@ that the function takes (P-CHAN-00040, P-CHAN-00026).
 from __future__ import annotations
 
 from nctakt.kernel import codes
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_index, check_size
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.plc.panel import Panel
@@ -34,18 +35,18 @@ class Section:
     def __init__(self, slot_count: int) -> None:
         check_size(slot_count, "number of slots")
         self.slot_count = slot_count
-        self.state = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.function = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.sequence = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.tick = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.done = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.serial = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.value = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.is_answered = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.area = memoryview(bytearray(8 * slot_count)).cast("q")
-        self.unit = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.state = integers(slot_count)
+        self.function = integers(slot_count)
+        self.sequence = integers(slot_count)
+        self.tick = integers(slot_count)
+        self.done = integers(slot_count)
+        self.serial = integers(slot_count)
+        self.value = integers(slot_count)
+        self.is_answered = integers(slot_count)
+        self.area = integers(slot_count)
+        self.unit = integers(slot_count)
         self.set_areas(bytearray(8), bytearray(8))
-        self.answer_source = memoryview(bytearray(8 * slot_count)).cast("q")
+        self.answer_source = integers(slot_count)
         self.last_slot = 0
         self.issued_in_tick = 0
         self.taken_count = 0

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import struct
 
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.st import kinds, real_leaves
 from nctakt.kernel.st.context import PlcContext
 from nctakt.kernel.st.reals import (
@@ -51,7 +52,7 @@ class RealChain(Real):
 
 def links_of(parts: _Parts) -> memoryview:
     """Return the words of a chain's links."""
-    links = memoryview(bytearray(8 * kinds.LINK_WIDTH * len(parts))).cast("q")
+    links = integers(kinds.LINK_WIDTH * len(parts))
     for number, (operation, operand) in enumerate(parts):
         at = kinds.LINK_WIDTH * number
         links[at + kinds.LINK_SOURCE] = operand.leaf - kinds.CONSTANT

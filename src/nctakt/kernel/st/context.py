@@ -8,6 +8,7 @@ offset needs no check (ST-001). A pointer is an offset in it; 0 is null.
 
 from __future__ import annotations
 
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.observing import notes
@@ -52,7 +53,7 @@ class PlcContext:
         self.outside = Outside()
         self.notes = Notes(0)
         self.is_noting = False
-        self.writers = memoryview(bytearray(8 * (self.end - self.interface) + 8)).cast("q")
+        self.writers = integers((self.end - self.interface) + 8)
         self.frame = stack
         self.top = stack
         self.instance = stack
@@ -72,13 +73,13 @@ class PlcContext:
         self.fault_b = 0
         self.fault_frame = 0
         self.fault_instance = 0
-        self.trail = memoryview(bytearray(8 * kinds.TRAIL_WIDTH * (kinds.MAX_DEPTH + 2))).cast("q")
+        self.trail = integers(kinds.TRAIL_WIDTH * (kinds.MAX_DEPTH + 2))
         self.trail_length = 0
         self.count_end = 0
-        self.counts = memoryview(bytearray(8)).cast("q")
-        self.near_left = memoryview(bytearray(8)).cast("d")
-        self.near_right = memoryview(bytearray(8)).cast("d")
-        self.distances = memoryview(bytearray(8)).cast("d")
+        self.counts = integers(1)
+        self.near_left = doubles(1)
+        self.near_right = doubles(1)
+        self.distances = doubles(1)
         self.seen_left = 0.0
         self.seen_right = 0.0
         self.stops_at_invalid = True
@@ -87,10 +88,10 @@ class PlcContext:
     def keep_counts(self, size: int) -> None:
         """Count the runs of ``size`` conditions and bodies from now on."""
         check_range(size, 0, kinds.MAX_COUNTS, "counts")
-        self.counts = memoryview(bytearray(8 * size + 8)).cast("q")
-        self.near_left = memoryview(bytearray(8 * size + 8)).cast("d")
-        self.near_right = memoryview(bytearray(8 * size + 8)).cast("d")
-        self.distances = memoryview(bytearray(8 * size + 8)).cast("d")
+        self.counts = integers(size + 1)
+        self.near_left = doubles(size + 1)
+        self.near_right = doubles(size + 1)
+        self.distances = doubles(size + 1)
         for number in range(size):
             self.distances[number] = -1.0
         self.count_end = size

@@ -11,6 +11,7 @@ from __future__ import annotations
 from nctakt.kernel import cells, codes
 from nctakt.kernel.axes.axes import Axes
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.plc.interface_image import InterfaceImage
 from nctakt.kernel.st import kinds, words
@@ -65,15 +66,15 @@ class ShownValues:
         self.memory = memoryview(memory)
         self.cells = memoryview(machine).cast("d")
         self.count = len(rows)
-        self.address = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.kind = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.cell = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.how = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.operand = memoryview(bytearray(8 * len(rows) + 8)).cast("d")
-        self.low = memoryview(bytearray(8 * kinds.F64)).cast("d")
-        self.high = memoryview(bytearray(8 * kinds.F64)).cast("d")
+        self.address = integers(len(rows) + 8)
+        self.kind = integers(len(rows) + 8)
+        self.cell = integers(len(rows) + 8)
+        self.how = integers(len(rows) + 8)
+        self.operand = doubles(len(rows) + 8)
+        self.low = doubles(kinds.F64)
+        self.high = doubles(kinds.F64)
         size = kinds.MAPPED_NUMBERS
-        self.table = memoryview(bytearray(8 * size * len(tables) + 8)).cast("d")
+        self.table = doubles(size * len(tables) + 8)
         for i, (low, high) in enumerate(zip(_LOW, _HIGH, strict=True)):
             self.low[i] = low
             self.high[i] = high
@@ -146,20 +147,20 @@ class ControlUnits:
         self.values = values
         self.banks = banks
         self.count = len(rows)
-        self.enable = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.command = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.request = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.kind = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.cell = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.factor = memoryview(bytearray(8 * len(rows) + 8)).cast("d")
-        self.area = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.is_edge = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.is_decided = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.is_released = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.is_pressed = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.was_commanded = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.wish = memoryview(bytearray(8 * len(rows) + 8)).cast("d")
-        self.commanded = memoryview(bytearray(8 * len(rows) + 8)).cast("d")
+        self.enable = integers(len(rows) + 8)
+        self.command = integers(len(rows) + 8)
+        self.request = integers(len(rows) + 8)
+        self.kind = integers(len(rows) + 8)
+        self.cell = integers(len(rows) + 8)
+        self.factor = doubles(len(rows) + 8)
+        self.area = integers(len(rows) + 8)
+        self.is_edge = integers(len(rows) + 8)
+        self.is_decided = integers(len(rows) + 8)
+        self.is_released = integers(len(rows) + 8)
+        self.is_pressed = integers(len(rows) + 8)
+        self.was_commanded = integers(len(rows) + 8)
+        self.wish = doubles(len(rows) + 8)
+        self.commanded = doubles(len(rows) + 8)
         end = len(self.values.memory) - kinds.SLACK
         for i, (enable, command, request, kind, cell, factor, area, is_edge) in enumerate(rows):
             for address in (enable, command, request):
@@ -257,8 +258,8 @@ class ChannelRecords:
         self.values = values
         self.banks = banks
         self.count = len(rows)
-        self.places = memoryview(bytearray(8 * kinds.RECORD_WIDTH * len(rows) + 8)).cast("q")
-        self.read_error = memoryview(bytearray(8 * len(rows) + 8)).cast("d")
+        self.places = integers(kinds.RECORD_WIDTH * len(rows) + 8)
+        self.read_error = doubles(len(rows) + 8)
         end = len(self.values.memory) - kinds.SLACK
         for i, row in enumerate(rows):
             check_range(len(row), kinds.RECORD_WIDTH, kinds.RECORD_WIDTH, "numbers of a row")
@@ -335,8 +336,8 @@ class AxisReleases:
         self.values = values
         self.axes = axes
         self.count = len(rows)
-        self.places = memoryview(bytearray(8 * kinds.RELEASE_WIDTH * len(rows) + 8)).cast("q")
-        self.is_locked = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
+        self.places = integers(kinds.RELEASE_WIDTH * len(rows) + 8)
+        self.is_locked = integers(len(rows) + 8)
         end = len(self.values.memory) - kinds.SLACK
         for i, row in enumerate(rows):
             check_range(len(row), kinds.RELEASE_WIDTH, kinds.RELEASE_WIDTH, "numbers of a row")
@@ -395,10 +396,10 @@ class CncInterface(CncSide):
         self.variables = variables
         self.tick = -1
         self.count = len(presence)
-        self.present = memoryview(bytearray(8 * len(presence) + 8)).cast("q")
-        self.present_cell = memoryview(bytearray(8 * len(presence) + 8)).cast("q")
-        self.own = memoryview(bytearray(8 * len(presence) + 8)).cast("q")
-        self.published = memoryview(bytearray(8 * len(presence) + 8)).cast("q")
+        self.present = integers(len(presence) + 8)
+        self.present_cell = integers(len(presence) + 8)
+        self.own = integers(len(presence) + 8)
+        self.published = integers(len(presence) + 8)
         for i, (address, cell) in enumerate(presence):
             check_range(address, 0, len(self.values.memory) - kinds.SLACK, "address")
             check_range(cell, -1, len(self.values.cells) - 1, "cell")

@@ -8,6 +8,7 @@ next tick latches it, and the number of its owner identifies it for queries (ST-
 from __future__ import annotations
 
 from nctakt.kernel import codes
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.plc.axis_requests import AxisRequests
 from nctakt.kernel.st import kinds, words
@@ -79,25 +80,25 @@ class Connection(Outside):
             "cells",
         )
         self.cells = memoryview(memory).cast("d")
-        self.numbers = memoryview(bytearray(8 * self.count + 8)).cast("q")
-        self.is_powered = memoryview(bytearray(8 * self.count + 8)).cast("q")
-        self.is_locked = memoryview(bytearray(8 * self.count + 8)).cast("q")
-        self.measures = memoryview(bytearray(8 * len(measures) + 8)).cast("q")
+        self.numbers = integers(self.count + 1)
+        self.is_powered = integers(self.count + 1)
+        self.is_locked = integers(self.count + 1)
+        self.measures = integers(len(measures) + 8)
         for i, number in enumerate(numbers):
             self.numbers[i] = number
         for i, cell in enumerate(measures):
             check_range(cell, 0, len(self.cells) - 1, "cell")
             self.measures[i] = cell
         self.pointer_count = len(pointers)
-        self.pointer_at = memoryview(bytearray(8 * len(pointers) + 8)).cast("q")
-        self.pointer_value = memoryview(bytearray(8 * len(pointers) + 8)).cast("q")
+        self.pointer_at = integers(len(pointers) + 8)
+        self.pointer_value = integers(len(pointers) + 8)
         for i, (at, value) in enumerate(pointers):
             check_range(at, kinds.NULL_BYTES, kinds.MAX_MEMORY, "address")
             self.pointer_at[i] = at
             self.pointer_value[i] = value
         self.wrong_value, self.not_released = refused
         self.ticks_per_s = 0.0
-        self.notes = memoryview(bytearray(8 * kinds.AXIS_NOTES * self.count + 8)).cast("d")
+        self.notes = doubles(kinds.AXIS_NOTES * self.count + 1)
 
     def watch(self, ticks_per_s: float) -> None:
         """Note speeds and accelerations of the axes from the next tick on."""

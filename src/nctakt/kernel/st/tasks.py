@@ -8,6 +8,7 @@ the PLC: no further cycle runs, and its output image stays (ST-560).
 
 from __future__ import annotations
 
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds, words
 from nctakt.kernel.st.context import PlcContext
@@ -179,12 +180,12 @@ class PlcTasks(PlcSide):
         self.cells = memoryview(memory).cast("d")
         self.message_at = 0
         self.input_count = 0
-        self.input_address = memoryview(bytearray(8 * kinds.MAX_INPUTS)).cast("q")
-        self.input_byte = memoryview(bytearray(8 * kinds.MAX_INPUTS)).cast("q")
+        self.input_address = integers(kinds.MAX_INPUTS)
+        self.input_byte = integers(kinds.MAX_INPUTS)
         self.output_count = 0
-        self.output_address = memoryview(bytearray(8 * kinds.MAX_OUTPUTS)).cast("q")
-        self.output_kind = memoryview(bytearray(8 * kinds.MAX_OUTPUTS)).cast("q")
-        self.output_cell = memoryview(bytearray(8 * kinds.MAX_OUTPUTS)).cast("q")
+        self.output_address = integers(kinds.MAX_OUTPUTS)
+        self.output_kind = integers(kinds.MAX_OUTPUTS)
+        self.output_cell = integers(kinds.MAX_OUTPUTS)
 
     def post(self, address: int, data: bytes) -> None:
         """Put bytes into the image that the next cycle latches."""

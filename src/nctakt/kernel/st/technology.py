@@ -10,6 +10,7 @@ from __future__ import annotations
 from nctakt.kernel import cells, codes
 from nctakt.kernel.axes.spindles import Spindles
 from nctakt.kernel.base import arithmetic
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.plc.technology_slots import Hli, Section
 from nctakt.kernel.st import kinds, words
@@ -35,16 +36,16 @@ class UnitBanks:
         self.memory = memoryview(context.memory)
         self.count = len(rows)
         self.area_count = areas
-        self.announced = memoryview(bytearray(8 * areas + 8)).cast("q")
-        self.since = memoryview(bytearray(8 * areas + 8)).cast("q")
+        self.announced = integers(areas + 1)
+        self.since = integers(areas + 1)
         for i in range(areas):
             self.since[i] = -2
-        self.first = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.units = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.stride = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.used = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.area = memoryview(bytearray(8 * len(rows) + 8)).cast("q")
-        self.taken = memoryview(bytearray(8 * cells.TECHNO_UNITS * len(rows) + 8)).cast("q")
+        self.first = integers(len(rows) + 8)
+        self.units = integers(len(rows) + 8)
+        self.stride = integers(len(rows) + 8)
+        self.used = integers(len(rows) + 8)
+        self.area = integers(len(rows) + 8)
+        self.taken = integers(cells.TECHNO_UNITS * len(rows) + 8)
         end = context.end
         for i, (first, units, stride, used, area) in enumerate(rows):
             check_range(first, 0, end - units * stride, "first unit")
@@ -165,9 +166,9 @@ class SectionSource(UnitSource):
         self.tool_type = tool_type
         self.cycle_time_us = cycle_time_us
         self.others = others
-        self.bank = memoryview(bytearray(8 * self.section.slot_count)).cast("q")
-        self.unit = memoryview(bytearray(8 * self.section.slot_count)).cast("q")
-        self.serial = memoryview(bytearray(8 * self.section.slot_count)).cast("q")
+        self.bank = integers(self.section.slot_count)
+        self.unit = integers(self.section.slot_count)
+        self.serial = integers(self.section.slot_count)
         self.shown_count = 0
 
     def show(self, tick: int) -> None:
@@ -262,8 +263,8 @@ class SpindleSource(UnitSource):
         self.others = others
         self.bank = memoryview(spindle_banks).cast("q")
         check_banks(spindle_banks, banks.count)
-        self.unit = memoryview(bytearray(8 * spindles.count + 8)).cast("q")
-        self.job = memoryview(bytearray(8 * spindles.count + 8)).cast("q")
+        self.unit = integers(spindles.count + 1)
+        self.job = integers(spindles.count + 1)
 
     def show(self, tick: int) -> None:
         for i in range(self.spindles.count):

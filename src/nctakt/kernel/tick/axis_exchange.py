@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.axes.c_axis import CAxis
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_index
 from nctakt.kernel.path.path import Path
 from nctakt.kernel.path.segment_limits import SegmentLimits
@@ -36,7 +37,7 @@ class AxisExchange:
         self.spindles = executor.spindle_exchange
         self.c_axis = CAxis(self.path.axes, executor.context.spindles)
         self.c_axes = [self.c_axis]
-        self.awaited = memoryview(bytearray(8 * (self.path.axes.count + 1))).cast("q")
+        self.awaited = integers(self.path.axes.count + 1)
         self.is_waiting = False
         self.source = 0
         self.since = 0

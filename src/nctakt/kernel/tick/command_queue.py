@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel import codes, rows
 from nctakt.kernel.base import bounds
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.lookahead import LookAhead
 from nctakt.kernel.path.path import Path
@@ -34,7 +35,7 @@ class CommandQueue:
         look_ahead.resize(self.capacity)
         self.path.arc.share(self.look_ahead.limits.listed_v, self.look_ahead.limits.listed_a)
         self.look_ahead.limits.transformed.share(self.path.axes.transformations)
-        self.rows = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.rows = doubles(self.width * self.capacity)
         self.head = 0
         self.tail = 0
         self.timed_count = 0
@@ -43,7 +44,7 @@ class CommandQueue:
         self.transformation = 0
         self.loop_body = LoopBody(self.width)
         self.has_early = False
-        self.end_row = memoryview(bytearray(8 * self.width)).cast("d")
+        self.end_row = doubles(self.width)
 
     def used_rows(self) -> tuple[memoryview[float], int]:
         """Return the rows, and how many of their cells count: those that were ever written.
@@ -350,7 +351,7 @@ class CommandQueue:
         commands = [self.command(n) for n in range(self.head, self.tail)]
         self.capacity *= 2
         self.look_ahead.resize(self.capacity)
-        self.rows = memoryview(bytearray(8 * self.width * self.capacity)).cast("d")
+        self.rows = doubles(self.width * self.capacity)
         self.started = max(self.started - self.head, -1)
         self.last_segment = max(self.last_segment - self.head, -1)
         self.head = 0

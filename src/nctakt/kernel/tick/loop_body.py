@@ -8,6 +8,7 @@ the path continues from one pass into the next.
 from __future__ import annotations
 
 from nctakt.kernel import rows
+from nctakt.kernel.base.arrays import doubles
 
 
 class LoopBody:
@@ -18,7 +19,7 @@ class LoopBody:
 
     def __init__(self, width: int) -> None:
         self.width = width
-        self.rows = memoryview(bytearray(8 * self.width)).cast("d")
+        self.rows = doubles(self.width)
         self.count = 0
         self.is_open = False
         self.is_complete = False
@@ -50,7 +51,7 @@ class LoopBody:
     def append(self, queue: memoryview[float], row: int) -> None:
         """Append the queue's row at ``row`` to the body."""
         if (self.count + 1) * self.width > len(self.rows):
-            larger = memoryview(bytearray(16 * len(self.rows))).cast("d")
+            larger = doubles(2 * len(self.rows))
             for i in range(self.count * self.width):
                 larger[i] = self.rows[i]
             self.rows = larger

@@ -13,6 +13,7 @@ from collections.abc import Sequence
 
 from nctakt.kernel import codes
 from nctakt.kernel.axes.spindles import Spindles
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.cycles.context import context_of
 from nctakt.kernel.cycles.expressions import Expression
@@ -77,8 +78,8 @@ class Delays:
     def __init__(self, others: int, functions: Sequence[int], delays: Sequence[int]) -> None:
         self.others = others
         self.count = len(functions)
-        self.functions = memoryview(bytearray(8 * self.count + 8)).cast("q")
-        self.delays = memoryview(bytearray(8 * self.count + 8)).cast("q")
+        self.functions = integers(self.count + 1)
+        self.delays = integers(self.count + 1)
         for i, (function, delay) in enumerate(zip(functions, delays, strict=True)):
             self.functions[i] = function
             self.delays[i] = delay

@@ -8,6 +8,7 @@
 from __future__ import annotations
 
 from nctakt.kernel import codes
+from nctakt.kernel.base.arrays import doubles, integers
 
 
 def names_channel(mask: int, channel: int) -> int:
@@ -28,17 +29,15 @@ class SignalBoard:
 
     def __init__(self) -> None:
         self.count = 0
-        self.number = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.sender = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.receiver = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.remaining = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.level = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.tick = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.mask = memoryview(bytearray(8 * codes.SIGNAL_CAPACITY)).cast("q")
-        self.values = memoryview(bytearray(8 * codes.SIGNAL_VALUES * codes.SIGNAL_CAPACITY)).cast(
-            "d"
-        )
-        self.received = memoryview(bytearray(8 * codes.SIGNAL_VALUES)).cast("d")
+        self.number = integers(codes.SIGNAL_CAPACITY)
+        self.sender = integers(codes.SIGNAL_CAPACITY)
+        self.receiver = integers(codes.SIGNAL_CAPACITY)
+        self.remaining = integers(codes.SIGNAL_CAPACITY)
+        self.level = integers(codes.SIGNAL_CAPACITY)
+        self.tick = integers(codes.SIGNAL_CAPACITY)
+        self.mask = integers(codes.SIGNAL_CAPACITY)
+        self.values = doubles(codes.SIGNAL_VALUES * codes.SIGNAL_CAPACITY)
+        self.received = doubles(codes.SIGNAL_VALUES)
         self.received_mask = 0
         self.taken_sender = 0
         self.taken_tick = 0

@@ -21,6 +21,7 @@ from nctakt.decoder.kinematics.selection import ChannelAxes, ChannelKinematics
 from nctakt.decoder.kinematics.transformed_way import TransformedWay
 from nctakt.decoder.state.queued.commands import Command, SetTransformation
 from nctakt.kernel.axes.transformations import Transformations
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.kinematics import map_rows
 from nctakt.lists.declared.tools import NO_TOOL, Tool
 from nctakt.lists.machine.axis_configuration import AxisConfiguration
@@ -58,10 +59,10 @@ class ActiveTransformation:
         self.kinematics.axes = axes
         self._axes = axes.members
         count = max(1, len(self._axes))
-        self._given = memoryview(bytearray(8 * count)).cast("d")
-        self._near = memoryview(bytearray(8 * count)).cast("d")
-        self._present = memoryview(bytearray(8 * count)).cast("d")
-        self._result = memoryview(bytearray(8 * count)).cast("d")
+        self._given = doubles(count)
+        self._near = doubles(count)
+        self._present = doubles(count)
+        self._result = doubles(count)
         self._standing: tuple[list[float], list[float]] = ([], [])
         self.axis_check = TransformedWay(len(self._axes), self._transformations)
         for slot, (low, high) in enumerate(axes.limits):

@@ -10,6 +10,7 @@ part of the block's length. Each axis shows it in its cells FIXED_STOP.ACTIVE, D
 from __future__ import annotations
 
 from nctakt.kernel import cells, rows
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path.path import Path
 
@@ -24,15 +25,15 @@ class FixedStops:
         self.path = path
         self.record = record
         room = path.room
-        self.active = memoryview(bytearray(8 * room)).cast("q")
-        self.detected = memoryview(bytearray(8 * room)).cast("q")
-        self.needed = memoryview(bytearray(8 * room)).cast("q")
-        self.ticks = memoryview(bytearray(8 * room)).cast("q")
-        self.sources = memoryview(bytearray(8 * room)).cast("q")
-        self.limit_d = memoryview(bytearray(8 * room)).cast("d")
-        self.min_ticks = memoryview(bytearray(8 * room)).cast("q")
-        self.from_part = memoryview(bytearray(8 * room)).cast("d")
-        self.to_part = memoryview(bytearray(8 * room)).cast("d")
+        self.active = integers(room)
+        self.detected = integers(room)
+        self.needed = integers(room)
+        self.ticks = integers(room)
+        self.sources = integers(room)
+        self.limit_d = doubles(room)
+        self.min_ticks = integers(room)
+        self.from_part = doubles(room)
+        self.to_part = doubles(room)
         self.count = 0
         self.detected_count = 0
 

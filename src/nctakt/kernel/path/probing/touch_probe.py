@@ -10,6 +10,7 @@ to its end.
 from __future__ import annotations
 
 from nctakt.kernel import codes, rows
+from nctakt.kernel.base.arrays import doubles
 from nctakt.kernel.base.record import Record
 from nctakt.kernel.path import geometry
 from nctakt.kernel.path.path import Path
@@ -30,7 +31,7 @@ class TouchProbe:
         self.panel = panel
         self.fixed_stops = fixed_stops
         self.record = record
-        self.values = memoryview(bytearray(8 * path.room)).cast("d")
+        self.values = doubles(path.room)
         self.is_seeking = False
         self.is_braking = False
         self.has_touched = False

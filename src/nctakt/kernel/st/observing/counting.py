@@ -7,6 +7,7 @@ a run that counts does the same as one that does not.
 
 from __future__ import annotations
 
+from nctakt.kernel.base.arrays import doubles, integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds, words
 from nctakt.kernel.st.context import PlcContext
@@ -89,9 +90,9 @@ class SeenSelector(Whole):
         self.operand = operand
         self.is_unsigned = is_unsigned
         self.count = len(labels)
-        self.lowest = memoryview(bytearray(8 * self.count + 8)).cast("d")
-        self.highest = memoryview(bytearray(8 * self.count + 8)).cast("d")
-        self.numbers = memoryview(bytearray(8 * self.count + 8)).cast("q")
+        self.lowest = doubles(self.count + 1)
+        self.highest = doubles(self.count + 1)
+        self.numbers = integers(self.count + 1)
         for index, (lowest, highest, number) in enumerate(labels):
             check_range(number, 0, kinds.MAX_COUNTS - 1, "number")
             self.lowest[index] = lowest

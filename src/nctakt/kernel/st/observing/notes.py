@@ -9,6 +9,7 @@ statement is over. When a watched variable changes, the rows on the stack are co
 
 from __future__ import annotations
 
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds, words
 
@@ -34,24 +35,24 @@ class Notes:
         self.top = 0
         self.kept = 0
         self.loop = 0
-        self.numbers = memoryview(bytearray(8 * rows + 8)).cast("q")
+        self.numbers = integers(rows + 1)
         values = bytearray(8 * rows + 8)
         self.values = memoryview(values).cast("q")
         self.reals = memoryview(values).cast("d")
         self.watched = memoryview(bytearray(4 * size + 4)).cast("i")
         self.count = 0
         self.interface_from = 0
-        self.address = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.kind = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.whole = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.is_new = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.seen = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.written_at = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.written_by = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.missed = memoryview(bytearray(8 * watches + 8)).cast("q")
-        self.logged = memoryview(bytearray(8 * watches + 8)).cast("q")
+        self.address = integers(watches + 1)
+        self.kind = integers(watches + 1)
+        self.whole = integers(watches + 1)
+        self.is_new = integers(watches + 1)
+        self.seen = integers(watches + 1)
+        self.written_at = integers(watches + 1)
+        self.written_by = integers(watches + 1)
+        self.missed = integers(watches + 1)
+        self.logged = integers(watches + 1)
         self.log_size = kinds.NOTE_LOG if size else 0
-        self.log = memoryview(bytearray(8 * self.log_size + 8)).cast("q")
+        self.log = integers(self.log_size + 1)
         self.log_end = 0
         self.is_crowded = False
 

@@ -10,6 +10,7 @@ The halted controller is inspected and discarded.
 
 from __future__ import annotations
 
+from nctakt.kernel.base.arrays import integers
 from nctakt.kernel.base.bounds import check_range
 from nctakt.kernel.st import kinds
 from nctakt.kernel.st.context import PlcContext
@@ -31,8 +32,8 @@ class StatementCounter:
         self.halt_at = 0
         self.room = KEPT
         self.each = Sought()
-        self.sources = memoryview(bytearray(8 * KEPT)).cast("q")
-        self.depths = memoryview(bytearray(8 * KEPT)).cast("q")
+        self.sources = integers(KEPT)
+        self.depths = integers(KEPT)
 
     def begin(self, halt_at: int) -> None:
         """Count anew; halt before a statement by its number, 0: before none."""

@@ -214,8 +214,8 @@ def plc_of(
         raise PlcError(diagnostic(NO_TASK, file=str(path)))
     named = {} if project is None else project.axes
     blocks = None if project is None else python_blocks(program, project)
-    told = [*findings, *(() if blocks is None else without_objects(blocks))]
-    plc = StructuredPlc(program, told, {**named, **(axes or {})})
+    found = [*findings, *(() if blocks is None else without_objects(blocks))]
+    plc = StructuredPlc(program, found, {**named, **(axes or {})})
     plc.instruction_ns = 0 if project is None else project.instruction_ns
     plc.blocks = blocks
     refused = [_refusal(program, one.node.start, one.what) for one in plc.translated.refused]

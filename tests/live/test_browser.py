@@ -337,6 +337,34 @@ def test_what_is_saved_from_the_page(browser: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.nightly
+def test_a_press_is_answered_first(browser: Any, tmp_path: Path) -> None:
+    """From the press of the button on nothing is drawn before the pause, or for a moment only."""
+    path = written(tmp_path, PROGRAM.replace("M7", "G04 X3600"))
+    with served(str(path)) as address:
+        page = opened(browser, address)
+        page.get_by_test_id("toggle").click()
+        page.wait_for_function("nctaktRun.run.isPlaying && nctaktRun.run.tick > 50")
+        drawn = page.evaluate("""async () => {
+          const states = [], stop = nctaktRun.listen(() => states.push(nctaktRun.run.isPlaying));
+          document.querySelector("[data-testid=toggle]")
+            .dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
+          await new Promise((resolve) => { setTimeout(resolve, 100); });
+          const held = states.length;
+          await new Promise((resolve) => { setTimeout(resolve, 2000); });
+          const after = states.length;
+          document.querySelector("[data-testid=toggle]")
+            .dispatchEvent(new PointerEvent("pointerdown", { bubbles: true }));
+          states.length = 0;
+          document.querySelector("[data-testid=toggle]").click();
+          while (!states.includes(false)) await new Promise(requestAnimationFrame);
+          stop();
+          return [held, after];
+        }""")
+        assert drawn[0] == 0 < drawn[1]
+        page.close()
+
+
+@pytest.mark.nightly
 def test_two_ticks_are_compared(browser: Any, tmp_path: Path) -> None:
     """A tick is marked by key; a stretch is selected by Shift and dragging, and shown alone."""
     path = written(tmp_path)

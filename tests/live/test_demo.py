@@ -46,6 +46,14 @@ def browser() -> Iterator[Any]:
         yield browser
 
 
+def is_whole_or_hidden(page: Any) -> bool:
+    """Whether the hint in the scope's title is all there, or not at all: never cut."""
+    hint = page.get_by_test_id("scope-hint")
+    own, room = hint.bounding_box(), hint.locator("..").bounding_box()
+    is_whole = own["x"] + own["width"] <= room["x"] + room["width"] + 1
+    return bool(own["y"] >= room["y"] + room["height"] or (is_whole and own["y"] < room["y"] + 4))
+
+
 @pytest.mark.parametrize("language", ["en", "de"])
 def test_the_tour_by_keyboard(browser: Any, language: Language) -> None:
     """Six steps with Enter: what the tour says is what the session has, and the gate opens."""
@@ -55,6 +63,7 @@ def test_the_tour_by_keyboard(browser: Any, language: Language) -> None:
         words, clock = page.get_by_test_id("tour-text"), page.get_by_test_id("clock")
         expect(words).to_have_text(texts["tour_cell"])
         expect(page.get_by_test_id("tour_next")).to_be_focused()
+        assert is_whole_or_hidden(page)
         for name in ("run", "still"):
             page.keyboard.press("Enter")
             expect(words).to_have_text(texts[f"tour_{name}"])

@@ -216,3 +216,48 @@ def test_german_is_complete(visit: Any) -> None:
     assert [text for text in shown if text in english] == []
     assert page.evaluate("document.documentElement.lang") == "de"
     page.close()
+
+
+#: Draws all once more; resolves to the texts of the scope, and how many shapes a row of truth has.
+_DRAWN = """async () => {
+  const texts = [], pen = CanvasRenderingContext2D.prototype, { fillText, fillRect } = pen;
+  const scope = document.querySelector("[data-testid=scope] canvas");
+  let shapes = 0;
+  pen.fillText = function (...words) {
+    if (this.canvas === scope) texts.push(words[0]);
+    fillText.apply(this, words);
+  };
+  pen.fillRect = function (...words) {
+    if (this.canvas === scope && this.globalAlpha > 0.19 && this.globalAlpha < 0.21) shapes += 1;
+    fillRect.apply(this, words);
+  };
+  nctaktRun.changed();
+  await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+  Object.assign(pen, { fillText, fillRect });
+  return [texts, shapes];
+}"""
+
+
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (900, 700), (390, 844)])
+def test_the_scope_has_its_times_in_any_window(
+    browser: Any, tmp_path: Path, width: int, height: int
+) -> None:
+    """At least two numbers on the axis of time; what stays true is one shape without seams."""
+    path = tmp_path / "part.nc"
+    path.write_text(PROGRAM.replace("V.E.COUNT += 1", "V.E.FLAG = 1"), "utf-8")
+    with served(str(path)) as address:
+        page = opened(browser, address, width, height)
+        page.get_by_test_id("speed").click()
+        page.get_by_role("option", name="max").click()
+        page.get_by_test_id("toggle").click()
+        expect(page.get_by_test_id("state")).to_contain_text("ended")
+        page.wait_for_function(
+            "nctaktRun.run.ticks[0] === 0 && nctaktRun.run.ticks.at(-1) === nctaktRun.run.latest"
+        )
+        texts, shapes = page.evaluate(_DRAWN)
+        axis = texts[: texts.index("s")]
+        numbers = [text for text in axis if text.replace(".", "", 1).isdigit()]
+        assert len(numbers) >= 2, texts
+        assert "V.E.FLAG TRUE" in texts
+        assert shapes == 1
+        page.close()

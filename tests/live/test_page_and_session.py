@@ -285,6 +285,7 @@ def test_lanes_and_answers(walk: tuple[Any, Session, str]) -> None:
     for _ in range(3):
         page.keyboard.press("b")
         page.wait_for_timeout(300)
+    settled(page)
     tick = compare(page, session, file)
     expect(answer).to_contain_text(f"in tick {tick} (")
     assert page.evaluate("nctaktRun.run.bars.lines") == exact

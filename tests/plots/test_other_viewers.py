@@ -78,6 +78,15 @@ def test_a_vcd_file_has_signals_blocks_cycles_and_functions(tmp_path: Path) -> N
     assert len({time % 1000 for time, _ in position}) == 1
 
 
+def test_a_vcd_file_is_ascii(tmp_path: Path) -> None:
+    """As the standard of Verilog (IEEE 1364) has it: other characters by the bytes of UTF-8."""
+    program = '#MSG ["Größe → 5 µm"]\nG01 X5 F6000\nM30\n'
+    drawn(program).write_vcd(tmp_path / "part.vcd")
+    assert (tmp_path / "part.vcd").read_bytes().isascii()
+    texts = [value for _, value in changes(tmp_path / "part.vcd")["program.message"]]
+    assert r"Gr\xc3\xb6\xc3\x9fe\x20\xe2\x86\x92\x205\x20\xc2\xb5m" in texts
+
+
 def test_gtkwave_reads_the_vcd_file(tmp_path: Path) -> None:
     """Its converter takes all variables and changes over."""
     converter = shutil.which("vcd2fst")

@@ -7,6 +7,7 @@ same bytes.
 
 from __future__ import annotations
 
+import codecs
 import heapq
 import importlib.util
 import itertools
@@ -33,6 +34,18 @@ _KINDS: dict[str, tuple[str, int | None]] = {
 
 #: The first value of each kind.
 FIRST_VALUES: dict[str, Value] = {"wire": 0, "truth": "x", "text": "", "integer": 0, "real": 0.0}
+
+_ESCAPES = "nctakt.vcd"
+
+
+def _escaped(error: UnicodeError) -> tuple[str, int]:
+    """Return what stands in a file for other characters than those of ASCII: their bytes."""
+    assert isinstance(error, UnicodeEncodeError)
+    data = error.object[error.start : error.end].encode("utf-8", "replace")
+    return "".join(f"\\x{byte:02x}" for byte in data), error.end
+
+
+codecs.register_error(_ESCAPES, _escaped)
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +81,7 @@ def write_vcd_file(
     from vcd import VCDWriter  # noqa: PLC0415 - pyvcd only when needed
 
     with (
-        path.open("w", encoding="utf-8", newline="\n") as file,
+        path.open("w", encoding="ascii", errors=_ESCAPES, newline="\n") as file,
         VCDWriter(
             file, timescale=timescale, date="", init_timestamp=begin, check_values=False
         ) as writer,

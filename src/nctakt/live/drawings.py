@@ -82,8 +82,8 @@ class Drawings:
         with card(texts["scope"], "nc-scope"):
             with ui.element("div").classes("nc-row"):
                 ui.label(texts["scope"]).classes("nc-title")
-                ui.label(texts["travel"]).classes("nc-soft ellipsis")
-                ui.space()
+                with ui.element("div").classes("nc-hint"):
+                    ui.label(texts["travel"]).classes("nc-soft").props("data-testid=scope-hint")
                 for name, icon in (
                     ("zoom_out", "zoom_out"),
                     ("zoom_in", "zoom_in"),

@@ -43,7 +43,11 @@
       return;
     }
     if (!inside && document.activeElement !== shown && document.activeElement) document.activeElement.blur();
+    if (event.key === " ") globalThis.nctaktRun?.hold();
     emitEvent("nctakt_key", { key: event.key });
+  }, true);
+  document.addEventListener("pointerdown", (event) => {
+    if (event.target.closest("[data-testid=toggle]")) globalThis.nctaktRun?.hold();
   }, true);
 
   // The options of a choice are in a part that can take the focus: by ARIA only a group may be that.

@@ -170,14 +170,16 @@ export default {
       this.drawPlaces(pen, width, lanesTop, bottom);
     },
     drawTime(pen, width, top, bottom) {
-      const scale = ticks(seconds(run.from), seconds(run.to), this.inner() / 85);
+      const scale = ticks(seconds(run.from), seconds(run.to), Math.max(4, this.inner() / 85));
+      const room = width - RIGHT - pen.measureText("s").width - 4;
       pen.textAlign = "center"; pen.textBaseline = "top";
       for (const time of scale.result) {
         const x = this.xOf((time * 1e6) / run.cycleUs);
         pen.strokeStyle = colour("--nc-grid"); pen.lineWidth = 1;
         pen.beginPath(); pen.moveTo(x, top); pen.lineTo(x, bottom); pen.stroke();
         pen.fillStyle = colour("--nc-soft");
-        if (x > LEFT + 14 && x < width - 42) pen.fillText(time.toFixed(scale.digits), x, bottom + 3);
+        const text = time.toFixed(scale.digits), half = pen.measureText(text).width / 2;
+        if (x - half > LEFT + 2 && x + half < room) pen.fillText(text, x, bottom + 3);
       }
       pen.textAlign = "right";
       pen.fillText("s", width - RIGHT, bottom + 3);
@@ -199,10 +201,13 @@ export default {
       pen.fillStyle = colour("--nc-grid");
       pen.fillRect(LEFT, y + LANE / 2, this.inner(), 1);
       pen.fillStyle = "#22a06b";
+      let drawn = 0;
       for (const [begin, end, isExact] of laneBars(line, row)) {
-        const left = Math.max(this.xOf(begin), LEFT), right = Math.min(this.xOf(end), width - RIGHT);
+        const left = Math.max(this.xOf(begin), LEFT), right = Math.max(Math.min(this.xOf(end), width - RIGHT), left + 1.5);
+        if (right < LEFT || left > width - RIGHT || right <= drawn + 0.5) continue; // thousands may be in one column
+        drawn = right;
         pen.globalAlpha = isExact ? 1 : 0.55; // sampled: what was between is not known
-        if (right >= LEFT && left <= width - RIGHT) pen.fillRect(left, y + 3, Math.max(1.5, right - left), LANE - 6);
+        pen.fillRect(left, y + 3, right - left, LANE - 6);
       }
       pen.globalAlpha = 1;
     },
@@ -284,10 +289,14 @@ export default {
       pen.save();
       pen.beginPath(); pen.rect(LEFT, top, this.inner(), ROW); pen.clip();
       pen.fillStyle = tint; pen.globalAlpha = 0.2;
+      let first = -1; // rows that follow each other are one shape: between two there would be a seam
       for (let i = begin; i <= end; i += 1) {
-        if (!(shown.columns[index][i] > 0)) continue;
-        const left = this.xOf(shown.ticks[i]), right = this.xOf(shown.ticks[Math.min(i + 1, end)]);
+        const isTrue = shown.columns[index][i] > 0;
+        if (isTrue && first < 0) first = i;
+        if (first < 0 || (isTrue && i < end)) continue;
+        const left = this.xOf(shown.ticks[first]), right = this.xOf(shown.ticks[i]);
         pen.fillRect(left, high, right - left, low - high);
+        first = -1;
       }
       pen.globalAlpha = 1;
       this.drawLogged(pen, shown, index, tint, true, yOf, top + ROW);

@@ -15,7 +15,10 @@ export const run = {
   from: 0, to: 1, follows: true, span: 0,
 };
 const listeners = new Set();
-let isDue = false, taken = 0, told = 0;
+let isDue = false, taken = 0, told = 0, heldUntil = 0;
+
+// A press is answered before anything else is drawn, or this long, in ms.
+const MAX_HELD = 150;
 
 export const listen = (listener) => { listeners.add(listener); return () => listeners.delete(listener); };
 export const changed = () => {
@@ -25,6 +28,7 @@ export const changed = () => {
 };
 // The server hears up to which increment all has been drawn: to a page that sleeps it sends no more.
 const draw = () => {
+  if (performance.now() < heldUntil) { requestAnimationFrame(draw); return; }
   isDue = false;
   try {
     for (const listener of listeners) listener();
@@ -33,6 +37,9 @@ const draw = () => {
   }
 };
 
+// Somebody pauses: what comes until then need not be drawn first.
+export const hold = () => { if (run.isPlaying) heldUntil = performance.now() + MAX_HELD; };
+
 const trim = (list, size) => { if (list.length > size) list.splice(0, list.length - size); };
 
 // Adds what the server sends: each part is new as a whole or goes on behind what is here.
@@ -40,6 +47,7 @@ export const take = (news) => {
   for (const name of ["names", "units", "booleans", "hidden", "now", "block", "conditions", "lanesShown", "words", "cycleUs", "tick", "latest", "isPlaying", "bars", "future", "logged"]) {
     if (news[name] !== undefined) run[name] = news[name];
   }
+  if (!run.isPlaying) heldUntil = 0;
   if (news.rows) {
     if (news.rows.whole) {
       run.ticks = [];
@@ -165,4 +173,4 @@ export const laneBars = (line, row) => {
 export const shownUnit = (unit) => (unit === "mm/s" ? ["mm/min", 60] : [unit, 1]);
 export const seconds = (tick) => (tick * run.cycleUs) / 1e6;
 
-globalThis.nctaktRun = { run, show, zoom, zoomIn, mark, pan, fit, changed, listen, blockAt, laneBars, shownUnit };
+globalThis.nctaktRun = { run, show, zoom, zoomIn, mark, pan, fit, changed, listen, hold, blockAt, laneBars, shownUnit };

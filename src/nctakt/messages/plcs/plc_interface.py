@@ -47,7 +47,7 @@ SEMAPHORE_NEVER_SET = warning(
     kind=("the type of the control unit", "der Typ der Control Unit"),
 )
 LATE_UNITS_SEEN_LATE = note(
-    902979,
+    902981,
     en="the fastest task runs each {cycle}, realtime cycles output functions in each tick of "
     "{tick}",
     de="die schnellste Task läuft alle {cycle}, Echtzeitzyklen geben Funktionen in jedem Takt von "

@@ -33,7 +33,7 @@ M30
 
 
 class Served:
-    """``nctakt serve`` with a program that never ends, in a process of its own."""
+    """``nctakt serve`` with a program that never ends, in its own process."""
 
     def __init__(self, *words: str) -> None:
         self._folder = tempfile.TemporaryDirectory()

@@ -29,7 +29,7 @@ SPEED, ACCELERATION, JERK = 500.0, 4000.0, 80_000.0
 
 
 class StudyRunner:
-    """So many axes, ±10 m, and nothing else."""
+    """This many axes, ±10 m, and nothing else."""
 
     def __init__(self, count: int, jerk: float) -> None:
         memory = bytearray(8 * 21 * count)
@@ -49,7 +49,7 @@ class StudyRunner:
             assert self.single.absolute(axis, target, speed, 0, 2, codes.PLC_OWNER) == 0
 
     def ticks(self, count: int) -> None:
-        """Run so many ticks."""
+        """Run this many ticks."""
         done = self.kernel.run(count)
         assert done == 0, done
 
@@ -65,7 +65,7 @@ def best_ns(run: Callable[[], None], count: int) -> float:
 
 
 def tick_costs(count: int, jerk: float) -> tuple[float, float]:
-    """ns per tick while all axes stand, and while all move."""
+    """ns per tick while all axes are at rest, and while all move."""
     standing = StudyRunner(count, jerk)
     moving = StudyRunner(count, jerk)
     moving.move(9000.0, 1.0)

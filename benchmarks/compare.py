@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """``python -m benchmarks.compare``: what laying a log over a run costs.
 
-The log is made by a run of our own, twenty signals at 1 ms, whose stamps are moved by 1.25 s.
-``nctakt compare`` runs as a process of its own, whose time of the processor and peak of memory are
-told. ``--seconds``: how long the log is (3,600); ``--rows``: how many rows a log of one signal has
-that is compared with the same program as well (0: none). The goals: an hour of twenty signals in
-20 s and 500 MB, 10^8 rows in 500 MB.
+The log is made by our own run, twenty signals at 1 ms, whose stamps are moved by 1.25 s. ``nctakt
+compare`` runs as its own process, whose time of the processor and peak of memory are reported.
+``--seconds``: how long the log is (3,600); ``--rows``: how many rows a log of one signal has that
+is compared with the same program as well (0: none). The goals: an hour of twenty signals in 20 s
+and 500 MB, 10^8 rows in 500 MB.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from nctakt.base.mode import is_compiled
 from nctakt.results.trace.sinks import CsvSink
 from nctakt.run.controller import Controller
 
-#: A program of so many rounds, of some 1.6 s each.
+#: A program of this many rounds, of some 1.6 s each.
 PROGRAM = """$FOR P1 = 1, {rounds}, 1
 N10 G01 X[90 + 10 * SIN[P1 * 37]] Y[20 + 10 * SIN[P1 * 11]] F12000
 N20 G04 X0.3
@@ -33,7 +33,7 @@ $ENDFOR
 M30
 """
 ROUND_S = 1.4
-#: How the process of a comparison tells what it has taken.
+#: How the process of a comparison reports its consumption.
 MEASURED = """
 import resource, sys
 from nctakt.cli import main
@@ -73,7 +73,7 @@ def moved(lines: Iterator[str]) -> Iterator[str]:
 
 
 def long_log(file: Path, rows: int) -> None:
-    """Write a log of one signal: the axis moves to and fro for ever."""
+    """Write a log of one signal: the axis moves to and fro forever."""
     period = "".join(f",{100 * abs(1000 - tick) / 1000:.3f}\n" for tick in range(2000)).split()
     with file.open("w", encoding="utf-8") as log:
         log.write("time_ms,X.ACS.ACT_POS\n")

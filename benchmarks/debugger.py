@@ -34,7 +34,7 @@ _HEAD = """\
 
 
 class Client:
-    """A debugger in a process of its own."""
+    """A debugger in its own process."""
 
     def __init__(self) -> None:
         words = [sys.executable, "-m", "nctakt", "dap"]
@@ -66,7 +66,7 @@ class Client:
         self.await_("stopped")
 
     def line_at(self, tick: int) -> int:
-        """Return the line of the block that is current at a tick; the session stands there."""
+        """Return the line of the block that is current at a tick; the session is there."""
         self.travel(tick)
         self.send("stackTrace", threadId=1)
         return int(self.await_("stackTrace")["body"]["stackFrames"][0]["line"])

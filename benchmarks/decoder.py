@@ -5,8 +5,8 @@ Programs are made, the same in each run: one of straight blocks as CAM systems w
 three coordinates in each line); one of ordinary blocks (expressions, variables, branches, loops),
 each of which is read once; one of varied blocks (three dozen shapes of lines at random, in
 structures of any length, with calls of a subprogram, functions, comments); and the ordinary blocks
-in a loop, which are read once and decoded again and again. Each stage has a process of its own,
-whose greatest memory is told:
+in a loop, which are read once and decoded again and again. Each stage has its own process, whose
+greatest memory is reported:
 
 * *check*: the text is read once, as before each run;
 * *decode*: from the text to commands in the queue with their look-ahead; none is taken;
@@ -225,7 +225,7 @@ def write(lines: Iterator[str], path: Path) -> int:
     return count
 
 
-# --- stages, each in a process of its own -------------------------------------------------------
+# --- stages, each in its own process -------------------------------------------------------
 
 
 def check(path: Path) -> tuple[Controller, LoadedProgram]:
@@ -287,7 +287,7 @@ def stage(name: str, path: Path) -> None:
 
 
 def measure(name: str, path: Path, lines: int) -> Measured:
-    """A stage in a process of its own."""
+    """A stage in its own process."""
     words = [sys.executable, "-m", "benchmarks.decoder", "--stage", name, str(path)]
     done = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
     seconds, cpu_s, memory_mb = map(float, done.stdout.split())

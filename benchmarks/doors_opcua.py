@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What OPC UA costs beside a session: 200 monitored items at 50 ms, 20 clients.
 
-The server and the session have processes of their own, the clients another one. Counted is the
+The server and the session have their own processes, the clients another one. Counted is the
 processor time of the server's process, less that without any client.
 """
 
@@ -89,7 +89,7 @@ def _clients(url: str, ready: Any, done: Any, result: Any) -> None:
 
 
 def measure() -> dict[str, float]:
-    """Return the shares of one core, the values told each second, and the time of the start."""
+    """Return the shares of one core, the values reported each second, and the time of the start."""
     with tempfile.TemporaryDirectory() as folder:
         program = Path(folder) / "part.nc"
         program.write_text(_PROGRAM, encoding="utf-8")

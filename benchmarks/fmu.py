@@ -30,7 +30,7 @@ from nctakt.cli import main as nctakt
 from nctakt.fmu import Fmu
 from nctakt.run.controller import Controller, NcText
 
-#: To and fro for ever.
+#: To and fro forever.
 PROGRAM = "$FOR P1 = 1, 100000, 1\nG01 X100 Y20 F6000\nG01 X0 Y0\n$ENDFOR\nM30\n"
 STEPS, ROUNDS, TICK_S = 50, 400, 0.001
 TEN_MINUTES = 600_000
@@ -43,7 +43,7 @@ def best(round_of: Callable[[], float]) -> float:
 
 
 def run_of(fmu: Fmu | None) -> Callable[[], float]:
-    """Return what advances a run by a round and tells its seconds; the start-up lies before."""
+    """Return what advances a run by a round and returns its seconds, without the start-up."""
     run = Controller().begin(
         {1: [NcText("part.nc", PROGRAM)]}, fmu=fmu, memory_trace=False, until="1000 s"
     )
@@ -79,7 +79,7 @@ def model_of(file: Path, folder: Path) -> Any:
 
 
 def steps_of(model: Any) -> Callable[[], float]:
-    """Return what makes a round of steps and tells its seconds."""
+    """Return what makes a round of steps and returns its seconds."""
     done = 0
 
     def advance() -> float:

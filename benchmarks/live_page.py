@@ -62,7 +62,7 @@ def _program(blocks: int = _BLOCKS) -> str:
 
 @contextlib.contextmanager
 def _served(folder: Path, text: str) -> Iterator[tuple[str, int]]:
-    """The page of a program in a process of its own: its address and its process."""
+    """The page of a program in its own process: its address and its process."""
     path = folder / "part.nc"
     path.write_text(text, "utf-8")
     command = [sys.executable, "-m", "nctakt", "live", str(path), "--port", "0"]
@@ -102,7 +102,7 @@ def _other_cores(server: int) -> Iterator[None]:
 
 
 def _memory_mib(pid: int) -> float:
-    """The memory of a process of its own, in MiB (that of its parked controllers is shared)."""
+    """The memory of its own process, in MiB (that of its parked controllers is shared)."""
     for line in Path(f"/proc/{pid}/status").read_text().splitlines():
         if line.startswith("VmRSS:"):
             return int(line.split()[1]) / 1024

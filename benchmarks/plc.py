@@ -74,7 +74,7 @@ SHORT += "G01 X97.4 Y97.4 F8263\nM30\n"
 
 
 def loaded(folder: Path) -> dict[str, Path]:
-    """Write each PLC into a file of its own and return the files by the names of the PLCs."""
+    """Write each PLC into its own file and return the files by the names of the PLCs."""
     files = {}
     for number, (name, text) in enumerate(PLCS.items()):
         files[name] = folder / f"plc_{number}.py"

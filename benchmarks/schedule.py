@@ -26,7 +26,7 @@ from nctakt.schedule.simulation.simulate import simulate
 US = 1000
 REPEATS = 3
 HOUR_CYCLES = 3600 * 500
-#: So many are simulated one by one, to compare the numbers.
+#: This many are simulated one by one, to compare the numbers.
 CHECKED_CYCLES = HOUR_CYCLES // 10
 #: Name, kind, due in each n-th cycle, priority, execution time in µs.
 TASKS = (

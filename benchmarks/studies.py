@@ -4,11 +4,11 @@
 Measured: runs of examples/crossing.nc with fresh inputs in one process, the same on two; injections
 into it with windows of 100 ticks; the overhead of Dask against processes; the size of 10^6 rows as
 Parquet; the memory of a process over many runs; a loop over a reusable controller beside a study.
-Goals: 2,800 runs/s and 10,000 injections/s per core, two cores 1.9 times one, Dask within 10 %,
-60 MB, memory flat, a loop of one's own 1.3 times a study. ``benchmarks.plc`` has runs with a PLC.
-``python -m benchmarks.studies 1000000`` makes so many runs into a folder of parts instead,
-with one worker, and says what they and 10^9 take. ``--rows 20`` only makes so many rows:
-instructions of a run are those of 60 less those of 20, by 40 (``valgrind --tool=callgrind``).
+Goals: 2,800 runs/s and 10,000 injections/s per core, two cores 1.9 times one, Dask within 10 %, 60
+MB, memory flat, one's own loop 1.3 times a study. ``benchmarks.plc`` has runs with a PLC. ``python
+-m benchmarks.studies 1000000`` makes this many runs into a folder of parts instead, with one
+worker, and says what they and 10^9 take. ``--rows 20`` only makes this many rows: instructions of a
+run are those of 60 less those of 20, by 40 (``valgrind --tool=callgrind``).
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ def crossing(count: int, after: str = "0 s", program: Path = PROGRAM) -> Study:
 
 
 def on_processes(study: Study, count: int) -> None:
-    """Make the runs of a study on so many processes, without this one."""
+    """Make the runs of a study on this many processes, without this one."""
     study.run(executor=lambda plan, left: rows_of_processes(plan, left, count, study.runner))
 
 
@@ -143,7 +143,7 @@ def shares_of_two(study: Study) -> tuple[float, float]:
 
 
 def parquet_megabytes(count: int) -> float:
-    """The size of a file with so many rows."""
+    """The size of a file with this many rows."""
     first: Row = crossing(10).run().rows[0]
     rows: list[Row] = [
         {**first, "run": i, "V.E.COUNT": i, "digest": f"{i * 0x9E3779B97F4A7C15 % 2**64:016x}"}
@@ -161,7 +161,7 @@ def memory_megabytes() -> float:
 
 
 def at_length(count: int) -> None:
-    """Make so many runs into a folder of parts; print what they take, and 10^9 at that rate."""
+    """Make this many runs into a folder of parts; print what they take, and 10^9 at that rate."""
     study = crossing(count)
     with tempfile.TemporaryDirectory() as name:
         folder = PartFolder(f"{name}/rows/", study.plan, dict(study.runner.units))

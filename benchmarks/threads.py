@@ -45,7 +45,7 @@ def put_back(part: NcText, count: int) -> None:
 def seconds(
     function: Callable[[NcText, int], None], part: NcText, count: int, threads: int
 ) -> float:
-    """How long so many threads take together."""
+    """How long this many threads take together."""
     several = [threading.Thread(target=function, args=(part, count)) for _ in range(threads)]
     begin = time.perf_counter()
     for thread in several:

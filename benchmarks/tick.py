@@ -7,7 +7,7 @@ are control laws: chains in which each statement needs what the one before has w
 the ticks, as in a filter or a controller.
 
 Other work on the machine only ever adds time. So both sides run in slices of less than a
-millisecond, behind the start-up, and the best slice is taken.
+millisecond, after the start-up, and the best slice is taken.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ int main(int argc, char **argv) {{
 
 
 def ns_per_tick(program: str, ticks: int) -> tuple[float, float]:
-    """The best time of a tick in ns, in slices of so many; the elementary instructions in it."""
+    """The best time of a tick in ns, in slices of this many; the elementary instructions in it."""
     best, steps = 1e9, 0.0
     for _ in range(REPEATS):
         controller = Controller()
@@ -141,7 +141,7 @@ def ns_per_tick(program: str, ticks: int) -> tuple[float, float]:
 
 
 def ns_per_recorded_tick(program: str, ticks: int, signals: list[str]) -> float:
-    """The best time of a tick in ns, the record in memory included, behind the start-up."""
+    """The best time of a tick in ns, the record in memory included, after the start-up."""
     best = {1: 1e9, ticks: 1e9}
     for count in 4 * REPEATS * tuple(best):
         controller = Controller()
@@ -154,7 +154,7 @@ def ns_per_recorded_tick(program: str, ticks: int, signals: list[str]) -> float:
 
 
 def program(law: Law, cycles: int, motion: str) -> str:
-    """So many cycles with the law's body, then a motion or dwell longer than the measurement."""
+    """This many cycles with the law's body, then a motion or dwell longer than the measurement."""
     begin, end = "#RT CYCLE [SCOPE = PROG]", "#RT CYCLE END\n"
     return f"{begin}{law.body}{end}" * cycles + motion + "\nM30\n"
 

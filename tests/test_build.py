@@ -83,7 +83,7 @@ def test_modules_that_cannot_be_translated_are_named() -> None:
 @needs_compiled_modules
 @pytest.mark.skipif(sys.platform == "win32", reason="the compiler is not named by CC there")
 def test_without_a_compiler_plain_python_is_installed(tmp_path: Path) -> None:
-    """No module is compiled, and the reason is told; the build succeeds."""
+    """No module is compiled, and the reason is reported; the build succeeds."""
     folders = ("--build-lib", tmp_path, "--build-temp", tmp_path / "objects")
     done = run("setup.py", "--quiet", "build_ext", *folders, CC="no-such-compiler")
     assert done.returncode == 0, done.stderr

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Programs that nobody here wrote: what becomes of each, where NCTAKT_CORPUS names their folder.
 
-The table tells for each file whether it runs to its end, or a line and the number that refuses it:
+The table shows for each file whether it runs to its end, or a line and the number that refuses it:
 G20 and G21 are mirroring in this dialect, not units; ``[…]`` is a label, not a comment; files for
 tests of editors hold lines that are no NC text. The files are not part of the project.
 """

@@ -117,7 +117,7 @@ def pieces(seed: int, total: int, file: Path) -> list[str]:
         if controller.tick >= total:
             return lines
         ticks = min(chance.choice((1, 1, 2, 3, 7, 50, 333)), total - controller.tick)
-        # Without the limit a run goes on until what moves stands (RC-006).
+        # Without the limit a run goes on until what moves is (RC-006).
         controller.run(
             after=f"{ticks} ticks", ticks=ticks, sinks=[CsvSink(file)], memory_trace=False
         )

@@ -111,7 +111,7 @@ def test_the_readme_runs_the_tests_as_the_automatic_check_does() -> None:
 def test_the_python_of_the_readme_runs(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The example of the API runs as it stands, and prints what a reader expects."""
+    """The example of the API runs as it is, and prints what a reader expects."""
     monkeypatch.chdir(ROOT)
     code = fences("README.md", "python")[0]
     exec(compile(code, "README.md", "exec"), {})
@@ -122,7 +122,7 @@ def test_the_python_of_the_readme_runs(
 
 
 def test_the_plc_of_the_documents_is_the_example_and_slows_the_path() -> None:
-    """The class runs as it stands; the run takes longer than without it."""
+    """The class runs as it is; the run takes longer than without it."""
     shown = fences("docs/plc.md", "python")[1]
     assert text_of("examples/slow_plc.py").endswith(f'"""\n\n{shown}')
     program = ROOT / "examples" / "crossing.nc"

@@ -78,7 +78,7 @@ IN_A_BARE_INSTALLATION = (
 
 @pytest.mark.nightly
 def test_a_bare_installation_needs_no_library_of_an_extra(tmp_path: Path) -> None:
-    """A missing library is told with the command that installs it, never by a traceback."""
+    """A missing library is reported with the command that installs it, never by a traceback."""
     shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
     words = [words for words, _ in IN_A_BARE_INSTALLATION]
     code = (

@@ -112,7 +112,7 @@ def classes(module: str) -> dict[str, ast.ClassDef]:
 
 
 def functions(module: str) -> Iterator[tuple[str, ast.FunctionDef]]:
-    """All functions of a realtime module with the class that they stand in, "" for none."""
+    """All functions of a realtime module with the class that they are in, "" for none."""
     for node in tree_of(KERNEL / f"{module}.py").body:
         if isinstance(node, ast.FunctionDef):
             yield "", node
@@ -203,7 +203,7 @@ def test_overriding_methods_are_declared_again(module: str) -> None:
 
 @pytest.mark.parametrize("module", MODULES)
 def test_every_field_is_declared(module: str) -> None:
-    """Each attribute that a class gives itself stands in its .pxd or in that of a class above."""
+    """Each attribute that a class gives itself is in its .pxd or in that of a class above."""
     undeclared = []
     for name, node in classes(module).items():
         known = set(ALL_DECLARED[module][name].fields)
@@ -328,7 +328,7 @@ def test_types_fit_the_module(path: Path) -> None:
     ]
     assert set(re.findall(r"^    cp?def [\w ]*?(\w+)\(", text, re.MULTILINE)) <= set(methods)
     fields = set(DECLARED_FIELD.findall(text))
-    # A base class has its types in a file beside this one.
+    # A base class has its types in a file next to this one.
     beside = "".join(one.read_text("utf-8") for one in path.parent.glob("*.pxd"))
     given = {
         target.attr
@@ -433,7 +433,7 @@ def imports(path: Path) -> tuple[str, ...]:
 PACING = (
     "session/session.py", "session/process/thread.py", "session/listening.py",
     "session/process/workshop.py",
-    "session/history/past_runs.py",  # whoever asks about the past does so in a thread of its own
+    "session/history/past_runs.py",  # whoever asks about the past does so in its own thread
     "session/history/trail.py",  # where ticks are marked to be compared, which changes none of them
     "session/process/worker.py",  # how long a request took, by which slices get their length
 )  # fmt: skip
@@ -446,8 +446,8 @@ HANDING_OUT = (
 )  # fmt: skip
 
 
-#: The PLC of a user in a process of its own, of which the CNC sees nothing but its answers; and
-#: what an editor sends, by its own streams.
+#: The PLC of a user in its own process, of which the CNC sees nothing but its answers; and what an
+#: editor sends, by its own streams.
 OUTSIDE = (
     "fmu/call_watch.py",
     "editor/entrance.py",
@@ -495,7 +495,7 @@ def iterables(tree: ast.Module) -> Iterator[ast.expr]:
 
 
 def is_set(node: ast.expr, names: set[str]) -> bool:
-    """Whether an expression is a set, as far as the text tells."""
+    """Whether an expression is a set, as far as the text shows."""
     if isinstance(node, ast.Set | ast.SetComp):
         return True
     if isinstance(node, ast.Call):
@@ -658,7 +658,7 @@ def test_the_decoder_knows_no_checker() -> None:
 
 
 def test_nothing_inside_imports_the_public_names() -> None:
-    """``nctakt`` itself stands above all its packages: they import what they need where it is."""
+    """``nctakt`` itself is above all its packages: they import what they need where it is."""
     found = [own_name(path) for path in SOURCES if "nctakt" in imports(path)]
     assert found == []
 
@@ -736,7 +736,7 @@ MOST_MODULES = 20
 
 
 def test_folders_stay_small() -> None:
-    """No folder has more than 20 modules beside ``__init__``."""
+    """No folder has more than 20 modules next to ``__init__``."""
     modules = Counter(path.parent for path in SOURCES if path.stem != "__init__")
     large = [
         f"{folder.relative_to(PACKAGE).as_posix()}: {count}"
@@ -760,7 +760,7 @@ def test_lines_of_types_and_scripts_stay_short() -> None:
 
 
 def test_numbers_of_the_queue_have_names() -> None:
-    """The bounds of queue, record, interface, slots and ring are named where they stand."""
+    """The bounds of queue, record, interface, slots and ring are named where they are defined."""
     bounds = {
         "kernel/tick/channel.py": ("LOW_WATER",),
         "run/queue_feeder.py": ("HIGH_WATER",),
@@ -783,7 +783,7 @@ def test_numbers_of_the_queue_have_names() -> None:
 
 # --- facts that stand in one place ----------------------------------------------------------------
 
-#: Where the numbers of G and M functions stand in ``nc`` and ``decoder``.
+#: Where the numbers of G and M functions are in ``nc`` and ``decoder``.
 FUNCTION_TABLE = PACKAGE / "nc" / "vocabulary" / "functions.py"
 #: How values are called that are the number of a function.
 FUNCTION_WORDS = ("function", "motion", "mode", "feed_mode", "number", "value")
@@ -847,7 +847,7 @@ def number_of(node: ast.AST) -> float:
 
 
 def nameless_numbers(tree: ast.AST) -> Iterator[ast.expr | ast.stmt]:
-    """Literal columns, and literal numbers that stand for a kind, a state or a reason."""
+    """Literal columns, and literal numbers that represent a kind, a state or a reason."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Subscript) and not isinstance(node.slice, ast.Slice):
             before = {

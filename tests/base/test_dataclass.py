@@ -64,7 +64,7 @@ class Options:
 
 @dataclass(frozen=True, slots=True, repr=False, eq=False)
 class Own:
-    """One with methods of its own."""
+    """One with its own methods."""
 
     x: int
 

@@ -67,7 +67,7 @@ def open_session(folder: Path) -> None:
 def share_memory(folder: Path) -> None:
     """As ``run --hli`` does: Python's resource tracker is a process, too."""
     name = f"nctakt_{secrets.token_hex(4)}"
-    script = folder / "bin" / "share.py"  # as the command nctakt is a script in a folder of its own
+    script = folder / "bin" / "share.py"  # as the command nctakt is a script in its own folder
     script.parent.mkdir()
     script.write_text(f"import nctakt\nnctakt.Controller().interface_image({name!r}).close()")
     environment = {**os.environ, "PYTHONPATH": python_environment()["PYTHONPATH"]}

@@ -213,7 +213,7 @@ def test_what_needs_a_main_axis_is_refused_without_it(line: str, expected: int) 
 
 
 def test_a_block_search_does_not_exchange_axes() -> None:
-    """In front of the start block; behind it as always."""
+    """Before the start block; after it as always."""
     program = text("one", "#PUT AX [C]", "G01 X1 F600", "#CALL AX [C, 5, 3]", "G01 C5")
     found = Controller(MACHINE).run(program, from_line=3)
     assert 901809 in numbers(found)
@@ -276,7 +276,7 @@ Steps = list[tuple[str, int]]
 
 
 def model(programs: Mapping[int, Steps]) -> tuple[dict[int, int], bool]:
-    """Who has each axis at the end, and whether channels wait for ever.
+    """Who has each axis at the end, and whether channels wait forever.
 
     In every order of steps the same: axes are only taken by who asks for them, and a step that is
     possible stays so, as at most one channel asks for an axis.
@@ -301,7 +301,7 @@ def model(programs: Mapping[int, Steps]) -> tuple[dict[int, int], bool]:
 
 
 def lines_of(steps: Steps, channel: int) -> list[str]:
-    """The program of these steps, each axis with an index of its own."""
+    """The program of these steps, each axis with its own index."""
     names = {2: ("Y", 1), 3: ("Z", 2), 5: ("C", 3), 4: ("U", 4), 6: ("W", 5)}
     if channel == 2:
         names[4] = ("X", 0)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Axes and spindles that follow others: ``#AX LINK``, and gantries of the lists.
 
-``docs/conformance/couplings.md`` says what is decided. In the machine X Y Z U V A B are the axes
-of the channel; U has lower limits than the others, Y8 follows Y for ever, 5 mm beside it. S, S2 and
-S3 are spindles; group 0 of the list is U = X, S2 = S.
+``docs/conformance/couplings.md`` says what is decided. In the machine X Y Z U V A B are the axes of
+the channel; U has lower limits than the others, Y8 follows Y forever, 5 mm beside it. S, S2 and S3
+are spindles; group 0 of the list is U = X, S2 = S.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from nctakt.run.controller import Controller, NcText
 
 
 def test_a_slave_goes_the_way_of_its_master() -> None:
-    """From where both stand, in each tick."""
+    """From where both are at rest, in each tick."""
     found = run(
         "G01 X10 U3 F6000",
         "#SET AX LINK [1, U=X]",

@@ -17,7 +17,7 @@ from nctakt.run.controller import Controller, NcText
 #: Channel 1 has X (1), Y (2), Z (3), C (5), channel 2 has X (4); axis 6 belongs to none.
 MACHINE = load_machine(Path(__file__).parent / "exchange_machine")
 
-#: Z is at index 1 behind it.
+#: Z is at index 1 after it.
 Z_MOVES_UP = "#SET AX [X, 1, 0] [Z, 3, 1]"
 
 
@@ -77,7 +77,7 @@ def test_machine_coordinates_keep_their_axes(before: str) -> None:
 
 
 def test_lines_by_angle_have_the_names_of_the_channel() -> None:
-    """The lists of these axes have no names, and V stands where Y was."""
+    """The lists of these axes have no names, and V is where Y was."""
     found = run("#SET AX [X, 1, 0] [V, 3, 1]", "G01 X10 F6000 #ANG=45", '#MSG ["%.3f", V.A.ABS.V]')
     assert mistakes(found) == []
     assert [one.text for one in found.messages] == ["10.000"]

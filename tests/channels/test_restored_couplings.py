@@ -27,7 +27,7 @@ def fixture_keeping(tmp_path_factory: pytest.TempPathFactory) -> Machine:
 
 
 def test_block_search_does_not_begin_with_them(keeping: Machine) -> None:
-    """The axes go to the start block as they are: 901884, also in front of it."""
+    """The axes go to the start block as they are: 901884, also before it."""
     controller = Controller(keeping)
     run("#AX LINK ON", "G01 X10 F6000", controller=controller)
     program = NcText("part.nc", "G01 X15 F6000\nX20\nX30\nM30\n")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Several channels: each has programs, variables, cycles and a state of its own."""
+"""Several channels: each has programs, variables, cycles and its own state."""
 
 from __future__ import annotations
 
@@ -225,7 +225,7 @@ def test_wrong_words(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """What cannot be used is told with exit code 2."""
+    """What cannot be used is reported with exit code 2."""
     monkeypatch.chdir(tmp_path)
     Path("one.nc").write_text(ONE.text, "utf-8")
     assert main(["run", *words, "--machine", str(MACHINE)]) == 2

@@ -90,7 +90,7 @@ def test_a_value_that_was_not_sent() -> None:
 
 @pytest.mark.parametrize("mode", ["", " SYN"])
 def test_signals_of_one_sender_are_taken_in_their_order(mode: str) -> None:
-    """250002 (page 266543499); AHEAD takes them in any order, which a note tells once."""
+    """250002 (page 266543499); AHEAD takes them in any order, which a note reports once."""
     sends = ["#SIGNAL SYN [ID=1 CH=1]", "#SIGNAL SYN [ID=2 CH=1]"]
     wrong = [f"#WAIT{mode} [ID=2 CH=2]", f"#WAIT{mode} [ID=1 CH=2]"]
     found = run(["G04 0.01", *wrong], sends)
@@ -153,7 +153,7 @@ def test_a_signal_that_nobody_sends_is_told_before_the_first_tick() -> None:
 
 
 def test_who_can_be_freed_from_outside_waits_to_the_limit() -> None:
-    """With a PLC the run goes on, and a note tells the reason at its end."""
+    """With a PLC the run goes on, and a note shows the reason at its end."""
 
     class Idle:
         def cycle(self, _hli: object) -> None:
@@ -205,7 +205,7 @@ def written(program: Program, other: int, modes: random.Random) -> list[str]:
 
 
 def all_pairs(length: int) -> list[tuple[Program, Program]]:
-    """Both programs, each of all programs of so many steps."""
+    """Both programs, each of all programs of this many steps."""
     own = list(itertools.product(STEPS, repeat=length))
     return list(itertools.product(own, own))
 
@@ -247,7 +247,7 @@ def test_mixed_levels_end_the_same_each_time(seed: int) -> None:
 
 
 def test_wait_indp_waits_for_the_axes_that_cycles_move() -> None:
-    """The cycle moves X by 1 mm (500 mm/s at most): the message comes when it stands there."""
+    """The cycle moves X by 1 mm (500 mm/s at most): the message comes when it is there."""
     cycle = [
         "#RT CYCLE [SCOPE=PROG]",
         "$IF ONCE V.RTA.ACS.ACT_POS.X == 0",
@@ -264,7 +264,7 @@ def test_wait_indp_waits_for_the_axes_that_cycles_move() -> None:
 
 
 def test_a_picture_has_a_lane_for_each_channel_and_an_arrow_for_each_signal() -> None:
-    """Channel 2 waits for 3 ms; its decoder's wait stands in a lane of its own."""
+    """Channel 2 waits for 3 ms; its decoder's wait is in its own lane."""
     found = run(
         ["G04 0.003", "#SIGNAL SYN [ID=1 CH=2]", "#WAIT [ID=2 CH=2]"],
         ["#WAIT SYN [ID=1 CH=1]", "#SIGNAL SYN [ID=2 CH=1]"],
@@ -309,7 +309,7 @@ def test_the_example_runs_as_its_comments_say() -> None:
 
 
 def test_signals_and_waits_are_part_of_a_snapshot() -> None:
-    """Everything with SYN stands in the queues; put back, the ticks are the same again."""
+    """Everything with SYN is in the queues; put back, the ticks are the same again."""
     controller = Controller(MACHINE)
     controller.start(text("one", "G04 0.005", "#SIGNAL SYN [ID=1 CH=2]", "#WAIT SYN [ID=2 CH=2]"))
     controller.start(

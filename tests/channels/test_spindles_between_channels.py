@@ -271,8 +271,8 @@ def judged(found: Run) -> set[int]:
 
 @each_seed(compiled=8, plain=3)
 def test_random_exchanges_have_one_holder_and_no_step(seed: int) -> None:
-    """Who waits for what never comes is told (901506), nobody else; the spindle, which turns with
-    its axis, never turns farther in a tick than it can at 60000°/min.
+    """A wait for something that never comes is reported (901506), no other; the spindle, which
+    turns with its axis, never turns farther in a tick than it can at 60000°/min.
     """
     one, two = random_programs(random.Random(seed))
     found = run(one, two)

@@ -110,7 +110,7 @@ def test_the_limit_of_a_followed_path_is_crossed_by_an_edit(machine: AssembledMa
 def test_a_keystroke_reads_its_section_only(
     machine: AssembledMachine, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Statements behind the next place with the same state are not visited again."""
+    """Statements after the next place with the same state are not visited again."""
     lines: list[str] = []
     for number in range(200):
         lines += [f"P1 = {number}", f"#RT CYCLE [ID={number + 1} SCOPE=PROG]"]

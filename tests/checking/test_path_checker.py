@@ -198,7 +198,7 @@ def test_a_file_that_ends_as_a_subprogram_may_begin_anyhow() -> None:
 
 
 def test_long_programs_are_not_followed() -> None:
-    """Above 5,000 lines a run tells; the check stays fast."""
+    """Above 5,000 lines only a run reports it; the check stays fast."""
     program = "G00 X0 Y0\n" + "G01 X5 Y1\n" * 5000 + "G00 X20000\nM30\n"
     assert errors(program) == []
 

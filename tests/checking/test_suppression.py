@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Comments that suppress findings: what they take out, and what is told about them."""
+"""Comments that suppress findings: what they take out, and what is reported about them."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ def test_a_comment_on_a_line_of_its_own_is_about_the_next_block() -> None:
 
 
 def test_an_error_is_never_suppressed() -> None:
-    """A program with an error does not run, so the comment is told instead."""
+    """A program with an error does not run, so the comment is reported instead."""
     found = numbers("G01 X1,5 F100 ; nctakt: ignore 20797 no reason helps\nM30\n")
     assert found == [(1, 20797), (1, 901184)]
 
@@ -83,7 +83,7 @@ def test_a_text_in_quotes_is_no_comment() -> None:
 def test_in_lists_such_comments_stand_behind_a_hash(
     comment: str, left: list[int], tmp_path: Path
 ) -> None:
-    """The finding of an entry is taken out, and an unused comment told, as in programs."""
+    """The finding of an entry is taken out, and an unused comment reported, as in programs."""
     path = tmp_path / "sda_mds1.lis"
     path.write_text(f"rt_cycles.enable   7{comment}\nrt_cycles.max_duration 500\n")
     result = check_files([path], AssembledMachine(load_machine(None)))

@@ -40,7 +40,7 @@ _FINDING = re.compile(
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The command runs in a folder of its own."""
+    """The command runs in its own folder."""
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -167,7 +167,7 @@ def test_a_file_named_twice_is_checked_once(check: Check) -> None:
 
 
 def test_the_set_of_programs_decides_about_global_cycles(check: Check) -> None:
-    """A GLOBAL cycle is told where no checked program deletes it."""
+    """A GLOBAL cycle is reported where no checked program deletes it."""
     write("define.nc", "#RT CYCLE [ID=7 SCOPE=GLOBAL]\n#RT CYCLE END\nM30\n")
     write("delete.nc", "#RT CYCLE DELETE [ID=7]\nM30\n")
     assert check("define.nc").ids == [900245]
@@ -215,7 +215,7 @@ def test_a_machine_that_cannot_be_had_is_wrong_usage(
 
 
 def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
-    """All lists that its start-up list names, once; a list beside them alone."""
+    """All lists that its start-up list names, once; a list next to them alone."""
     shutil.copytree(DEMO, "mine/lists")
     write("mine/lists/achs_mds1.lis", "kopf.achs_nr 1\ngetriebe[0].dynamik.a_max -5\nEnde\n")
     write("mine/lists/spare.lis", "kopf.achs_nr 1\nkopf.achs_nr 2\nEnde\n")
@@ -232,7 +232,7 @@ def test_a_machine_folder_is_checked_as_a_whole(check: Check) -> None:
 
 
 def test_tools_and_offsets_that_a_machine_names_are_checked(check: Check) -> None:
-    """Tools and offsets belong to the machine: not checked alone; missing ones are told."""
+    """Tools and offsets belong to the machine: not checked alone; missing ones are reported."""
     shutil.copytree(DEMO, "mine")
     startup = Path("mine/hochlauf.lis")
     text = startup.read_text("utf-8")
@@ -379,7 +379,7 @@ def test_binary_files_are_refused(check: Check, name: str, number: int) -> None:
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="rights do not bind root")
 def test_what_may_not_be_read(check: Check) -> None:
-    """Files and folders without the right are told."""
+    """Files and folders without the right are reported."""
     write("part.nc", GOOD).chmod(0)
     write("locked/part.nc", GOOD).parent.chmod(0)
     try:
@@ -390,7 +390,7 @@ def test_what_may_not_be_read(check: Check) -> None:
 
 
 def test_a_file_that_fails_while_it_is_read(check: Check, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What the system says is told."""
+    """What the system says is reported."""
 
     plain_open = Path.open
 
@@ -454,7 +454,7 @@ def test_a_named_pipe_in_a_folder_is_left_alone(check: Check) -> None:
 
 
 def test_an_empty_program_is_told(check: Check) -> None:
-    """As a run tells it."""
+    """As a run reports it."""
     write("empty.nc", "")
     assert check("empty.nc").ids == [900109]
 
@@ -594,7 +594,7 @@ def of_programs(checked: Checked) -> list[tuple[str, int, int]]:
 
 
 def test_programs_in_a_machines_folder_are_for_its_channels(check: Check) -> None:
-    """The second channel has no A axis; path[i].dir tells which channel a folder is for."""
+    """The second channel has no A axis; path[i].dir shows which channel a folder is for."""
     two_channels({1: "path[0].dir ./one", 2: "path[0].dir ./two"})
     for folder in ("one", "two", "three"):
         write(f"mine/{folder}/{folder}.nc", "G00 A10\nM30\n")
@@ -604,7 +604,7 @@ def test_programs_in_a_machines_folder_are_for_its_channels(check: Check) -> Non
 
 
 def test_a_folder_of_two_channels_is_checked_for_both(check: Check) -> None:
-    """What one of them cannot run is told; what both cannot, once."""
+    """What one of them cannot run is reported; what both cannot, once."""
     two_channels({1: "path[0].dir ./nc", 2: "path[0].dir ./nc"})
     write("mine/nc/a.nc", "G00 A10\nG200\nM30\n")
     checked = check("mine", "--select", "20797,900200")

@@ -28,7 +28,7 @@ def blocks(language: str, text: str = TEXT) -> list[str]:
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The command runs in a folder of its own."""
+    """The command runs in its own folder."""
     monkeypatch.chdir(tmp_path)
 
 
@@ -66,7 +66,7 @@ def test_the_suffixes_of_programs_are_named() -> None:
 
 
 def test_the_python_runs(capsys: pytest.CaptureFixture[str]) -> None:
-    """As it stands, on a folder with a program."""
+    """As it is, on a folder with a program."""
     Path("programs").mkdir()
     Path("programs/bad.nc").write_text("Q1\n", encoding="utf-8")
     (code,) = blocks("python")

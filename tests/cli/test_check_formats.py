@@ -29,7 +29,7 @@ CHANNEL = "rt_cycles.max_steps 5\nrt_cycles.max_stepz 5\nEnde\n"
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The command runs in a folder of its own, with a program and a list."""
+    """The command runs in its own folder, with a program and a list."""
     monkeypatch.chdir(tmp_path)
     Path("programs, new").mkdir()
     Path("programs, new/part ä.nc").write_text(PART, encoding="utf-8")
@@ -144,7 +144,7 @@ def test_sarif_in_german(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_sarif_of_files_without_a_place(capsys: pytest.CaptureFixture[str]) -> None:
-    """What is about a file as a whole stands at its first line; outside paths are absolute."""
+    """What is about a file as a whole is at its first line; outside paths are absolute."""
     outside = Path("part.nc").resolve().parent.parent / "elsewhere.nc"
     run = sarif(capsys, "gone.nc", str(outside), "<new>.nc", code=2)
     places = [result["locations"][0]["physicalLocation"] for result in run["results"]]
@@ -159,7 +159,7 @@ def test_sarif_of_files_without_a_place(capsys: pytest.CaptureFixture[str]) -> N
 @pytest.mark.skipif(sys.platform != "linux", reason="names of files that are no text")
 @pytest.mark.parametrize("format", ["text", "json", "github", "sarif"])
 def test_names_that_are_no_text(capsys: pytest.CaptureFixture[str], format: str) -> None:
-    """A file name of bytes that are no UTF-8 is told in every format."""
+    """A file name of bytes that are no UTF-8 is reported in every format."""
     name = os.fsdecode(b"part\xff.nc")
     Path(name).write_text(PART, encoding="utf-8")
     capsys.readouterr()

@@ -181,7 +181,7 @@ def test_a_given_drift(capsys: pytest.CaptureFixture[str]) -> None:
     ],
 )
 def test_wrong_words(words: list[str], number: int, capsys: pytest.CaptureFixture[str]) -> None:
-    """Each is told before the run, or with what is wrong in it."""
+    """Each is reported before the run, or with what is wrong in it."""
     signal = '[signals]\n"X.ACS.ACT_POS" = '
     Path("unit.toml").write_text(f'{signal}{{ log = "Axis X ActPos", unit = "bar" }}', "utf-8")
     Path("column.toml").write_text(f'{signal}"Axis X ActPo"', "utf-8")
@@ -207,7 +207,7 @@ def changed_log(
     assert trace is not None
     ours = numpy.arange(trace.ticks) * 0.001
     stamps = numpy.arange(0.0, ours[-1] + 2.5, step_s)
-    # N30 is a dwell of 0.2 s: both axes stand from 2.3 s to 2.4 s
+    # N30 is a dwell of 0.2 s: both axes are from 2.3 s to 2.4 s
     in_run = stamps - 1.2345
     in_run = numpy.where(in_run > 2.35, numpy.maximum(in_run - late_s, 2.35), in_run)
     cells = [
@@ -258,7 +258,7 @@ def test_a_delay_beside_a_gain(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_another_override_makes_the_begin_uncertain(capsys: pytest.CaptureFixture[str]) -> None:
-    """A log at 80 % fits best where it does not begin: told, but not with an event."""
+    """A log at 80 % fits best where it does not begin: reported, but not with an event."""
     Path("slow.nc").write_text("G01 X100 F20000\nY50 F10000\nG00 X0 Y0\nM30\n", "utf-8")
     words = ["--signals", "X.ACS.ACT_POS,Y.ACS.ACT_POS", "--quiet"]
     assert main(["run", "slow.nc", "--trace", "slow.csv", "--set", "HLI.OVERRIDE=80", *words]) == 0

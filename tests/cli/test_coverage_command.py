@@ -30,7 +30,7 @@ M30
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The command runs in a folder of its own, where part.nc is."""
+    """The command runs in its own folder, where part.nc is."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "part.nc").write_text(PART, encoding="utf-8")
     return tmp_path

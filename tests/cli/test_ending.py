@@ -53,7 +53,7 @@ SLOW = "import time\nclass P:\n  def cycle(self, hli):\n    time.sleep(0.0001)\n
 
 
 class Started:
-    """A command in a group of its own; ``ignores``: SIGINT is ignored, as in the background."""
+    """A command in its own group; ``ignores``: SIGINT is ignored, as in the background."""
 
     def __init__(self, folder: Path, *words: str, ignores: bool) -> None:
         before = signal.signal(signal.SIGINT, signal.SIG_IGN if ignores else signal.SIG_DFL)
@@ -191,7 +191,7 @@ def test_a_run_ends_between_two_ticks_with_its_records(start: Start, tmp_path: P
 @pytest.mark.nightly
 @pytest.mark.parametrize("in_group", [False, True], ids=["alone", "with its workers"])
 def test_a_study_keeps_its_rows(start: Start, tmp_path: Path, in_group: bool) -> None:
-    """A note tells how many; no run counts as crashed, and all workers have ended."""
+    """A note says how many; no run counts as crashed, and all workers have ended."""
     study = start("study", "plan.toml", "--out", "rows.csv", "--processes", "2", "--yes")
     rows = tmp_path / "rows.csv.rows"
     for _ in range(600):

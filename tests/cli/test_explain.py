@@ -51,7 +51,7 @@ def test_both_numbers_of_a_message(number: str, capsys: Captured) -> None:
 
 
 def test_a_number_of_several_messages(capsys: Captured) -> None:
-    """Each message that the controller reports under one number is told."""
+    """Each message that the controller reports under one number is reported."""
     assert main(["explain", "20836"]) == 0
     out = capsys.readouterr().out
     assert out.count("20836: error of the controller\n") == 2
@@ -209,7 +209,7 @@ def test_a_family_lists_the_variables_of_the_machine(word: str, capsys: Captured
 
 
 def test_a_variable_of_another_machine(capsys: Captured, tmp_path: Path) -> None:
-    """``--machine`` says whose; an unknown one is told with the nearest (900541, 901006)."""
+    """``--machine`` says whose; an unknown one is reported with the nearest (900541, 901006)."""
     assert main(["new", str(tmp_path / "m"), "--quiet"]) == 0
     assert main(["explain", "V.E.CONDITIO", "--machine", str(tmp_path / "m")]) == 2
     told = capsys.readouterr().err

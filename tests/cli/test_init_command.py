@@ -94,7 +94,7 @@ def test_the_guide_to_ci_names_the_same_versions() -> None:
 
 
 def test_a_file_for_ci_asks_for_the_wheel_that_it_installs(cell: Path, capsys: Captured) -> None:
-    """It is told as long as none lies in the folder."""
+    """It is reported as long as none lies in the folder."""
     assert main(["init", "--ci", "github"]) == 0
     assert "put a wheel of nctakt into wheels" in capsys.readouterr().out
     (cell / "wheels").mkdir()
@@ -122,7 +122,7 @@ def test_nothing_is_overwritten(cell: Path, capsys: Captured) -> None:
 
 
 def test_a_reader_that_goes_early_leaves_no_half_project(cell: Path) -> None:
-    """All files are written before anything is told: ``nctakt init | head -1``."""
+    """All files are written before anything is reported: ``nctakt init | head -1``."""
     reading, writing = os.pipe()
     os.close(reading)
     words = [sys.executable, "-P", "-m", "nctakt", "init", "--ci", "jenkins"]

@@ -115,7 +115,7 @@ def test_an_empty_folder_is_used(tmp_path: Path) -> None:
 
 
 def test_what_cannot_be_written_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A file stands where the folder would be: exit code 2 with the system's reason."""
+    """There is a file where the folder would be: exit code 2 with the system's reason."""
     (tmp_path / "file").write_text("x")
     assert main(["new", str(tmp_path / "file")]) == 2
     assert "900747" in capsys.readouterr().err

@@ -54,7 +54,7 @@ def failure_of(path: Path) -> PlcError:
 
 
 def test_a_plc_is_the_one_class_with_a_method_cycle(tmp_path: Path) -> None:
-    """It may import files beside it, and nothing of it stays in the interpreter's tables."""
+    """It may import files next to it, and nothing of it stays in the interpreter's tables."""
     write(tmp_path, "STEP = 2", "helper.py")
     modules, paths = set(sys.modules), list(sys.path)
     plc = load_plc(write(tmp_path, GOOD))
@@ -97,7 +97,7 @@ def test_a_base_class_is_not_counted(tmp_path: Path) -> None:
 def test_a_file_without_a_usable_plc_is_a_diagnostic(
     tmp_path: Path, text: str, number: int, words: str
 ) -> None:
-    """No class, several, and exceptions of the user's own are told by number and in words."""
+    """No class, several, and exceptions of the user's own are reported by number and in words."""
     failure = failure_of(write(tmp_path, text))
     assert failure.diagnostics[0].id == number
     assert words in failure.diagnostics[0].text()
@@ -105,7 +105,7 @@ def test_a_file_without_a_usable_plc_is_a_diagnostic(
 
 @pytest.mark.parametrize(("name", "number"), [("missing.py", 900500), ("", 900501)])
 def test_a_plc_that_is_no_file_is_a_diagnostic(tmp_path: Path, name: str, number: int) -> None:
-    """A missing file and a folder are told apart."""
+    """A missing file and a folder are distinguished."""
     assert failure_of(tmp_path / name).diagnostics[0].id == number
 
 

@@ -526,7 +526,7 @@ def test_tests_that_others_may_have_written(told: Told, cell: Path, name: str, w
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="no owners")
 def test_tests_in_parallel_trust_as_the_command_does(told: Told, cell: Path) -> None:
-    """A worker of pytest-xdist is a process of its own: there --trust counts as well."""
+    """A worker of pytest-xdist is its own process: there --trust counts as well."""
     write("programs/a.nc", PROGRAM + "; expect: ended\n")
     others_may_write(Path("cell.py"))
     words = ["test", "programs", "--trust", "--", "-n", "1"]
@@ -581,7 +581,7 @@ def test_files_name_no_pipe_to_be_read_for_ever(told: Told) -> None:
 
 
 def test_formats_of_a_check_are_as_ever(told: Told) -> None:
-    """The note stands below the text only."""
+    """The note is below the text only."""
     write("nctakt.toml", 'machine = "demo5"\n')
     found = json.loads(told("check", "programs/a.nc", "--format", "json")[1])
     assert found["diagnostics"] == []

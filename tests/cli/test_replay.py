@@ -98,7 +98,7 @@ def test_all_inputs_stand_on_the_tape(told: Told) -> None:
 
 
 def test_a_changed_program_is_told(told: Told) -> None:
-    """901073 and nothing runs; --anyway runs it and tells the first difference (901074)."""
+    """901073 and nothing runs; --anyway runs it and shows the first difference (901074)."""
     record(told)
     Path("a.nc").write_text(PROGRAM.replace("X10", "X5"), "utf-8")
     code, out, err = told("replay", "run.tape")
@@ -116,7 +116,7 @@ def test_a_changed_program_is_told(told: Told) -> None:
 
 
 def test_a_program_from_standard_input(told: Told, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its text stands on the tape."""
+    """Its text is on the tape."""
     text = io.TextIOWrapper(io.BytesIO(b'#MSG ["hello"]\nM30\n'))
     monkeypatch.setattr("sys.stdin", text)
     code, out, _ = told("run", "-", "--record", "run.tape")

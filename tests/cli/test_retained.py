@@ -92,7 +92,7 @@ def test_wrong_files(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_sessions_keep_for_the_next_one(cell: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The values are those at the tick where the session stands; its files may have changed."""
+    """The values are those at the tick where the session is; its files may have changed."""
     kept = Path("kept.json")
     kept.write_text('{"gTotal": 2, "MAIN.gone": 1}', "utf-8")
     retained = RetainedSession("kept.json", ["cell.st"], FileAccess(), "en")

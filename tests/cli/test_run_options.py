@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """``nctakt run``: how words become requests, and results become output and exit codes.
 
-A controller that only notes what it is asked for stands in for the real one; the command with the
-real controller is tested in ``test_command.py``.
+A controller that only notes what it is asked for replaces the real one; the command with the real
+controller is tested in ``test_command.py``.
 """
 
 from __future__ import annotations
@@ -332,7 +332,7 @@ def test_ctrl_c_ends_a_run_between_two_ticks(asked: Asked) -> None:
 def test_unusable_input_is_told_all_at_once(
     words: str, numbers: list[int], capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Everything that is wrong is told by number, with a remedy, and the exit code is 2."""
+    """Everything that is wrong is reported by number, with a remedy, and the exit code is 2."""
     assert main(words.split()) == 2
     shown = capsys.readouterr().err
     told = [int(line.split("error ")[1][:6]) for line in shown.splitlines() if "error 9" in line]
@@ -357,7 +357,7 @@ def test_unusable_input_is_told_all_at_once(
 def test_wrong_words_are_wrong_usage(
     words: str, text: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """What the command line does not know is told with exit code 2."""
+    """What the command line does not know is reported with exit code 2."""
     assert main(words.split()) == 2
     assert text in capsys.readouterr().err
 
@@ -368,9 +368,9 @@ def test_a_mode_that_cannot_be_had_is_wrong_usage(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """--compiled without a build is an error; without the option a note tells that it is slower.
+    """--compiled without a build is an error; without the option a note says that it is slower.
 
-    Who asks for plain Python, by option or by NCTAKT_PLAIN=1, is not told.
+    Who asks for plain Python, by option or by NCTAKT_PLAIN=1, is not reported.
     """
     monkeypatch.delenv("NCTAKT_PLAIN", raising=False)
     monkeypatch.setattr("nctakt.base.mode.is_compiled", lambda: False)

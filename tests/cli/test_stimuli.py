@@ -69,7 +69,7 @@ def test_assignments(text: str, name: str, value: float) -> None:
     ],
 )
 def test_what_is_no_assignment_is_a_diagnostic(text: str, number: int) -> None:
-    """A missing sign, name or value, and what is no finite number, are told by number."""
+    """A missing sign, name or value, and what is no finite number, are reported by number."""
     with pytest.raises(Failure) as failure:
         parse_assignment(text)
     assert [found.id for found in failure.value.diagnostics] == [number]
@@ -112,7 +112,7 @@ def test_a_stimulus_in_the_last_tick_is_in_time() -> None:
 
 @pytest.mark.parametrize("line", ["V.E.NOPE = 1", "G01 Q5", "M777", "P1 = V.RTA.ACS.ACT_POS.Q"])
 def test_an_unknown_name_tells_that_the_machine_is_the_built_in_one(line: str) -> None:
-    """901006 once, behind the errors; not on a machine of one's own."""
+    """901006 once, after the errors; not on one's own machine."""
     program = nctakt.NcText("a.nc", f"{line}\n{line}\nM30\n")
     found = [one.id for one in nctakt.Controller().run(program).diagnostics]
     assert found.count(901006) == 1

@@ -86,7 +86,7 @@ def test_errors_that_nobody_can_be_told_keep_their_exit_code(folder: Path, strea
 
 
 def test_a_file_does_not_get_the_number_of_a_closed_stream(folder: Path) -> None:
-    """What goes to standard output stands in no file of results."""
+    """What goes to standard output is in no file of results."""
     done = shell(folder, "run part.nc --trace out.csv --messages out.txt <&- >&-")
     assert done.returncode == 0
     assert (folder / "out.csv").read_text("utf-8").startswith("tick,")

@@ -13,7 +13,7 @@ from nctakt.cli import main
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The command runs in a folder of its own, where part.nc is."""
+    """The command runs in its own folder, where part.nc is."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "part.nc").write_text("G01 X100 F6000\nM30\n", encoding="utf-8")
     return tmp_path

@@ -24,7 +24,7 @@ SOURCES = Path(nctakt.__file__).parent.parent
 
 
 class Watched:
-    """A command in a process of its own; what it says is read line by line."""
+    """A command in its own process; what it says is read line by line."""
 
     def __init__(self, folder: Path, *words: str) -> None:
         kept = {name: value for name, value in os.environ.items() if name != "NCTAKT_MACHINE"}

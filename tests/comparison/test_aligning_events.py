@@ -16,7 +16,7 @@ from nctakt.comparison.aligning_event import AligningEvent, Edge
 from nctakt.comparison.log import Samples
 from nctakt.run.controller import Controller
 
-#: M10 goes out when X stands at 10; V.E.COUNT is 1 from X > 5 on.
+#: M10 goes out when X is at 10; V.E.COUNT is 1 from X > 5 on.
 PART = """\
 #RT CYCLE [ID = 1 SCOPE = PROG]
   $IF ONCE V.RTA.ACS.ACT_POS.X > 5
@@ -34,7 +34,7 @@ LATE_S = 0.7
 
 @pytest.fixture(autouse=True)
 def _log(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A log of the run, 0.7 s late, of 1 ms, with a column of its own for M10."""
+    """A log of the run, 0.7 s late, of 1 ms, with its own column for M10."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text(PART, "utf-8")
     run = Controller().run("part.nc", signals=["X.ACS.ACT_POS", "V.E.COUNT"])

@@ -42,7 +42,7 @@ def logged(
 
 @pytest.mark.parametrize(("step_us", "gain"), [(2000.0, 1.0), (10_000.0, 1.0), (2000.0, 1.001)])
 def test_offset_and_drift_are_found(step_us: float, gain: float) -> None:
-    """LG-702: within 0.001 ms and 0.1 ppm of 40 ppm; gain is told and spoils neither."""
+    """LG-702: within 0.001 ms and 0.1 ppm of 40 ppm; gain is reported and affects neither."""
     curve = wandering(120.0, 1)
     found = align([(logged(curve, step_us, 12_345_678.0, 40e-6, gain), curve)])
     assert found.reason is None
@@ -76,7 +76,7 @@ def test_a_short_log_has_no_drift() -> None:
 def stepped(
     curve: Curve, drift: float, noise: float, late: Sequence[tuple[float, float]]
 ) -> Samples:
-    """A log at 2 ms that begins 3 s before the run, and stands at times of it for so many µs."""
+    """A log at 2 ms that begins 3 s before the run, and is at times of it for this many µs."""
     end = 3e6 + (curve.end_us + sum(length for _, length in late)) * (1.0 + drift) + 1e6
     stamps = numpy.arange(0.0, end, 2000.0)
     times = (stamps - 3e6) / (1.0 + drift)
@@ -338,7 +338,7 @@ def test_samples_within_a_tick_say_what_one_says(
 def test_a_gain_is_no_delay_where_the_speed_follows_the_position(
     late_us: float, told: list[float]
 ) -> None:
-    """LG-706: 1 % too far, and later from the second block on; both are told apart.
+    """LG-706: 1 % too far, and later from the second block on; both are distinguished.
 
     The axis only accelerates, so that where it is farther it is faster, too.
     """
@@ -354,7 +354,7 @@ def test_a_gain_is_no_delay_where_the_speed_follows_the_position(
 
 
 def test_at_a_constant_speed_a_log_with_a_bias_is_late_nowhere() -> None:
-    """LG-702: there a delay and a bias are one, so that no block tells one."""
+    """LG-702: there a delay and a bias are one, so that no block has one."""
     blocks = [Event(tick, 1000 * tick, "block", "", None) for tick in (0, 100)]
     slopes, places = numpy.ones(200), numpy.arange(200.0)
     gathered = BlockDelays(blocks, 1000, is_scaled=True)

@@ -71,7 +71,7 @@ def logged(
     begin_us: float = 1_234_500.0,
     drift: float = 0.0,
 ) -> MadeLog:
-    """Return a log in which the machine stands at times of the run, each for so long, in µs."""
+    """Return a log in which the machine is at times of the run, each for so long, in µs."""
     ticks = ticks_of(recorded)
     longest = sum(length for _, length in stands)
     end_us = begin_us + (ticks[-1] + longest) * (1.0 + drift) + 5e5
@@ -114,7 +114,7 @@ def _folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("gain", [1.0, by_night(1.01)])
 @pytest.mark.parametrize("length_us", [3e3, 3e4, 1e5, 5e5, 2e6, 15e6])
 def test_a_length_is_what_it_is(length_us: float, gain: float, noise: float) -> None:
-    """The machine stands longer in the dwell N30: N40 comes later by as much, nothing else.
+    """The machine is longer in the dwell N30: N40 comes later by as much, nothing else.
 
     Noise of 2 µm at up to 91 mm/s and some 100 samples in ramps: µs.
     """
@@ -153,7 +153,7 @@ def test_a_late_function_in_a_long_log_is_no_drift(
 ) -> None:
     """M10 is acknowledged later on the machine, in the middle of the log: a step, and no slope.
 
-    With a clock that runs 40 ppm slower both are told; without a delay there is none.
+    With a clock that runs 40 ppm slower both are reported; without a delay there is none.
     """
     run, recorded, line = long_run
     event = next(one for one in recorded.blocks if one.span is not None and one.span.line == line)

@@ -93,7 +93,7 @@ def test_full_time_stamps_are_exact(tmp_path: Path) -> None:
 
 
 def test_a_table_with_names_and_times(tmp_path: Path) -> None:
-    """LG-304: separator, decimal mark and units by what stands there, or as is said."""
+    """LG-304: separator, decimal mark and units by what is found there, or as specified."""
     log = opened(tmp_path, "Zeit [s];Position X [mm];ok\n0,001;1,5;TRUE\n0,002;;FALSE\n")
     assert [(one.name, one.unit) for one in log.columns] == [("Position X", "mm"), ("ok", "")]
     assert samples(log) == {"Position X": [(1.0, 1.5)], "ok": [(1.0, 1.0), (2.0, 0.0)]}
@@ -122,7 +122,7 @@ def test_units_of_stamps(tmp_path: Path, name: str, said: dict[str, str], factor
 
 @pytest.mark.parametrize("kind", ["datetime64[ns]", "datetime64[ms]", "timedelta64[us]"])
 def test_stamps_of_a_clock_in_parquet(tmp_path: Path, kind: str) -> None:
-    """They have a unit of their own; a missing one is no sample."""
+    """They have their own unit; a missing one is no sample."""
     arrow, parquet = pytest.importorskip("pyarrow"), pytest.importorskip("pyarrow.parquet")
     stamps = numpy.array([1_700_000_000_000, 1_700_000_000_002, 0], dtype="datetime64[ms]")
     if kind.startswith("timedelta"):
@@ -193,7 +193,7 @@ def test_a_table_with_a_period(tmp_path: Path) -> None:
 
 
 def test_stamps_that_several_samples_share(tmp_path: Path) -> None:
-    """LG-703: spread evenly, and told; LG-107: what repeats time and value is one sample."""
+    """LG-703: spread evenly, and reported; LG-107: what repeats time and value is one sample."""
     log = opened(tmp_path, "t,x\n0,1\n0,2\n0.01,3\n0.01,4\n0.02,5\n0.02,5\n")
     assert samples(log)["x"] == [(0.0, 1.0), (5.0, 2.0), (10.0, 3.0), (15.0, 4.0), (20.0, 5.0)]
     assert numbers(log) == [902525]
@@ -215,7 +215,7 @@ def test_cells_without_a_number_and_gaps_are_noted(tmp_path: Path) -> None:
 
 
 def test_encodings(tmp_path: Path) -> None:
-    """UTF-8 with a mark, UTF-16, and what Windows wrote, which is told."""
+    """UTF-8 with a mark, UTF-16, and what Windows wrote, which is reported."""
     text = "t;Höhe [°]\n0;1\n"
     for encoding, found in (
         ("utf-8-sig", []),
@@ -301,7 +301,7 @@ def test_a_log_is_the_same_without_pyarrow(tmp_path: Path, monkeypatch: pytest.M
 
 
 def test_a_part_of_the_samples_does_not_hold_the_others() -> None:
-    """Of each hundredth sample an array of its own is yielded, whatever the length of the log."""
+    """Of each hundredth sample its own array is yielded, whatever the length of the log."""
     samples = Samples(numpy.arange(1000.0), numpy.arange(1000.0))
     ((times, values),) = samples.stretches(100)
     assert times.tolist() == values.tolist() == [100.0 * number for number in range(10)]
@@ -319,7 +319,7 @@ def test_names_with_commas(tmp_path: Path) -> None:
 
 
 def test_a_late_byte_that_is_no_utf_8(tmp_path: Path) -> None:
-    """It is beyond what is looked at first: told with line and column, not as a number."""
+    """It is beyond what is looked at first: reported with line and column, not as a number."""
     path = tmp_path / "log.csv"
     rows = "".join(f"{at},{at}.5\n" for at in range(200_000))
     path.write_bytes(b"t,X\n" + rows.encode() + b"200000,2\xff5\n")

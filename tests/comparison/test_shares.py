@@ -140,7 +140,7 @@ def test_a_shared_folder(
 def test_what_is_known_of_the_first_folder(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Our own run in which M10 took 30 ms longer: N20, the block behind it, is late by as much.
+    """Our own run in which M10 took 30 ms longer: N20, the block after it, is late by as much.
 
     X goes 100 mm/s there: 3 mm.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A log with more samples than a page shows: thinned, and told (902844)."""
+"""A log with more samples than a page shows: thinned, and reported (902844)."""
 
 from __future__ import annotations
 

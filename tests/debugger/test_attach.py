@@ -38,7 +38,7 @@ def session(program: str) -> Iterator[Session]:
 
 
 def test_a_debugger_joins_a_session_and_leaves_it_as_it_was(session: Session, program: str) -> None:
-    """Stops of the page hold, too; what the page does is told."""
+    """Stops of the page hold, too; what the page does is reported."""
     session.set_stops("line 3")
     with DebugClient(session=lambda: session) as client:
         client.ask("initialize")

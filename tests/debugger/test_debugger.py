@@ -58,7 +58,7 @@ G01 X30 H7
 M30
 """
 
-#: Lines of the program by what stands there.
+#: Lines of the program by what is there.
 LINES = {text.strip(): number for number, text in enumerate(PROGRAM.splitlines(), start=1)}
 EDGE = LINES["$IF EDGE V.RTA.ACS.ACT_POS.X > 5"]
 COUNT = LINES["V.E.COUNT += 1"]
@@ -86,14 +86,14 @@ def shared(file: str) -> Iterator[DebugClient]:
 
 @pytest.fixture
 def client(shared: DebugClient, file: str) -> DebugClient:
-    """A client whose session stands at its start, without breakpoints."""
+    """A client whose session is at its start, without breakpoints."""
     shared.ask("setBreakpoints", source={"path": file}, breakpoints=[])
     shared.ask("setFunctionBreakpoints", breakpoints=[])
     shared.ask("setDataBreakpoints", breakpoints=[])
     shared.ask("setExceptionBreakpoints", filters=[])
     shared.console("branch 1")
     shared.console("tick 0")
-    shared.ask("threads")  # what has been told before this answer is old
+    shared.ask("threads")  # what has been reported before this answer is old
     shared.events.clear()
     return shared
 
@@ -131,7 +131,7 @@ def test_a_breakpoint_stops_where_its_block_becomes_current(client: DebugClient,
 def test_a_breakpoint_moves_to_the_next_line_where_the_run_can_stop(
     client: DebugClient, file: str
 ) -> None:
-    """A comment, the inside of #VAR, the end of a cycle; behind the last block there is none."""
+    """A comment, the inside of #VAR, the end of a cycle; after the last block there is none."""
     lines = [LINES["; a remark"], 3, LINES["#RT CYCLE END"], LINES["$ENDIF"], 99]
     made = set_at(client, file, *lines)
     assert [one["line"] for one in made] == [FIRST_CALL, X20, FIRST_CALL, FIRST_CALL, 99]
@@ -147,7 +147,7 @@ def test_a_breakpoint_moves_to_the_next_line_where_the_run_can_stop(
 def test_branches_stop_when_their_body_runs_and_when_their_truth_changes(
     client: DebugClient, file: str
 ) -> None:
-    """A statement in the body stands for its branch; the mode can be written as a condition."""
+    """A statement in the body represents its branch; the mode can be written as a condition."""
     set_at(client, file, COUNT)
     first = client.go()
     assert first["frames"][0]["name"] == "realtime cycle 3"
@@ -436,7 +436,7 @@ def test_a_pause_ends_what_goes_back(tmp_path: Path, monkeypatch: pytest.MonkeyP
 def test_a_long_way_back_shows_its_progress(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Where everything is run again, it tells how many of how many ticks have been."""
+    """Where everything is run again, it shows how many of how many ticks have been."""
     part = tmp_path / "long.nc"
     part.write_text("G04 X10\nM30\n", "utf-8")
     monkeypatch.setattr(report, "PROGRESS_S", 0.0)

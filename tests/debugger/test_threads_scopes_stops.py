@@ -58,12 +58,12 @@ def shared(program: str) -> Iterator[DebugClient]:
 
 @pytest.fixture
 def client(shared: DebugClient, program: str) -> DebugClient:
-    """A client whose session stands at its start, without breakpoints."""
+    """A client whose session is at its start, without breakpoints."""
     for kind in ("Function", "Data", ""):
         shared.ask(f"set{kind}Breakpoints", source={"path": program}, breakpoints=[])
     shared.ask("setExceptionBreakpoints", filters=[])
     shared.console("tick 0")
-    shared.ask("threads")  # what has been told before this answer is old
+    shared.ask("threads")  # what has been reported before this answer is old
     shared.events.clear()
     return shared
 
@@ -81,7 +81,7 @@ def test_channels_and_cycles_are_threads(client: DebugClient, program: str) -> N
 
 
 def test_each_kind_of_variable_has_a_scope(client: DebugClient, program: str) -> None:
-    """Those of the decoder are told apart, and are there in its frame, too."""
+    """Those of the decoder are distinguished, and are there in its frame, too."""
     client.ask("setBreakpoints", source={"path": program}, breakpoints=[{"line": 5}])
     frames = client.go()["frames"]
     scopes = client.ask("scopes", frameId=frames[0]["id"])["scopes"]

@@ -249,7 +249,7 @@ def test_breakpoints_beyond_the_bound_are_not_verified(client: DebugClient, fold
 
 
 def test_a_run_can_be_paused_and_shows_its_progress(client: DebugClient, folder: Path) -> None:
-    """Requests are answered meanwhile; what needs a run that stands is refused."""
+    """Requests are answered meanwhile; what needs a run that is is refused."""
     program = str(folder / "endless.nc")
     able = {"supportsProgressReporting": True}
     client.begin(program, until="24 h", client=able)
@@ -304,7 +304,7 @@ def test_a_request_whose_number_is_none_is_answered(client: DebugClient) -> None
 
 @pytest.mark.nightly
 def test_a_restart_reads_the_program_again(client: DebugClient, tmp_path: Path) -> None:
-    """Breakpoints stay; those whose line is gone are told."""
+    """Breakpoints stay; those whose line is gone are reported."""
     program = tmp_path / "part.nc"
     program.write_text(SHORT, "utf-8")
     client.begin(str(program), stopOnEntry=True)

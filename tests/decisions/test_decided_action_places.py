@@ -53,7 +53,7 @@ def test_a_motion_that_is_replaced_frees_its_place_first() -> None:
 
 
 def test_a_motion_that_has_ended_frees_its_place() -> None:
-    """RC-408: X stands at 10 long before Y is sent off; STOP needs no place."""
+    """RC-408: X is at 10 long before Y is sent off; STOP needs no place."""
     later = "$IF ONCE V.RTA.ACS.ACT_POS.X == 10\nY[INDP G90 POS=1]\nX[INDP STOP]\n$ENDIF\n"
     run = commanding(1, MOVES[0], tail=later)
     assert numbers(run) == []

@@ -166,8 +166,7 @@ def test_a_tight_arc_is_driven_slowly() -> None:
 
     Where an axis turns round, it has 4000 mm/s² for v² / 1 mm: 63.2 mm/s. Between, at the angle w
     from there, x's limit 4000 = a·sin w + v²·cos w lets v² grow to 8000 / (1 + cos w) up to 45°:
-    68.5 mm/s; behind it y's has v² fall again.
-    """
+    68.5 mm/s; after it y's has v² fall again."""
     run = moved("G02 I1 F30000")
     assert run.trace is not None
     speed = run.trace["PATH.SPEED"]
@@ -191,7 +190,7 @@ def test_blocks_in_one_line_are_passed_without_a_stop() -> None:
     ],
 )
 def test_exact_stops_end_in_their_tick(program: str) -> None:
-    """G60 for its block, G360 until G359, and what needs the path to stand: 32 ticks each."""
+    """G60 for its block, G360 until G359, and what needs the path to stop: 32 ticks each."""
     extra = {"#FLUSH": 1, "#TIME": 1}.get(program.split("\n")[1].split(" ", maxsplit=1)[0], 0)
     run = moved(program)
     assert place(run, 31) == (1.0, 0.0, 0.0)
@@ -199,7 +198,7 @@ def test_exact_stops_end_in_their_tick(program: str) -> None:
 
 
 def test_a_sharp_corner_is_a_stop() -> None:
-    """A right angle without contouring: the axes stand on the corner, within the tick."""
+    """A right angle without contouring: the axes are on the corner, within the tick."""
     run = moved("G01 X10 F6000\nY10")
     for tick in range(run.ticks):
         x, y, _ = place(run, tick)
@@ -217,7 +216,7 @@ def test_contouring_rounds_a_corner_by_its_deviation() -> None:
 
 
 def test_g61_rounds_the_end_of_its_block_only() -> None:
-    """The corner behind the block with G61 is rounded, the next one is not."""
+    """The corner after the block with G61 is rounded, the next one is not."""
     run = moved("G61 G01 X20 F6000\nY20\nX0")
     places = [place(run, tick) for tick in range(run.ticks)]
     assert min(math.dist(one, (20, 0, 0)) for one in places) > 0.9

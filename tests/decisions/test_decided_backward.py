@@ -53,7 +53,7 @@ def told(run: Run, *kinds: str) -> list[tuple[int, str]]:
 
 
 def at(run: Run, tick: int, name: str = "X.ACS.ACT_POS") -> float:
-    """A value behind a tick."""
+    """A value after a tick."""
     assert run.trace is not None
     return float(run.trace.at(tick, name))
 
@@ -89,7 +89,7 @@ def test_too_little_memory_is_raised_and_said(tmp_path: Path) -> None:
 
 
 def test_memory_beyond_reason_is_limited_and_a_check_takes_none(tmp_path: Path) -> None:
-    """P-STUP-00033 of 2 GB: warning 902027, and so many blocks as fit into 64 MiB."""
+    """P-STUP-00033 of 2 GB: warning 902027, and as many blocks as fit into 64 MiB."""
     machine = load_machine(with_memory(tmp_path, 2147483647))
     assert [one.message.id for one in machine.diagnostics] == [902027]
     assert machine.channels[0].startup.backward_memory_bytes == MAX_BACKWARD_MEMORY == 64 << 20
@@ -98,7 +98,7 @@ def test_memory_beyond_reason_is_limited_and_a_check_takes_none(tmp_path: Path) 
 
 
 def test_the_oldest_blocks_are_forgotten(tmp_path: Path) -> None:
-    """A full history: the path goes back so many blocks and the part of the current one."""
+    """A full history: the path goes back this many blocks and the part of the current one."""
     machine = with_memory(tmp_path, MIN_BACKWARD_MEMORY)
     size = Controller(machine).hli.history_size
     blocks = "\n".join(f"N{i} G01 X{i} F6000" for i in range(1, 101))
@@ -184,9 +184,9 @@ def test_an_axis_that_is_taken_in_front_of_its_block_does_not_stop_the_walk_in_a
 ) -> None:
     """MO-1, MO-7, MO-13: braking from 100 mm/s takes 1.25 mm, with a limit of the jerk some more.
 
-    On the way back a cycle takes Y, which N10 moves up to X20: at X26 the walk brakes to a stand at
-    that border, as at the start of the history; at X20.1 it cannot, brakes beyond it with X alone,
-    and the channel is in error state. X keeps its acceleration, 4 mm/s a tick.
+    On the way back a cycle takes Y, which N10 moves up to X20: at X26 the walk brakes to a
+    standstill at that border, as at the start of the history; at X20.1 it cannot, brakes beyond it
+    with X alone, and the channel is in error state. X keeps its acceleration, 4 mm/s a tick.
     """
     text = (
         f"#RT CYCLE [ID=1 SCOPE=PROG]\n$IF ONCE V.E.VALUE > 0 && V.RTA.ACS.ACT_POS.X < {x}\n"
@@ -243,7 +243,7 @@ def test_single_block_stops_the_walk_behind_each_block() -> None:
 
 
 def test_reset_error_and_hold_stop_on_the_way_back() -> None:
-    """MO-6: feed hold brakes on the path; a reset drops the rest where the axes stand."""
+    """MO-6: feed hold brakes on the path; a reset drops the rest where the axes are at rest."""
     run = perform("N10 G01 X100 F6000\nM30", (500, 1.0), FEED_HOLD=700)
     begun = told(run)[0][0]
     held = at(run, 1500)
@@ -273,7 +273,7 @@ def test_a_program_may_clear_the_history() -> None:
     [(False, [5, 6, 7, 8, 9]), (True, [6, 5, 4, 5, 6, 8, 9])],
 )
 def test_the_way_around_a_corner_is_no_block_of_its_own(backward: bool, lines: list[int]) -> None:
-    """MO-6, MO-9: single block stops behind the arc that belongs to a block, there and back."""
+    """MO-6, MO-9: single block stops after the arc that belongs to a block, there and back."""
     contour = "G01 F6000\nV.G.WZ_AKT.R = 5 G26\nG41 X20 Y20\nX20 Y60\nX60\nY20\nX20\nG40 X0 Y0\nM30"
     contour = contour.replace("5 G26", "5\nG26")
 

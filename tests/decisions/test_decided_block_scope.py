@@ -35,7 +35,7 @@ def of_block(program: str, **settings: object) -> tuple[int, int, Run]:
         ("G04 0.004\nG04 0.005", 3),
         ("N10 G00 X0.1\nG04 0.005", 9),
         ("N10 G00 X0.1 M111\nG04 0.005", 10),  # one tick for the function, ten for the motion
-        ("N10 G00 X0.1 M113\nG04 0.005", 10),  # the function behind the motion
+        ("N10 G00 X0.1 M113\nG04 0.005", 10),  # the function after the motion
         ("N10 G00 X0.1 M111 M113\nG04 0.005", 11),
         ("N10 G00 X0.1 M100\nG04 0.005", 9),
     ],
@@ -103,7 +103,7 @@ def test_a_motion_or_dwell_of_no_tick_is_passed_over_and_told(empty: str) -> Non
 
 
 def test_an_empty_motion_with_a_function_that_waits_is_the_block() -> None:
-    """RC-105: what is on one line is one block; behind it nothing is passed over."""
+    """RC-105: what is on one line is one block; after it nothing is passed over."""
     first, last, run = of_block("X0 M111\nG00 X0\nG04 0.003")
     assert (first, last) == (0, 0)
     assert numbers(run) == []
@@ -120,7 +120,7 @@ def test_a_started_cycle_passes_over_empty_blocks_too() -> None:
 
 
 def test_a_cycle_that_is_held_meanwhile_leaves_its_block_like_the_others() -> None:
-    """RC-105, RC-111: an ID that is free again behind a wait can be used in the next line."""
+    """RC-105, RC-111: an ID that is free again after a wait can be used in the next line."""
     again = CYCLE.replace("+= 1", "+= 10")
     run = perform(f"{CYCLE}M111\n{again}G04 0.002\nM30")
     assert run.errors == ()

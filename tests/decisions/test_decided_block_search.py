@@ -212,7 +212,7 @@ def test_a_block_cycle_runs_in_its_block_not_on_the_way_to_it(line: int) -> None
 
 
 def test_a_cycle_held_before_its_block_is_held_in_it() -> None:
-    """RC-111: HOLD and CONTINUE in front of the start block come behind the definition."""
+    """RC-111: HOLD and CONTINUE before the start block come after the definition."""
     text = COUNTING.format("") + "#RT CYCLE HOLD [ID=1]\n{0}G00 X10\nX20\nM30"
     for control, expected in (("", 0), ("#RT CYCLE CONTINUE [ID=1]\n", 1)):
         controller = Controller()

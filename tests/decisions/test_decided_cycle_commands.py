@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Values of the commands of realtime cycles, and a corner that the path has to stand at."""
+"""Values of the commands of realtime cycles, and a corner that the path has to stop at."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nctakt.run.controller import Controller, NcText
 
 
 def test_g01_needs_a_feed_of_this_run() -> None:
-    """RC-405: one that stands in a branch that has not run does not count (50967)."""
+    """RC-405: one that is in a branch that has not run does not count (50967)."""
     run = perform(
         "#RT CYCLE [ID=1]\n$IF V.E.TRIGGER == 1\nX[INDP G90 G01 FEED=600 POS=5]\n"
         "$ELSE\nX[INDP G90 G01 POS=5]\n$ENDIF\n#RT CYCLE END\nG04 0.01\nM30"

@@ -72,7 +72,7 @@ def test_a_distance_before_the_block() -> None:
     run = run_of(early("MEP_SVS", 25.0), PROGRAM.format(words="M300"))
     assert outputs(run) == ["163 output M 300"]
     assert x_at(run, 161) == pytest.approx(14.95)
-    assert x_at(run, 424) == pytest.approx(40.0)  # the path stands at 425 ms
+    assert x_at(run, 424) == pytest.approx(40.0)  # the path is at 425 ms
 
 
 def test_a_time_before_the_block() -> None:
@@ -100,7 +100,7 @@ def test_the_path_waits_for_a_late_acknowledgement() -> None:
 
 
 def test_the_path_begins_at_once_when_it_is_acknowledged_in_time() -> None:
-    """10 mm before: answered in tick 373, long before the path stands at 425 ms."""
+    """10 mm before: answered in tick 373, long before the path is at 425 ms."""
     lists = early("MEP_SVS", 10.0)
     run = run_of(lists, PROGRAM.format(words="M300"), plc=Plc())
     assert outputs(run) == ["313 output M 300"]
@@ -130,10 +130,10 @@ def test_in_one_block_none_bounds_the_other() -> None:
 
 
 def test_what_waits_for_something_else_bounds_the_lead() -> None:
-    """A dwell in front of the path: nothing goes out before it is over (choice)."""
+    """A dwell before the path: nothing goes out before it is over (choice)."""
     program = "N10 G01 X10 F6000\nN20 G04 0.1\nN30 X20\nN40 M300\nN50 X40\nM30"
     run = run_of(early("MEP_MOS", 20.0), program)
-    # The path stands at 10 mm after 125 ms, the dwell lasts up to 225 ms.
+    # The path is at 10 mm after 125 ms, the dwell lasts up to 225 ms.
     assert outputs(run) == ["225 output M 300"]
 
 

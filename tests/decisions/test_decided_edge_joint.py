@@ -26,7 +26,7 @@ def machine(residual_mm: float, *, across_blocks: bool = False) -> Controller:
 
 
 def test_a_block_that_finds_no_edge_is_an_error() -> None:
-    """Behind the block: 50891, and the function does not go out."""
+    """After the block: 50891, and the function does not go out."""
     run = perform(f"{BLOCK}M30")
     assert numbers(run) == [50891]
     assert told(run, "output") == []

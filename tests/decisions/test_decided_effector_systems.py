@@ -69,13 +69,13 @@ def test_the_axis_that_the_list_puts_into_a_plane(tmp_path: Path) -> None:
 
 
 def test_without_a_transformation(tmp_path: Path) -> None:
-    """The selected kinematic says how the tool stands; X, Y and Z go along it."""
+    """The selected kinematic says how the tool is oriented; X, Y and Z go along it."""
     found = way(tmp_path, "Z10", "G00 A30 Z100", "#KIN ID [91]")
     assert found == pytest.approx((0, -5, ROOT), abs=1e-6)
 
 
 def test_it_ends_and_has_arcs(tmp_path: Path) -> None:
-    """A circle across the tool; behind #ECS OFF Z is that of the machine."""
+    """A circle across the tool; after #ECS OFF Z is that of the machine."""
     found = run(
         tmp_path,
         "G00 A30 Z100",
@@ -108,5 +108,5 @@ def test_it_ends_and_has_arcs(tmp_path: Path) -> None:
     ],
 )
 def test_what_cannot_be(tmp_path: Path, lines: str, number: int) -> None:
-    """Each with a diagnostic of its own."""
+    """Each with its own diagnostic."""
     assert numbers(run(tmp_path, lines)) == [number]

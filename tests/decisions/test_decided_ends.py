@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Decisions on the end of a run behind an error: what it still waits for."""
+"""Decisions on the end of a run after an error: what it still waits for."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_a_quiet_machine_ends_the_run_in_the_tick_behind_the_error() -> None:
 
 
 def test_a_spindle_that_comes_to_its_position_is_waited_for() -> None:
-    """RC-006: as behind a program, the run goes on until motions that have an end stand."""
+    """RC-006: as after a program, the run goes on until motions that have an end are at rest."""
     turning = "#RT CYCLE [ID=2 SCOPE=PROG]\n$IF ONCE V.RTG.CYCLES.DIAG_LEVEL > 0\n"
     turning += "M3 M19 S60 S.POS=90\n$ENDIF\n#RT CYCLE END\n"
     run = perform(f"{turning}#TIME 0.003\n#RT CYCLE HOLD [ID=9]\nM30")
@@ -47,7 +47,7 @@ def test_a_spindle_that_comes_to_its_position_is_waited_for() -> None:
 
 
 def test_after_counts_behind_an_error_too() -> None:
-    """The machine goes on for ``--after`` behind the tick that the cycles have had."""
+    """The machine goes on for ``--after`` after the tick that the cycles have had."""
     run = perform("#RT CYCLE HOLD [ID=9]\nM30", after="5 ms")
     assert (run.state, run.ticks, numbers(run)) == ("error", 7, [50858])
 

@@ -12,7 +12,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 
-#: X has feed-forward control, Y has it for ever, Z has none.
+#: X has feed-forward control, Y has it forever, Z has none.
 SHARES = {
     "x": "vorsteuer.vorsteuerung VEL\nvorsteuer.vs_v_faktor 4\nvorsteuer.vs_v_nenner 5\n",
     "y": "vorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n",
@@ -65,7 +65,7 @@ F = "G01 G91 F5196.1524"
 
 
 def test_it_acts_where_programs_ask_for_it(tmp_path: Path) -> None:
-    """G135: on, G136: weights, which stay, G137: off; for ever by P-AXIS-00255."""
+    """G135: on, G136: weights, which stay, G137: off; forever by P-AXIS-00255."""
     controller = Controller(load_machine(machine(tmp_path)))
     way = "X100 Y100 Z100"
     found = run(controller, F, way, "G135", way, "G136 X50 Z0", way, "G137", way, "G135", way)
@@ -87,7 +87,7 @@ def test_on_and_weights_in_one_block_and_anew_with_each_program(tmp_path: Path) 
 
 
 def test_off_for_ever_is_more_than_on(tmp_path: Path) -> None:
-    """P-AXIS-00256; with P-AXIS-00255 it is told (110354)."""
+    """P-AXIS-00256; with P-AXIS-00255 it is reported (110354)."""
     loaded = load_machine(machine(tmp_path, "vorsteuer.global_disable 1\n"))
     assert [one.id for one in loaded.diagnostics if one.severity.name != "NOTE"] == []
     found = run(Controller(loaded), F, "G135", "X100 Y100 Z100")

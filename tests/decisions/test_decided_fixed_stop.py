@@ -22,7 +22,7 @@ def machine(**obstacles: float) -> Controller:
 
 
 def test_an_axis_that_finds_no_stop_is_an_error_unless_it_may() -> None:
-    """No obstacle on the way: 50886 behind the block; with ERR_NOT_DETECTED=0 it goes on."""
+    """No obstacle on the way: 50886 after the block; with ERR_NOT_DETECTED=0 it goes on."""
     run = perform(f"G01 X10 F6000 {ON}]\nG00 X20\nM30")
     assert run.state == "error"
     assert numbers(run) == [50886]
@@ -32,7 +32,7 @@ def test_an_axis_that_finds_no_stop_is_an_error_unless_it_may() -> None:
 
 
 def test_without_monitoring_an_obstacle_only_holds_the_axis() -> None:
-    """The actual position stays at it, the command goes on; nothing is told."""
+    """The actual position stays at it, the command goes on; nothing is reported."""
     controller = machine(X=50.0)
     run = perform("G01 X60 F6000\nM30", controller)
     assert run.state == "ended"
@@ -41,7 +41,7 @@ def test_without_monitoring_an_obstacle_only_holds_the_axis() -> None:
 
 
 def test_an_obstacle_below_zero_holds_the_other_way() -> None:
-    """Its sign tells the side; the position of the stop stays after the block."""
+    """Its sign shows the side; the position of the stop stays after the block."""
     controller = machine(X=-20.0)
     run = perform(f"G01 X-40 F6000 {ON}]\nV.E.VALUE = V.RTA.FIXED_STOP.ACS.POS.X\nM30", controller)
     assert run.state == "ended"
@@ -49,7 +49,7 @@ def test_an_obstacle_below_zero_holds_the_other_way() -> None:
 
 
 def test_all_monitored_axes_have_to_find_their_stop() -> None:
-    """X at 20 alone does not stop the path, Y at 30 behind it does."""
+    """X at 20 alone does not stop the path, Y at 30 after it does."""
     controller = machine(X=20.0, Y=30.0)
     run = perform(f"G01 X80 Y80 F6000 {ON}] Y[FIXED_STOP ON]\nM30", controller)
     assert [text.split(" ", 1)[1] for text in told(run, "fixed_stop")] == [

@@ -61,7 +61,7 @@ def test_it_ends_at_the_stop(tmp_path: Path) -> None:
 
 
 def test_one_axis_is_enough(tmp_path: Path) -> None:
-    """The motion ends as soon as one of its axes stands at a stop."""
+    """The motion ends as soon as one of its axes is at a stop."""
     found = run(tmp_path, "G100 X50 Y100 F600", '#MSG ["%.3f %.3f", V.A.MESS.X, V.A.MESS.Y]')
     assert numbers(found) == []
     x, y = map(float, found.messages[0].text.split())

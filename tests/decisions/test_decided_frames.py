@@ -39,7 +39,7 @@ def way(run: Run) -> np.ndarray:
 
 
 def ends_at(program: str) -> list[float]:
-    """Where X, Y, Z stand behind a program."""
+    """Where X, Y, Z stand after a program."""
     return list(way(done(program))[-1])
 
 
@@ -178,7 +178,7 @@ def test_the_direction_of_a_spline_is_mapped(frame: str, matrix: list[list[float
 
 
 def test_what_programs_can_read() -> None:
-    """V.A.MENT is the place before mirroring, V.A.PROG behind it; V.G.ROT_… the rotation."""
+    """V.A.MENT is the place before mirroring, V.A.PROG after it; V.G.ROT_… the rotation."""
     text = f"{HEAD}#ROTATION ON [ANGLE=90 CENTER1=1 CENTER2=2]\nG21\nG01 X11 Y2\n"
     values = {
         "V.A.MENT.X": 1.0,

@@ -140,7 +140,7 @@ def test_g112_takes_the_limits_only(manual: Machine) -> None:
     ],
 )
 def test_what_cannot_be(manual: Machine, program: str, number: int) -> None:
-    """Each with a number of its own."""
+    """Each with its own number."""
     assert number in problems(run_of(manual, program))
 
 
@@ -151,7 +151,7 @@ def test_a_function_that_is_not_awaited(tmp_path: Path) -> None:
 
 
 def test_a_step_counts_once_it_is_engaged(manual: Machine) -> None:
-    """A reset in front of M41 leaves the step that the spindle has; the next program changes it."""
+    """A reset before M41 leaves the step that the spindle has; the next program changes it."""
     controller = Controller(manual)
     program = "M3 S900\nG01 X200 F2000\nM41\nX300\nM30\n"
     controller.start(NcText("part.nc", program))

@@ -38,7 +38,7 @@ def message(program: str, controller: Controller | None = None, **how: Any) -> s
 
 
 def test_the_axis_has_its_reference_position_at_the_zero_pulse() -> None:
-    """206138635: it stands behind it by the way it needs to brake: 10² / (2 · 4000) = 0.0125."""
+    """206138635: it stops beyond it by its braking distance: 10² / (2 · 4000) = 0.0125."""
     homing = AxisHoming(distance=-30.0, speed=10.0, position=250.0)
     text = 'G01 X5 F6000\nG74 X1\n#MSG ["%f %f %d", V.A.ABS.X, V.A.REF.X, V.A.RERF.X]'
     run = perform(f"{text}\nM30", machine(homing))
@@ -47,7 +47,7 @@ def test_the_axis_has_its_reference_position_at_the_zero_pulse() -> None:
 
 
 def test_the_order_of_the_values_is_that_of_the_axes() -> None:
-    """Equal values together, the next ones when these stand."""
+    """Equal values together, the next ones when these are at rest."""
     slow = AxisHoming(distance=1.0, speed=10.0)
     run = perform("G74 X2 Y1 Z2\nM30", machine(slow, slow, slow))
     begun = [one.split() for one in told(run, "axis") if "begun" in one]

@@ -191,7 +191,7 @@ class _Mover(Plc):
 
 
 def test_the_plc_takes_the_axis_over() -> None:
-    """In tick 50, at 3.75 mm and 100 mm/s; the program goes on when Z stands."""
+    """In tick 50, at 3.75 mm and 100 mm/s; the program goes on when Z is at rest."""
     run = run_of(f"Z[INDP_SYN {TO_10}]", '#MSG ["%f", V.A.ABS.Z]', plc=_Mover(50))
     assert axes(run)[1:3] == ["50 axis Z aborted", "50 axis Z begun -5"]
     assert texts(run) == ["-5.000000"]

@@ -32,7 +32,7 @@ STORED = (
 
 
 def ends_at(program: str, controller: Controller | None = None) -> list[float]:
-    """Where X, Y, Z and A stand behind a program."""
+    """Where X, Y, Z and A stand after a program."""
     run = perform(f"{program}\nM30", controller, signals=SIGNALS)
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None
@@ -160,7 +160,7 @@ def test_rotation_about_fixed_axes(tmp_path: Path) -> None:
 
 
 def test_offsets_of_tracking_axes(tmp_path: Path) -> None:
-    """P-CHAN-00397 and ``#CS MODE``: without offsets of their own A keeps G92 through systems."""
+    """P-CHAN-00397 and ``#CS MODE``: without their own offsets A keeps G92 through systems."""
     program = "G92 A10\n#CS ON [1, 0, 0]\nG92 A3\nG00 A0"
     assert ends_at(program)[3] == 13
     assert ends_at(f"{program}\n#CS OFF\nG00 A0")[3] == 10

@@ -30,7 +30,7 @@ def test_a_definition_without_scope_lives_as_long_as_its_program() -> None:
 
 
 def test_a_block_cycle_whose_program_ends_first_never_runs() -> None:
-    """RC-105: ended with the program, without a run-through, and a notice tells it (900413).
+    """RC-105: ended with the program, without a run-through, and a notice reports it (900413).
 
     M30 waits one tick, since the cycle was started in its tick (RC-004).
     """
@@ -46,7 +46,7 @@ def test_a_block_cycle_whose_program_ends_first_never_runs() -> None:
 
 
 def test_cycles_end_in_the_order_of_their_creation_before_the_program_does() -> None:
-    """RC-106: at M30 each cycle tells its end, then the program does."""
+    """RC-106: at M30 each cycle reports its end, then the program does."""
     other = COUNTING.format(scope="PROG").replace("ID=1", "ID=2")
     run = perform(other + COUNTING.format(scope="PROG") + "#TIME 0.001\nM30")
     assert told(run, "ended", "end") == ["1 ended 2 scope", "1 ended 1 scope", "1 end part.nc"]
@@ -121,7 +121,7 @@ def test_a_reset_brakes_the_path_before_it_is_over() -> None:
 
 
 def many_cycles(count: int) -> str:
-    """A program with so many PROG cycles at once."""
+    """A program with this many PROG cycles at once."""
     one = "#RT CYCLE [SCOPE=PROG]\nV.E.COUNT += 1\n#RT CYCLE END\n"
     return one * count + "#TIME 0.001\nM30"
 

@@ -13,7 +13,7 @@ from nctakt.lists.machine.machine import load_machine
 from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
 
-#: Ends the loop when so many passes are counted.
+#: Ends the loop when this many passes are counted.
 COUNTED = """\
 V.RTG.LOOP.ENABLED = TRUE
 #RT CYCLE [ID = 1 SCOPE = PROG]
@@ -34,14 +34,14 @@ def test_passes_follow_each_other_without_a_stop() -> None:
     assert run.trace is not None
     speed = np.asarray(run.trace["PATH.SPEED"])
     moving = np.flatnonzero(speed)
-    assert len(moving) == moving[-1] - moving[0] + 1  # one motion without a stand
+    assert len(moving) == moving[-1] - moving[0] + 1  # one motion without a stop
     assert speed[moving[0] + 30 : moving[-1] - 30].min() == 100.0
     assert moving[-1] - moving[0] == pytest.approx(3 * 20 * np.pi / 100 / 0.001 + 25, abs=2)
     assert run.trace["LOOP.COUNT"][-1] == 3.0
 
 
 def test_passes_follow_each_other_with_the_jerk_limited_slope() -> None:
-    """The same circle: one motion without a stand between the passes (MO-3)."""
+    """The same circle: one motion without a stop between the passes (MO-3)."""
     slope = "#SLOPE [TYPE=TRAPEZ]\nG01 F6000\n"
     run = perform(f"{COUNTED.format(count=2)}{slope}{CIRCLE}M30", signals=SIGNALS)
     assert run.state == "ended", run.diagnostics
@@ -81,7 +81,7 @@ def test_a_loop_goes_on_until_its_condition_is_taken_away() -> None:
 def test_single_block_looks_at_the_condition_behind_each_pass(
     slope: str, false_ms: int, left_ms: int, passes: int
 ) -> None:
-    """MO-6, RC-306: in single block each pass ends with a stand, so none is entered for nothing.
+    """MO-6, RC-306: in single block each pass ends with a stop, so none is entered for nothing.
 
     START comes each second; a circle of 62.8 mm at 100 mm/s is one block, and takes 655 ms, a
     little more with a limit of the jerk. The STARTs up to 2 s let the dwell and the loop begin, the

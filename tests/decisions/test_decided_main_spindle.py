@@ -79,5 +79,5 @@ def test_each_program_begins_with_that_of_the_list() -> None:
     ],
 )
 def test_what_cannot_be(program: str, number: int) -> None:
-    """Each with a number of its own."""
+    """Each with its own number."""
     assert numbers(perform(f"{program}\nM30")) == [number]

@@ -19,7 +19,7 @@ from nctakt.plc.loading import load_plc
 from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller
 
-#: 100 mm with 10 mm/s from 0 at 4000 mm/s²: 2.5 ms to the speed, 12.5 µm behind it.
+#: 100 mm with 10 mm/s from 0 at 4000 mm/s²: 2.5 ms to the speed, 12.5 µm after it.
 BLOCK = "G100 X100 F600\n"
 
 
@@ -45,7 +45,7 @@ def machine(*simulated: AxisMeasuring, **channel_values: Any) -> Controller:
 def values_of(
     text: str, *names: str, controller: Controller | None = None, **how: Any
 ) -> list[str]:
-    """What a program reads of these variables behind its text."""
+    """What a program reads of these variables after its text."""
     formats = " ".join("%.6f" for _ in names)
     text = f'{text}#MSG ["{formats}", {", ".join(names)}]\nM30'
     run = perform(text, controller, **how)
@@ -78,7 +78,7 @@ def test_without_a_signal_the_block_ends_at_its_target() -> None:
 
 
 def test_type_2_has_a_speed_and_a_way_behind_the_target_of_the_list() -> None:
-    """206177803: P-AXIS-00215 instead of F, P-AXIS-00114 behind the target."""
+    """206177803: P-AXIS-00215 instead of F, P-AXIS-00114 after the target."""
     slow = AxisMeasuring(takes_part=True, speed=5.0, overtravel=2.0)
     text = "#MEAS MODE [2]\nG100 X10 F600\n"
     found = values_of(
@@ -177,7 +177,7 @@ def test_offsets_lie_between_the_measured_values() -> None:
 
 
 def test_g100_is_a_line_whatever_is_modal() -> None:
-    """Also behind G00 and G02; both go on behind it."""
+    """Also after G00 and G02; both go on after it."""
     run = perform("G00\nG100 X1 F600\nX2\nM30")
     assert run.state == "ended"
     assert numbers(perform("G02\nG100 X1 F600\nM30")) == []
@@ -215,7 +215,7 @@ def test_the_place_of_a_simulated_probe_is_exact(place: int, y: int) -> None:
 
 
 def test_the_example_finds_the_edge_of_its_workpiece() -> None:
-    """The PLC sees the probe a tick later: 20 and 2 mm/s lead behind 40.3 by less than that way."""
+    """The PLC sees the probe a tick later: 20 and 2 mm/s lead after 40.3 by less than that way."""
     folder = Path(__file__).parents[2] / "examples" / "probing"
     text = (folder / "probing.nc").read_text("utf-8")
     run = perform(text, plc=load_plc(folder / "workpiece.py"))

@@ -3,7 +3,7 @@
 
 RC-007, RC-110, RC-111, RC-408, RC-505. Z has 500 mm/s and 4000 mm/s²: 125 ticks and 31.25 mm to
 rest. In most tests Z sets off for 400 in tick 0 and what is tested happens in tick 200, when Z has
-made 200 increments: 31.25 + 0.075 · 500 = 68.75 mm; it could stand at 100. The way to 400 takes 925
+made 200 increments: 31.25 + 0.075 · 500 = 68.75 mm; it could stop at 100. The way to 400 takes 925
 ticks.
 """
 
@@ -57,7 +57,7 @@ def last(found: Run) -> float:
     return z(found, 1 << 60)
 
 
-# --- management commands while the axis moves, while it brakes, while it stands -----------------
+# --- management commands while the axis moves, while it brakes, while it is -----------------
 
 
 def test_hold_brakes_from_its_tick_on_and_keeps_the_target() -> None:

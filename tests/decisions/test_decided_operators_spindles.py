@@ -64,7 +64,7 @@ def test_the_value_of_g167_has_no_significance() -> None:
 
 
 def test_both_overrides_multiply() -> None:
-    """208269707: that of the program goes on behind G167."""
+    """208269707: that of the program goes on after G167."""
     run = run_of("M3 S1000", "S[OVERRIDE SPEED_FACT=40]", "G04 1", "G167 S1", "G04 1")
     assert [speed_at(run, tick) for tick in (999, 1999)] == [200.0, 400.0]
 
@@ -118,7 +118,7 @@ def test_the_feed_per_revolution_follows() -> None:
 
 
 def test_a_thread_keeps_its_override() -> None:
-    """The change counts behind G33."""
+    """The change counts after G33."""
     run = run_of("M3 S300", "G04 1", "G33 Z-10 K1", "G04 1", at={1200: 50.0})
     assert run.state == "ended", run.diagnostics
     assert speed_at(run, 2500) == 300.0
@@ -135,5 +135,5 @@ def test_a_thread_keeps_its_override() -> None:
     ],
 )
 def test_mistakes(line: str, number: int) -> None:
-    """G167 stands beside a spindle; cycles have no such word."""
+    """G167 is beside a spindle; cycles have no such word."""
     assert number in numbers(perform(f"{line}\nM30"))

@@ -292,7 +292,7 @@ def test_the_summary_counts_it() -> None:
 def modelled(
     ends: tuple[float, float], pauses: tuple[int, int], speed: float, off: int, back: float
 ) -> list[float]:
-    """Where Z is at the end of each tick until it stands.
+    """Where Z is at the end of each tick until it is at rest.
 
     OSC OFF comes in tick ``off``; ``back``: with this speed to the second position, 0: it finishes.
     """

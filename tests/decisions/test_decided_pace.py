@@ -64,7 +64,7 @@ def test_feed_per_revolution_needs_a_spindle_that_turns(spindle: str) -> None:
 
 
 def test_the_path_stands_while_the_spindle_does() -> None:
-    """A realtime cycle stops the spindle behind 5 mm; the path brakes with it."""
+    """A realtime cycle stops the spindle after 5 mm; the path brakes with it."""
     run = perform(
         "M3 S600\nG04 X1\n"
         "#RT CYCLE [SCOPE=PROG]\n"
@@ -76,7 +76,7 @@ def test_the_path_stands_while_the_spindle_does() -> None:
     )
     assert run.state == "limit"
     assert at(run, 3999, "PATH.SPEED") == 0.0
-    # 600/min take 0.1 s to a stand: half a revolution, 0.5 mm.
+    # 600/min take 0.1 s to a standstill: half a revolution, 0.5 mm.
     assert at(run, 3999, "X.ACS.ACT_POS") == pytest.approx(5.5, abs=0.03)
 
 
@@ -148,7 +148,7 @@ def test_g166_leaves_the_part_of_realtime_cycles() -> None:
 def test_a_block_begins_with_its_own_override(
     slope: str, first: str, second: str, speed: float
 ) -> None:
-    """RC-305, MO-5: the operator's 50 % before or behind G166; the path has slowed down by then."""
+    """RC-305, MO-5: the operator's 50 % before or after G166; the path has slowed down by then."""
     run = moved(f"{slope}G261 G01\nN10 {first}\nN20 {second}", set={"HLI.OVERRIDE": 50.0})
     assert run.trace is not None
     begin = list(run.trace["BLOCK"]).index(20)
@@ -198,5 +198,5 @@ def test_behind_g194_the_feed_of_before_counts_again() -> None:
     [("G194 X1", 20008), ("G194 F101 X1", 900925), ("G194 F-1 X1", 20176), ("F-5 X1", 20176)],
 )
 def test_a_share_and_a_feed_have_limits(words: str, number: int) -> None:
-    """A negative F is told as such, and a share above 100 %."""
+    """A negative F is reported as such, and a share above 100 %."""
     assert numbers(perform(f"G01 {words}\nM30")) == [number]

@@ -132,7 +132,7 @@ def test_the_override_is_a_product_with_a_bound() -> None:
 
 
 def test_feed_hold_stops_on_the_path_and_goes_on() -> None:
-    """MO-6: held at 400 mm/s X stands after 100 ticks, 20 mm on; then the way is finished."""
+    """MO-6: held at 400 mm/s X is after 100 ticks, 20 mm on; then the way is finished."""
     run = perform(
         "G00 X300\nM30", plc=_Operator(hold=(99, 300.0)), signals=["X.ACS.ACT_POS", "PATH.SPEED"]
     )
@@ -145,7 +145,7 @@ def test_feed_hold_stops_on_the_path_and_goes_on() -> None:
 
 
 def test_after_an_error_nothing_is_taken_until_a_reset() -> None:
-    """RC-505: a dwell does not go on, the run ends a tick behind the error; a program resets."""
+    """RC-505: a dwell does not go on, the run ends a tick after the error; a program resets."""
     controller = Controller()
     run = perform("#RT CYCLE START [ID=9]\n#TIME 5\nM30", controller)
     assert (run.state, run.ticks, controller.state) == ("error", 2, "error")
@@ -155,7 +155,7 @@ def test_after_an_error_nothing_is_taken_until_a_reset() -> None:
 
 
 def test_a_skipped_block_runs() -> None:
-    """Skip levels are off: ``/`` and ``/3`` in front of a block have no effect."""
+    """Skip levels are off: ``/`` and ``/3`` before a block have no effect."""
     assert left("/ G00 X1\n/3 G91 X1\nM30", "V.RTA.ACS.ACT_POS.X") == 2.0
 
 
@@ -167,7 +167,7 @@ def test_a_dwell_is_in_seconds_however_it_is_written() -> None:
 
 
 def test_the_path_never_jumps() -> None:
-    """RC-409: a segment that does not start where the axes stand is 900420, and nothing moves."""
+    """RC-409: a segment that does not start where the axes are is 900420, and nothing moves."""
     controller = Controller()
     controller.start(NcText("part.nc", "#TIME 0.01\nG00 X1\nM30"))
     controller.step(2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Decisions on programs: when mistakes are told, technology functions, limits of work."""
+"""Decisions on programs: when mistakes are reported, technology functions, limits of work."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def test_wrong_arguments_of_functions_have_the_controllers_number() -> None:
 
 
 def test_an_accepted_word_is_told_once() -> None:
-    """900201 is one note for each word and program, however often it stands there."""
+    """900201 is one note for each word and program, however often it is there."""
     assert numbers(perform("G165\nG94 G164\nG165\nM30")) == [900201, 900201]
 
 
@@ -60,7 +60,7 @@ def test_a_loop_that_never_moves_is_ended() -> None:
     ],
 )
 def test_an_endless_loop_is_named_by_its_begin(program: str, line: int) -> None:
-    """900303 stands at the outermost loop that goes round without time, or at the jump."""
+    """900303 is at the outermost loop that goes round without time, or at the jump."""
     (found,) = perform(program).diagnostics
     assert found.id == 900303
     assert found.span is not None
@@ -68,7 +68,7 @@ def test_an_endless_loop_is_named_by_its_begin(program: str, line: int) -> None:
 
 
 class _Late:
-    """Acknowledges each function after so many ticks."""
+    """Acknowledges each function after this many ticks."""
 
     def __init__(self, ticks: int) -> None:
         self.ticks = ticks
@@ -80,7 +80,7 @@ class _Late:
 
 
 def test_functions_of_the_program_wait_as_their_synchronisation_says() -> None:
-    """P-CHAN-00041: MOS waits never, MVS_SVS before the motion, MVS_SNS and MNS_SNS behind it.
+    """P-CHAN-00041: MOS waits never, MVS_SVS before the motion, MVS_SNS and MNS_SNS after it.
 
     The motion takes 32 ticks; the PLC acknowledges ten ticks after the output.
     """
@@ -88,7 +88,7 @@ def test_functions_of_the_program_wait_as_their_synchronisation_says() -> None:
         "M100": (0, 32),  # output with the motion, nobody waits
         "M111": (0, 43),  # acknowledged at the end of tick 10, the motion begins in tick 11
         "M112": (0, 32),  # acknowledged long before the motion's end
-        "M113": (32, 43),  # output behind the motion, then waited for
+        "M113": (32, 43),  # output after the motion, then waited for
         "M117": (None, 32),  # never output
     }
     for function, (output, end) in expected.items():
@@ -117,7 +117,7 @@ def test_the_realtime_section_has_20_slots_and_never_waits() -> None:
 
 
 def test_the_programs_functions_wait_for_a_slot() -> None:
-    """20 functions stand in the section; the 21st is put out when the PLC has taken one."""
+    """20 functions are in the section; the 21st is put out when the PLC has taken one."""
     run = perform("M100\n" * 21 + "M30", plc=_Late(5))
     assert told(run, "output").count("0 output M 100") == 20
     assert told(run)[-2:] == ["6 output M 100", "6 end part.nc"]
@@ -134,7 +134,7 @@ THREE = "V.E.VALUE = V.E.VALUE1 + 1\n"  # elementary instructions
 
 
 def body(count: int) -> str:
-    """A cycle of so many statements with three instructions each, and a tick for it."""
+    """A cycle of this many statements with three instructions each, and a tick for it."""
     return f"#RT CYCLE [ID=1 SCOPE=PROG]\n{THREE * count}#RT CYCLE END\n#TIME 0.001\nM30"
 
 
@@ -207,7 +207,7 @@ def test_a_run_that_is_cut_into_ticks_is_the_same_run() -> None:
 
 
 def trace_of(folder: Path, *words: str, **environment: str) -> bytes | None:
-    """The CSV trace of the program above in a process of its own; ``None`` where it is refused."""
+    """The CSV trace of the program above in its own process; ``None`` where it is refused."""
     program, trace = folder / "loop.nc", folder / "loop.csv"
     program.write_text(LOOP, "utf-8")
     command = [sys.executable, "-m", "nctakt", "run", str(program), "--trace", str(trace), *words]
@@ -234,7 +234,7 @@ def test_compiled_and_plain_give_the_same_bytes(tmp_path: Path) -> None:
 
 
 def test_flush_continue_has_no_effect_on_the_queue() -> None:
-    """It asks for no stop: M30 is taken in tick 32, behind ``#FLUSH`` in tick 33."""
+    """It asks for no stop: M30 is taken in tick 32, after ``#FLUSH`` in tick 33."""
     motion = "G00 X1\n{flush}\nM30"
     assert told(perform(motion.format(flush="#FLUSH CONTINUE"))) == ["32 end part.nc"]
     assert told(perform(motion.format(flush="#FLUSH"))) == ["33 end part.nc"]

@@ -23,6 +23,6 @@ def test_g163_is_modal_as_r(words: str) -> None:
 
 
 def test_a_radius_that_is_none() -> None:
-    """As R: 0 is no radius (20036); a G163 without value is told before the run."""
+    """As R: 0 is no radius (20036); a G163 without value is reported before the run."""
     assert numbers(perform(ARC.format(words="G163=0 X20"))) == [20036]
     assert numbers(perform("G163\nM30")) == [900927]

@@ -33,7 +33,7 @@ SUB = "%L SUB\nX3\nX2\nM17\n%MAIN\n"
 
 
 def pauses(text: str, controller: Controller | None = None, **options: Any) -> list[int]:
-    """The lines in front of which single block stops; START follows at once."""
+    """The lines before which single block stops; START follows at once."""
     at = [Stimulus("0 s", "HLI.SINGLE_BLOCK", 1.0)]
     at += [Stimulus(f"{500 * n} ms", "HLI.START", 1.0) for n in range(1, 12)]
     run = perform(text, controller, at=at, **options)
@@ -49,7 +49,7 @@ def test_a_part_is_run_through() -> None:
 
 
 def test_it_ends_with_its_program() -> None:
-    """The next program has single block again, also behind a reset."""
+    """The next program has single block again, also after a reset."""
     controller = Controller()
     assert pauses("#SINGLE STEP [DISABLE]\nG00 X1\nX2\nM30\n", controller) == []
     assert pauses("G00 X1\nX2\nM30\n", controller) == [2]
@@ -92,7 +92,7 @@ M30
     [(ONLY_MOTIONS, [8]), (EFFECTIVE_BLOCKS, [6, 8, 9, 10]), (ALL_LINES, [2, 5, 6, 8, 9, 10, 11])],
 )
 def test_blocks_that_count(where: int, lines: list[int]) -> None:
-    """P-CHAN-00015: in front of motions alone, of what does something, of all but comments."""
+    """P-CHAN-00015: before motions alone, of what does something, of all but comments."""
     controller = Controller(machine_that_stops(where))
     assert pauses(LINES, controller, skip=(1,)) == lines
 
@@ -140,7 +140,7 @@ def test_numbers_of_blocks_that_count(first: int, then: int, lines: list[int]) -
 
 
 def test_the_path_runs_through_other_numbers() -> None:
-    """Between two blocks that count the path does not stand."""
+    """Between two blocks that count the path does not stop."""
     text = "N10 #SINGLE STEP [RESOLUTION=10]\nG01 G261 F6000\n{}\nN30 Y10\nM30"
     rounded = "N11 X10\nN12 X20\nN13 X30"
     at = [Stimulus("0 s", "HLI.SINGLE_BLOCK", 1.0), Stimulus("1 s", "HLI.START", 1.0)]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Endless spindle jobs of realtime cycles are open actions (RC-408, RC-111, RC-110).
 
-S takes 10 ticks to 60 revolutions a minute, and as many to a stand.
+S takes 10 ticks to 60 revolutions a minute, and as many to a standstill.
 """
 
 from __future__ import annotations

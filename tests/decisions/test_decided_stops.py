@@ -10,14 +10,14 @@ from nctakt.run.controller import Controller
 
 
 def test_m00_waits_behind_the_functions_of_its_block() -> None:
-    """A function that goes out behind the motion (MNS_SNS) does so before the program stops."""
+    """A function that goes out after the motion (MNS_SNS) does so before the program stops."""
     run = perform("N10 M00 M113 G00 X1\nM30", ticks=200)
     assert told(run) == ["32 output M 113", "33 paused line 1"]
     assert run.state == "limit"
 
 
 def test_m00_stops_a_path_that_others_pass_with_speed() -> None:
-    """Rounding on: the path stands at X10 exactly, and goes on from there (MO-1)."""
+    """Rounding on: the path is at X10 exactly, and goes on from there (MO-1)."""
     start = Stimulus("500 ms", "HLI.START", 1.0)
     program = "G261\n#CONTOUR MODE [DEV PATH_DEV=1]\nG01 F6000 X10\nM01\nX10 Y10\nM30"
     controller = Controller()
@@ -32,7 +32,7 @@ def test_m00_stops_a_path_that_others_pass_with_speed() -> None:
 
 
 def test_a_reset_gives_up_a_program_that_m00_has_stopped() -> None:
-    """RESET is taken while the program waits; a START behind it finds nothing (RC-007)."""
+    """RESET is taken while the program waits; a START after it finds nothing (RC-007)."""
     stimuli = [Stimulus("10 ms", "HLI.RESET", 1.0), Stimulus("20 ms", "HLI.START", 1.0)]
     controller = Controller()
     run = perform("M00\nG00 X10\nM30", controller, at=stimuli)

@@ -19,7 +19,7 @@ STACK = "#CS ADD [ICS] [0, 0, 0, 0, 0, 90]\n#CS ADD [WCS] [1]\n#CS ADD [W2] [0, 
 
 
 def ends_at(program: str, controller: Controller | None = None) -> list[float]:
-    """Where X, Y, Z stand behind a program: in ACS, then in PCS."""
+    """Where X, Y, Z stand after a program: in ACS, then in PCS."""
     run = perform(program + "\nM30", controller, signals=POSITIONS)
     assert run.state == "ended", run.diagnostics
     assert run.trace is not None
@@ -79,13 +79,13 @@ def test_offsets_of_a_system_end_with_it() -> None:
 
 
 def test_presets_are_those_of_the_system() -> None:
-    """#PSET: where the axes stand gets a name along the turned X."""
+    """#PSET: where the axes are gets a name along the turned X."""
     found = ends_at("G00 X0 Y7\n#CS ON [0,0,0,0,0,90]\n#PSET X100\nG00 X101")
     assert found == pytest.approx([0, 8, 0, 101, 0, 0], abs=1e-9)
 
 
 def test_a_system_moves_nothing_and_other_axes_keep_their_offsets() -> None:
-    """G55 has A 90: behind #CS ON the A axis begins there."""
+    """G55 has A 90: after #CS ON the A axis begins there."""
     assert left("G55\n#CS ON [1,2,3]\nG00 A1\nM30", "V.RTA.ACS.ACT_POS.A") == 91.0
     assert ends_at("G00 X5\n#CS ON [1,2,3,4,5,6]")[:3] == [5, 0, 0]
 
@@ -113,7 +113,7 @@ def test_the_next_program_has_no_system() -> None:
     ],
 )
 def test_what_cannot_be(program: str, number: int) -> None:
-    """Each with a diagnostic of its own; limits hold for all axes that move."""
+    """Each with its own diagnostic; limits hold for all axes that move."""
     assert numbers(perform(program + "\nM30")) == [number]
 
 

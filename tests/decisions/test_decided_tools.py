@@ -92,7 +92,7 @@ def test_an_id_that_no_tool_has_is_an_error() -> None:
 def test_an_external_tool_management_has_other_tools_than_the_list(
     program: str, found: list[int]
 ) -> None:
-    """P-CHAN-00016, page 15335641227: T tells the PLC, D asks it; here the list answers for it.
+    """P-CHAN-00016, page 15335641227: T informs the PLC, D asks it; here the list answers for it.
 
     What it does not know is 20296, diagnosis page 251337611.
     """
@@ -212,7 +212,7 @@ def test_the_length_stays_in_the_third_main_axis() -> None:
 
 
 def test_tools_that_are_too_small() -> None:
-    """P-CHAN-00156, P-CHAN-00157: 21426, 21427, also told by a check; D0 is none."""
+    """P-CHAN-00156, P-CHAN-00157: 21426, 21427, also reported by a check; D0 is none."""
     controller = machine(LONG, min_length=20.5, min_radius=5.5)
     assert numbers(perform("D0\nP1 = 5\nDP1\nM30", controller)) == [21426]
     assert numbers(perform("#TOOL DATA [5]\nM30", machine(LONG, min_radius=5.5))) == [21427]

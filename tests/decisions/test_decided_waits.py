@@ -36,9 +36,8 @@ M30
 def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
     """MO-4, G95: 900819 in the tick in which the path stands, once; it goes on with the spindle.
 
-    The spindle brakes from 6000 °/s with 36000 °/s²: M5 in tick 3000 leads to a stand behind tick
-    3166. The path reads it in tick 3167.
-    """
+    The spindle brakes from 6000 °/s with 36000 °/s²: M5 in tick 3000 leads to a standstill after
+    tick 3166. The path reads it in tick 3167."""
     stimuli = [
         Stimulus("3 s", "V.E.VALUE", 1.0),
         Stimulus("5 s", "V.E.VALUE", 2.0),
@@ -54,7 +53,7 @@ def test_a_path_that_waits_for_its_spindle_says_so_and_goes_on() -> None:
 
 
 def test_each_standing_is_told_once() -> None:
-    """The spindle stops, turns and stops again: two warnings; the limit tells what is awaited."""
+    """The spindle stops, turns and stops again: two warnings; the limit reports what is awaited."""
     stimuli = [Stimulus(time, "V.E.VALUE", value) for time, value in ((1, 1.0), (2, 2.0), (3, 1.0))]
     run = perform(STOPPED, at=stimuli, ticks=5000)
     assert (run.state, numbers(run)) == ("limit", [900819, 900819, 900820])
@@ -64,7 +63,7 @@ def test_each_standing_is_told_once() -> None:
 
 
 def test_a_spindle_that_begins_to_turn_with_the_block_is_no_standing() -> None:
-    """M3 in front of the block: in its first tick the spindle does not turn yet; no warning."""
+    """M3 before the block: in its first tick the spindle does not turn yet; no warning."""
     assert numbers(perform("M3 S1000\nG95 F0.1\nG01 X0.1\nM30")) == []
 
 
@@ -198,7 +197,7 @@ def test_each_reason_has_its_remedy(
     assert found.remedy("de")
 
 
-#: X stands at the first position beyond 50 mm, V.E.CONDITION holds it there.
+#: X is at the first position beyond 50 mm, V.E.CONDITION holds it there.
 HELD = """\
 #RT CYCLE [ID=7]
 $IF V.RTA.ACS.ACT_POS.X > 50 && V.E.CONDITION == 0
@@ -228,7 +227,7 @@ def test_the_line_that_holds_the_path_is_named() -> None:
 
 
 def test_a_line_of_another_file_is_named_with_its_file(tmp_path: Path) -> None:
-    """The path stands in part.nc, the cycle is defined in the subprogram hold.nc."""
+    """The path is in part.nc, the cycle is defined in the subprogram hold.nc."""
     cycle, rest = HELD.format(frequency="", first=0, end="").split("G01 X100", 1)
     (tmp_path / "hold.nc").write_text(f"{cycle}M17\n", "utf-8")
     part = tmp_path / "part.nc"

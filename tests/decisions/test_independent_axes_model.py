@@ -92,7 +92,7 @@ class Model:
         self.standing = {axis for axis in AXES if self.stands(axis, tick)}
 
     def stands(self, axis: str, tick: int) -> bool:
-        """Whether the axis stands at the end of a tick."""
+        """Whether the axis is at rest at the end of a tick."""
         plan = self.plans.get(axis)
         return plan is None or tick >= plan.first + plan.ticks() - 1
 
@@ -155,7 +155,7 @@ def exchanged(axis, model, known):
 
 
 def stand(axes, model):
-    """Answer at the end of the first tick in which all of them stand."""
+    """Answer at the end of the first tick in which all of them are at rest."""
     tick = yield
     while not model.standing.issuperset(axes):
         tick = yield
@@ -163,7 +163,7 @@ def stand(axes, model):
 
 
 def read(axes, model, independent, uncertain, known):
-    """Answer when all of them stand, with their places."""
+    """Answer when all of them are at rest, with their places."""
     tick = yield from stand(axes, model)
     uncertain.add("Z")
     for axis in axes:

@@ -22,7 +22,7 @@ def run_of(*lines: str) -> Run:
 
 
 def axes(run: Run, block: int | None = None) -> np.ndarray:
-    """X, Y, Z behind each tick, or behind those of a block."""
+    """X, Y, Z after each tick, or after those of a block."""
     assert run.trace is not None
     found = np.array([run.trace[name] for name in SIGNALS[:3]]).T
     return found if block is None else found[np.asarray(run.trace["BLOCK"]) == block]
@@ -144,6 +144,6 @@ def test_a_cycle_and_other_axes_move_along() -> None:
     ],
 )
 def test_mistakes(lines: str, number: int) -> None:
-    """Each with a diagnostic of its own."""
+    """Each with its own diagnostic."""
     found = numbers(perform(f"G01 X0 Y0 F1000\n{lines}\nM30"))
     assert found[:1] == [number]

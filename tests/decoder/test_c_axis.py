@@ -123,7 +123,7 @@ def test_what_changes_nothing(lathe: Machine) -> None:
 
 
 def test_another_main_spindle_turns_beside_the_c_axis(lathe: Machine) -> None:
-    """ID 21980: behind #CAX, #MAIN SPINDLE gives G95 a spindle again; S1 is the axis C."""
+    """ID 21980: after #CAX, #MAIN SPINDLE gives G95 a spindle again; S1 is the axis C."""
     lines = ("#CAX [S1, C]", "#MAIN SPINDLE [S2]", "M3 S600", "G04 X2", "G95 F0.1", "G01 X1 C5")
     assert problems(run_of(lathe, *lines)) == []
     assert problems(run_of(lathe, *lines, "S1[M3 REV100]")) == [901818]

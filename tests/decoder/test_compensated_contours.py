@@ -2,8 +2,8 @@
 """Random contours with lines and arcs: the tool stays beside them (MO-9).
 
 Contours go once around 0, 0, corner by corner, so that places narrower than the tool lie between
-neighbours, where they are told (90019, 90038, 90017); a contour without an error is passed at the
-tool's radius.
+neighbours, where they are reported (90019, 90038, 90017); a contour without an error is passed at
+the tool's radius.
 """
 
 from __future__ import annotations

@@ -149,7 +149,7 @@ def test_to_and_from_the_contour_at_outer_corners(
 
 
 def test_from_one_side_to_the_other(monkeypatch: pytest.MonkeyPatch) -> None:
-    """G42 behind G41: its motion leads from beside the one to beside the other."""
+    """G42 after G41: its motion leads from beside the one to beside the other."""
     text = "G41 X10 Y0\nX40\nG42 X50 Y20\nX80\nG40 X90\n"
     assert ends(text, monkeypatch) == [(10, 5), (40, 5), (50, 15), (80, 15), (90, 20)]
 
@@ -391,7 +391,7 @@ def test_before_a_block_that_cannot_be_compensated_all_is_run(block: str, number
 def test_the_program_ends_before_the_block_with_the_mistake(
     blocks: str, number: int, line: int, end: tuple[float, float]
 ) -> None:
-    """Whoever finds the mistake, the block in front of it is run to its end (MO-9)."""
+    """Whoever finds the mistake, the block before it is run to its end (MO-9)."""
     run = Controller().run(
         NcText("p.nc", f"{START}G41 X10 Y0\nX50\nY20\n{blocks}\nM30\n"),
         signals=["X.ACS.ACT_POS", "Y.ACS.ACT_POS"],
@@ -422,7 +422,7 @@ def test_single_block_stops_behind_the_way_around_the_corner(slope: str) -> None
     """MO-6: a block ends with its last piece; at 50 mm/s the path goes on into the arc.
 
     X from 10 to 50 beside Y 0, then the arc of 5 mm; N30 has one as well, since N40 leaves the
-    contour around a corner. The only stands are those of the blocks.
+    contour around a corner. The only is are those of the blocks.
     """
     text = f"{START}F3000 G26\n{slope}N10 G41 X10 Y0\nN20 X50\nN30 Y-40\nN40 G40 X20\nM30\n"
     single = [Stimulus(0, "HLI.SINGLE_BLOCK", 1)]

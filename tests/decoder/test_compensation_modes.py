@@ -63,7 +63,7 @@ def watching() -> Machine:
 
 
 def test_across_the_contour_with_lines(monkeypatch: pytest.MonkeyPatch) -> None:
-    """G237: a line of its own to beside the start, and one back at G40."""
+    """G237: its own line to beside the start, and one back at G40."""
     text = f"{START}G237 G42\nX40\nY30\nG40\nX80\n"
     assert ends(text, monkeypatch) == [(0, -5), (45, -5), (45, 30), (40, 30), (80, 30)]
 
@@ -91,7 +91,7 @@ def test_across_the_contour_with_arcs(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_across_the_contour_from_side_to_side(monkeypatch: pytest.MonkeyPatch) -> None:
-    """G237, G42 behind G41: as G40 and G42."""
+    """G237, G42 after G41: as G40 and G42."""
     text = f"{START}G237 G41\nX40\nG42 Y30\nG40 X80\n"
     assert ends(text, monkeypatch) == [
         (0, 5),
@@ -105,7 +105,7 @@ def test_across_the_contour_from_side_to_side(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_one_motion_alone_across_the_contour(monkeypatch: pytest.MonkeyPatch) -> None:
-    """G237: compensation of a single motion, at its end the way back; M100 comes behind it."""
+    """G237: compensation of a single motion, at its end the way back; M100 comes after it."""
     text = f"{START}G237 G41 X40\nG40 M100\nY20\n"
     assert ends(text, monkeypatch) == [(0, 5), (40, 5), (40, 0), (40, 20)]
 
@@ -140,7 +140,7 @@ def test_another_radius_on_the_way(word: str, monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_larger_radius_around_outer_corners(monkeypatch: pytest.MonkeyPatch) -> None:
-    """G26: the arc before the line has the old radius, the one behind it the new one."""
+    """G26: the arc before the line has the old radius, the one after it the new one."""
     text = f"{START}G26 G42 X10 Y0\nX50\nV.G.WZ_AKT.R = 7\nY40\nX20\nG40 X0\n"
     assert ends(text, monkeypatch) == [
         (10, -5),
@@ -154,7 +154,7 @@ def test_a_larger_radius_around_outer_corners(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_a_radius_of_the_other_sign_changes_the_side(monkeypatch: pytest.MonkeyPatch) -> None:
-    """As G42 behind G41: its motion leads from beside the one to beside the other."""
+    """As G42 after G41: its motion leads from beside the one to beside the other."""
     text = f"{START}G41 X10 Y0\nX40\nV.G.WZ_AKT.R = -5\nX50 Y20\nX80\nG40 X90\n"
     assert ends(text, monkeypatch) == [(10, 5), (40, 5), (50, 15), (80, 15), (90, 20)]
 
@@ -170,7 +170,7 @@ def test_the_feed_counts_at_the_contour(monkeypatch: pytest.MonkeyPatch) -> None
     assert [round(one.feed, 9) for one in segments] == [100, 100, 75, 100, 125, 100, 100, 100]
 
 
-# --- planes, small blocks, what stands between ---------------------------------------------------
+# --- planes, small blocks, what is between ---------------------------------------------------
 
 
 def test_a_helix_in_each_plane(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -250,7 +250,7 @@ HOOK = "G00 X50 Y60\nG41 G01 X0 Y0\nX100\nY40\nX0 Y41\nG40 X50 Y-30\n"
     ],
 )
 def test_a_way_that_cuts_the_contour_is_told(text: str, expected: list[tuple[int, int]]) -> None:
-    """Across the path beside another motion: behind it the tool is nearer than its radius."""
+    """Across the path beside another motion: after it the tool is nearer than its radius."""
     run = Controller().run(NcText("p.nc", f"{START}{text}M30\n"), signals=[])
     assert [(one.id, one.span.line) for one in run.diagnostics if one.span] == expected
 
@@ -284,7 +284,7 @@ def test_what_is_swallowed_whole_is_left_out(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_what_cannot_be_left_out_is_an_error() -> None:
-    """G141: where the tool finds no way past it, the motion is told as without G141."""
+    """G141: where the tool finds no way past it, the motion is reported as without G141."""
     text = f"{START}G141 G41 X10\nX50\nY4\nX10\nG40 Y0\nM30\n"
     run = Controller().run(NcText("p.nc", text), signals=[])
     assert [(one.id, one.span.line) for one in run.errors if one.span] == [(90019, 4)]
@@ -362,7 +362,7 @@ def test_pieces_have_a_length(text: str, monkeypatch: pytest.MonkeyPatch) -> Non
 
 @pytest.mark.parametrize("lines", ["G239\nG40 Y20", "G40\nG239\nY20", "G40 Z3\nG239\nG02 I5"])
 def test_a_contour_that_is_left_directly_after_all(lines: str) -> None:
-    """G239 behind the last motion, also behind G40: the next one begins where the tool is."""
+    """G239 after the last motion, also after G40: the next one begins where the tool is."""
     run = Controller().run(NcText("p.nc", START + f"G41 X10 Y0\nX30\n{lines}\nM30"))
     assert run.errors == ()
     assert run.state == "ended"

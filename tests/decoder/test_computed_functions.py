@@ -14,7 +14,7 @@ from nctakt.run.plcs.plc_view import PlcView
 
 
 def events(text: str) -> list[str]:
-    """What a program without errors tells."""
+    """The reports of a program without errors."""
     run = Controller().run(NcText("p.nc", text))
     assert not run.errors, run.errors
     return [f"{event.tick} {event}" for event in run.events]
@@ -133,6 +133,6 @@ def test_the_format_of_a_message_may_be_a_variable(text: str, shown: str) -> Non
     ],
 )
 def test_a_format_that_does_not_fit_ends_the_program(text: str, error: int) -> None:
-    """What only the run shows is told where the message is decoded."""
+    """What only the run shows is reported where the message is decoded."""
     run = Controller().run(NcText("p.nc", text + "\nM30"))
     assert [found.id for found in run.errors] == [error]

@@ -124,7 +124,7 @@ def test_a_program_that_ends_with_half_a_line_is_told() -> None:
 
 
 def test_plain_lines_do_not_pass_over_an_open_line() -> None:
-    """Long programs are decoded line by line; the line behind #ANG still has to end it."""
+    """Long programs are decoded line by line; the line after #ANG still has to end it."""
     lines = [f"X{i % 5} Y{i % 7}" for i in range(3000)]
     program = "\n".join(["G01 F6000", *lines, "#ANG=30", *lines, "M30"])
     assert numbers(perform(program, signals=POSITIONS)) == [21904]

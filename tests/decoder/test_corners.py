@@ -73,7 +73,7 @@ def test_chamfers_between_arcs(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_roundings_between_lines(monkeypatch: pytest.MonkeyPatch) -> None:
-    """An arc that touches both lines; with #RND in the block in front of the corner."""
+    """An arc that touches both lines; with #RND in the block before the corner."""
     text = "X50\nG302 I10\nY40\nX0 #RND=5\nY0\n"
     assert ends(text, monkeypatch) == [
         (40, 0),
@@ -217,7 +217,7 @@ def test_they_can_be_switched_off() -> None:
     st.floats(0.1, 3),
 )
 def test_roundings_touch_both_motions(angle: float, one: float, other: float, size: float) -> None:
-    """At their ends they have the directions of the motions; radius 0 stands for a line."""
+    """At their ends they have the directions of the motions; radius 0 represents a line."""
     before = motion(one, is_before=True, direction=0.0)
     behind = motion(other, is_before=False, direction=math.radians(angle))
     sides = (

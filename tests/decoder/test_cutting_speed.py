@@ -77,7 +77,7 @@ def test_the_speed_follows_the_radius(lathe: Path) -> None:
 
 
 def test_g97_keeps_the_last_speed(lathe: Path) -> None:
-    """Behind G97 the way back does not change the speed."""
+    """After G97 the way back does not change the speed."""
     speeds = {round(speed, 6) for (speed,) in values_of(run(lathe, FACE), 70, "S.SPEED")}
     assert len(speeds) == 1
     assert speeds.pop() == pytest.approx(1591.549, rel=1e-3)
@@ -219,7 +219,7 @@ def test_g51_does_nothing_without_a_face_axis() -> None:
 
 
 def test_the_main_spindle_does_not_change_under_g96(lathe: Path) -> None:
-    """901871 (choice): the cutting speed is that of one spindle; behind G97 another may follow."""
+    """901871 (choice): the cutting speed is that of one spindle; after G97 another may follow."""
     begin = "N10 G18 G00 X50\nN20 G96 S100 M03\n"
     result = run(lathe, f"{begin}#MAIN SPINDLE [S2]\nM30")
     assert [found.id for found in result.diagnostics if found.severity is Severity.ERROR] == [

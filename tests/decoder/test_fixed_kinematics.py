@@ -154,7 +154,7 @@ def test_table_a_c() -> None:
 def test_angles_belong_to_the_axes_of_their_names(
     names: str, mode: int, first: int, second: int
 ) -> None:
-    """In mode CA the word C holds the first angle, wherever the axis C stands."""
+    """In mode CA the word C holds the first angle, wherever the axis C is."""
     zero = (0.0, 0.0, 0.0)
     rotary = (
         KinematicAxis(True, (0.0, 0.0, 1.0), zero),
@@ -196,7 +196,7 @@ def test_linkage_stands_between_axes_and_chain() -> None:
 
 
 def test_vector_that_is_zero_has_no_direction() -> None:
-    """A vector of zero length is told, not guessed."""
+    """A vector of zero length is reported, not guessed."""
     zero = (0.0, 0.0, 0.0)
     rotary = (
         KinematicAxis(True, (0.0, 0.0, 1.0), zero),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Fused nodes give the bits of the operations that they stand for (RC-206, RC-501)."""
+"""Fused nodes give the bits of the operations that they represent (RC-206, RC-501)."""
 
 from __future__ import annotations
 

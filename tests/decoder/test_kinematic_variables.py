@@ -61,7 +61,7 @@ def test_parameters_of_kinematics_and_tools(machine: Path) -> None:
 
 
 def test_written_parameters_count_from_the_next_activation_on(machine: Path) -> None:
-    """The tip stands lower by what HD1 and HD2 were made longer."""
+    """The tip is lower by what HD1 and HD2 were made longer."""
     tip = '#MSG ["%.3f", V.A.ABS.Z]\n'
     found, said = run(
         machine,
@@ -96,7 +96,7 @@ def test_what_cannot_be_read_or_written(machine: Path, text: str, message: Messa
 
 
 def test_note_on_a_fixed_type_stands_once(machine: Path) -> None:
-    """Whatever no source settles is told once per program; kinematic 91 settles it itself."""
+    """Whatever no source settles is reported once per program; kinematic 91 settles it itself."""
     found, _ = run(machine, "#TRAFO [9]\n#TRAFO OFF\n#TRAFO ON\n#TRAFO OFF\n#TRAFO [91]\n")
     assert found.errors == ()
     notes = [one for one in found.diagnostics if "plain geometry" in one.text("en")]
@@ -126,7 +126,7 @@ def test_numbers_of_the_universal_kinematic_by_name_and_by_index(machine: Path) 
 
 
 def test_a_written_universal_kinematic_counts_from_the_next_activation_on(machine: Path) -> None:
-    """The holder stands 10 mm, then 20 mm lower; then the axis A turns against the angle A."""
+    """The holder is 10 mm, then 20 mm lower; then the axis A turns against the angle A."""
     tip = '#MSG ["%.3f", V.A.ABS.Z]\n'
     found, said = run(
         machine,

@@ -39,7 +39,7 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_machine_coordinates_come_and_go(machine: Path) -> None:
-    """Inside programmed positions are those of the axes; behind it all is as before."""
+    """Inside programmed positions are those of the axes; after it all is as before."""
     found, said = run(
         machine,
         "T1 D1\nG54\nG00 X10 Y20 Z200 C30 A40\n#TRAFO ON\nG92 X5\n#CS ON [10,20,30,0,0,45]\n"
@@ -93,7 +93,7 @@ def test_contour_is_neither_turned_nor_mirrored_inside(machine: Path) -> None:
 
 
 def test_offsets_inside_end_with_it(machine: Path) -> None:
-    """G55, G92 and a plane inside are gone behind it; G54 is back."""
+    """G55, G92 and a plane inside are gone after it; G54 is back."""
     found, said = run(
         machine,
         "T1 D1\nG54\nG00 X0 Y0 Z0\n#MCS ON\nG55 G92 Y7\nG19\nG00 X0 Y0\n"
@@ -109,7 +109,7 @@ def test_offsets_inside_end_with_it(machine: Path) -> None:
 
 @pytest.mark.parametrize(("words", "inside"), [("", 80.0), (" [EX TOOL]", 0.0)])
 def test_tool_selected_inside(machine: Path, words: str, inside: float) -> None:
-    """It has its length inside but for EX TOOL, and always behind it."""
+    """It has its length inside but for EX TOOL, and always after it."""
     found, said = run(
         machine,
         f"T1 D1\n#MCS ON{words}\nG00 Z0\n{SAY}D2\nG00 Z0\n{SAY}#MCS OFF\nG00 Z0\n{SAY}"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Macros whose text cannot be used: told at the block that uses them."""
+"""Macros whose text cannot be used: reported at the block that uses them."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ def test_a_macro_that_is_no_term_ends_the_program(text: str, error: int, line: i
     ],
 )
 def test_where_a_text_is_a_macro(text: str, shown: str) -> None:
-    """A macro where a number is needed, a text where one may stand; the latest one counts."""
+    """A macro where a number is needed, a text where one is allowed; the latest one counts."""
     run = Controller().run(NcText("p.nc", text + '\n#MSG ["%g", P1]\nM30\n'))
     assert not run.errors, run.errors
     assert [event.text for event in run.events if event.kind == "message"] == [shown]
@@ -113,7 +113,7 @@ def nested(depth: int, glue: str) -> str:
     ],
 )
 def test_macros_do_not_grow_without_bound(text: str, error: int, column: int) -> None:
-    """Depth and text of one block have bounds, told at the macro; the run ends by itself."""
+    """Depth and text of one block have bounds, reported at the macro; the run ends by itself."""
     run = Controller().run(NcText("p.nc", text + "\nM30\n"), ticks=5)
     (found,) = run.errors
     assert found.id == error

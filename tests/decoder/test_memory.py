@@ -34,7 +34,7 @@ def machine(memory_bytes: int) -> Machine:
 
 
 def run(memory_bytes: int, *ids: int) -> Run:
-    """Define so many cycles, one a tick."""
+    """Define this many cycles, one a tick."""
     text = "#TIME 0.001\n".join(CYCLE.format(id=identity) for identity in ids)
     return Controller(machine(memory_bytes)).run(NcText("memory.nc", text + "M30\n"))
 

@@ -12,7 +12,7 @@ SUB = '%L SUB\n#MSG ["s"]\nM17\n'
 
 
 def messages(text: str) -> str:
-    """The messages of a program without errors, one behind the other."""
+    """The messages of a program without errors, one after the other."""
     run = Controller().run(NcText("p.nc", text), ticks=2000)
     assert not run.errors, run.errors
     assert run.state == "ended"
@@ -46,7 +46,7 @@ def messages(text: str) -> str:
     ],
 )
 def test_a_call_follows_what_the_manual_names(kind: str, block: str, calls: int) -> None:
-    """The call itself once; then behind motions or blocks, not behind calls and control words."""
+    """The call itself once; then after motions or blocks, not after calls and control words."""
     text = f"{SUB}%L OTHER\nX5\nM17\n%MAIN\nG00\n{CALL.format(kind=kind)}{block}\nM30"
     assert messages(text).split().count("s") == calls
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Each argument of a packed command stands in the column that has its name."""
+"""Each argument of a packed command is in the column that has its name."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ from nctakt.kernel import codes, rows
 
 SOURCE, NUMBER, REFERENCE = 901, 902, 903
 
-#: Command without source and number, its kind and what stands in the columns of that kind. No two
+#: Command without source and number, its kind and what is in the columns of that kind. No two
 #: values of a command are equal, but for those that are 0 or 1.
 CASES: list[tuple[type[Command], dict[str, object], int, dict[int, float]]] = [
     (commands.Dwell, {"ticks": 11}, rows.DWELL, {rows.DWELL_TICKS: 11}),

@@ -230,7 +230,7 @@ def test_both_ways_give_the_same_shapes(seed: int, monkeypatch: pytest.MonkeyPat
 
 
 def test_only_lines_beside_a_corner_take_the_long_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A chamfer slows down the line before it and the one behind it, no other."""
+    """A chamfer slows down the line before it and the one after it, no other."""
     lines = [f"X{i} Y{i % 2 * 5}" for i in range(1, 20)]
     taken = counted(monkeypatch)
     content = "\n".join(["G01 F6000", *lines, "G301 I0.5", *lines, "M30"])

@@ -43,7 +43,7 @@ def column(run: Run, name: str) -> np.ndarray:
 
 
 def axes(run: Run) -> np.ndarray:
-    """X, Z and C behind each tick; C as it runs on."""
+    """X, Z and C after each tick; C as it runs on."""
     c = np.unwrap(np.concatenate([[0.0], column(run, "C.ACS.ACT_POS")]), period=360.0)[1:]
     return np.column_stack([column(run, "X.ACS.ACT_POS"), column(run, "Z.ACS.ACT_POS"), c])
 
@@ -149,7 +149,7 @@ M30"""
 
 
 def test_the_tool_beside_the_spindle_counts_along_the_radius() -> None:
-    """Tool 3 stands 1 mm beside the middle in X; the contour on the part is the programmed one."""
+    """Tool 3 is 1 mm beside the middle in X; the contour on the part is the programmed one."""
     run = run_of("N5 D3\n" + SQUARE)
     places = axes(run)
     places[:, 0] -= 1.0

@@ -22,7 +22,7 @@ DEMO = Path(nctakt.__file__).parent / "machines" / "demo"
     ],
 )
 def test_a_spindle_without_an_axis_list_cannot_turn(text: str, line: int, tmp_path: Path) -> None:
-    """50397 in the program and in a cycle, behind 20312 of the channel list."""
+    """50397 in the program and in a cycle, after 20312 of the channel list."""
     shutil.copytree(DEMO, tmp_path / "machine")
     file = tmp_path / "machine" / "sda_mds1.lis"
     lines = file.read_text("utf-8").splitlines()

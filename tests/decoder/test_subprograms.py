@@ -96,7 +96,7 @@ def test_the_first_folder_that_has_a_file_counts(tmp_path: Path) -> None:
 
 
 def test_a_recursion_without_end_is_told(tmp_path: Path) -> None:
-    """So many programs inside each other, the main program included, and no more."""
+    """This many programs inside each other, the main program included, and no more."""
     write(tmp_path, main="P1 = 1\nL again.nc\nM30\n", again="P1 += 1\nV.E.COUNT = P1\nL again.nc\n")
     controller = Controller()
     run = controller.run(tmp_path / "main.nc")
@@ -123,7 +123,7 @@ def test_a_loop_of_jumps_that_never_moves_is_told() -> None:
 
 
 def test_a_file_with_a_computed_name_is_read_when_it_is_called(tmp_path: Path) -> None:
-    """Its mistakes end the program there, behind what was prepared."""
+    """Its mistakes end the program there, after what was prepared."""
     write(tmp_path, main='V.E.TEXT = "bad" + ".nc"\n#TIME 0.002\nL V.E.TEXT\nM30\n', bad="\nQ1\n")
     run = Controller().run(tmp_path / "main.nc")
     (error,) = run.errors

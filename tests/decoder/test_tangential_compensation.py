@@ -75,7 +75,7 @@ def test_it_acts_once_and_with_the_next_motion(monkeypatch: pytest.MonkeyPatch) 
 
 
 def test_plain_blocks_take_it_over(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The motions behind it may come the fast way."""
+    """The motions after it may come the fast way."""
     lines = "".join(f"X{20 + 30 * number} Y{number % 2}\n" for number in range(40))
     found = ways(f"G41 G05 X10 Y20\n{lines}G40 G05\nX2000 Y60\n", monkeypatch)
     assert touches(found[0], found[1])

@@ -24,7 +24,7 @@ from nctakt.run.controller import Controller, NcText
 #: Rows of the queue that are compared at most: some programs never end.
 MAX_ROWS = 3000
 
-#: Ordinary statements; ``#`` stands for a number.
+#: Ordinary statements; ``#`` represents a number.
 STATEMENTS = (
     "V.P.A = V.P.A + #",
     "V.P.A = SIN[# * V.P.A] - [V.L.B - #] / 2",
@@ -189,7 +189,7 @@ def test_both_ways_run_the_same(seed: int, monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_jump_back_finds_the_forms_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Behind each ``$GOTO`` the text is read anew; templates and forms stay."""
+    """After each ``$GOTO`` the text is read anew; templates and forms stay."""
     lines = [HEAD, *(f"X[P1 + {i}]" for i in range(1, 30)), "N50: P1 = P1 + 1"]
     lines += [*(f"Y[P1 * {i}]" for i in range(1, 30)), "$IF P1 < 5 $GOTO N50", "M30"]
     text = "\n".join(lines)
@@ -201,7 +201,7 @@ def test_a_jump_back_finds_the_forms_again(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_a_mistake_is_told_at_its_own_place() -> None:
-    """20396 in the tenth statement of a shape, with the columns of its own numbers."""
+    """20396 in the tenth statement of a shape, with the its own columns numbers."""
     lines = [HEAD, *(f"N{10**i} V.P.A = {i} / [{8 - i} * V.P.I + 1]" for i in range(8))]
     lines += ["V.P.I = -1", "N123456 V.P.A = 12345 / [1 * V.P.I + 1]", "M30"]
     (found,) = rows("\n".join(lines))[1]

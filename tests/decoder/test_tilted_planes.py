@@ -38,7 +38,7 @@ def matrix(system: tuple[float, ...]) -> np.ndarray:
 
 
 def inside(run: Run, system: tuple[float, ...] | None) -> np.ndarray:
-    """The axes behind each tick in the coordinates of the system."""
+    """The axes after each tick in the coordinates of the system."""
     assert run.trace is not None
     axes = np.array([run.trace[name] for name in SIGNALS[:3]]).T
     return axes if system is None else (axes - system[:3]) @ matrix(system)

@@ -238,7 +238,7 @@ def check(seed: int, ways: list[Way], result: Passed, tool: float) -> None:
     ],
 )
 def test_the_tool_is_led_along_what_neighbours_cut_off(seed: int, by_arc: bool) -> None:
-    """G141: what a corner or a loop cuts off may be way again behind a motion left out."""
+    """G141: what a corner or a loop cuts off may be way again after a motion left out."""
     ways, tool, _ = chosen(seed)
     result = passed(ways, tool, by_arc, masks=True)
     assert not result.misfits and not result.damages
@@ -247,7 +247,7 @@ def test_the_tool_is_led_along_what_neighbours_cut_off(seed: int, by_arc: bool) 
 
 @pytest.mark.parametrize(("seed", "by_arc"), [(5776, False), (15133, True), (15133, False)])
 def test_where_arcs_smaller_than_the_tool_are_cut_it_is_told(seed: int, by_arc: bool) -> None:
-    """G141: no way leads beside such arcs; several one behind the other may still be damaged."""
+    """G141: no way leads beside such arcs; several one after the other may still be damaged."""
     ways, tool, _ = chosen(seed)
     result = passed(ways, tool, by_arc, masks=True)
     assert not result.misfits

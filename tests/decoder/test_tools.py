@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The words T and D, and what V.G tells of tools (MO-8).
+"""The words T and D, and what V.G shows of tools (MO-8).
 
 The demo machine has tools 1 (length 100, radius 5), 2 (length 80, radius 3) and 3 (length 120, 1 mm
 beside the spindle in X).
@@ -191,7 +191,7 @@ def test_without_a_tool_list_each_t_is_accepted(tmp_path: Path) -> None:
     ],
 )
 def test_d_empties_the_channel(tmp_path: Path, entries: str, word: str, stops: bool) -> None:
-    """P-CHAN-00271: FAW_D is ``#FLUSH WAIT`` in front of D, T that selects included."""
+    """P-CHAN-00271: FAW_D is ``#FLUSH WAIT`` before D, T that selects included."""
     machine = machine_with(tmp_path / "m", sda_mds1=entries)
     program = "G01 X10 F6000\n{}\nG01 X20\n"
     ticks = run(program.format(word), machine)[0].ticks

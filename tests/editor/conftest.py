@@ -13,7 +13,7 @@ import pytest
 
 @pytest.fixture
 def in_editor(tmp_path: Path) -> Callable[..., None]:
-    """Run a script of an editor with a server of its own."""
+    """Run a script of an editor with its own server."""
     client = pytest.importorskip("support.editor_client")
 
     def run(script: Any, options: Any = None, encodings: Any = None) -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whatever stands in a document, each request is answered, at each position."""
+"""Whatever is in a document, each request is answered, at each position."""
 
 from __future__ import annotations
 

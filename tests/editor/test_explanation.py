@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is shown of a word: the facts of the machine's lists, and what a cycle sees for ever."""
+"""What is shown of a word: the facts of the machine's lists, and what a cycle sees forever."""
 
 from __future__ import annotations
 

@@ -35,7 +35,7 @@ def test_lines_and_bodies_come_as_they_were_sent() -> None:
 def test_a_long_line_comes_in_pieces_and_a_long_message_is_passed_over(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """What stands for it is no message; the next one is found."""
+    """Its replacement is not a message; the next one is found."""
     monkeypatch.setattr(incoming_module, "MAX_MESSAGE", 1000)
     sent = b"x" * 3000 + b"\n" + b"y" * 200_000 + b"next\n"
     editor, writing = of_pipe()

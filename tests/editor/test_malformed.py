@@ -77,7 +77,7 @@ class Reader:
 
 
 class Writer:
-    """The answers; ``settled`` is set when there are so many."""
+    """The answers; ``settled`` is set when there are this many."""
 
     def __init__(self, count: int, settled: asyncio.Event) -> None:
         self.answers: list[dict[str, Any]] = []

@@ -21,7 +21,7 @@ SECRET = "the secret line"
 
 @pytest.fixture
 def jobs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of jobs with a machine, and a file beside it that is none of theirs."""
+    """A folder of jobs with a machine, and a file next to it that is none of theirs."""
     (tmp_path / "secret.nc").write_text(f"{SECRET}\n", "utf-8")
     folder = tmp_path / "jobs"
     (folder / "machine").mkdir(parents=True)
@@ -66,7 +66,7 @@ def test_what_lies_inside_is_read(
 def test_a_program_calls_nothing_outside(
     jobs: Path, command: str, called: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """By relative and absolute paths, over links; whether the file is there is not told."""
+    """By relative and absolute paths, over links; whether the file is there is not reported."""
     name = called.format(folder=jobs.parent.as_posix())
     (jobs / "part.nc").write_text(f"L {name}\nM30\n", "utf-8")
     assert main([command, "part.nc", "--confine", "."]) == 1
@@ -140,7 +140,7 @@ def test_several_folders_may_be_read(jobs: Path) -> None:
 
 
 def test_a_folder_that_is_not_there_confines_nothing(jobs: Path) -> None:
-    """Wrong usage, told before anything is read."""
+    """Wrong usage, reported before anything is read."""
     assert main(["run", "part.nc", "--confine", "nowhere"]) == 2
 
 

@@ -148,7 +148,7 @@ def test_standard_output_is_an_output(folder: Path) -> None:
 
 
 def test_an_output_takes_its_name_when_it_is_complete(tmp_path: Path) -> None:
-    """Until then it stands beside it; what was there before stays, with its rights."""
+    """Until then it is beside it; what was there before stays, with its rights."""
     path = tmp_path / "out.csv"
     path.write_text("of yesterday", "utf-8")
     path.chmod(0o640)
@@ -204,7 +204,7 @@ class _Refusing:
 
 
 def test_two_processes_do_not_write_one_file(tmp_path: Path) -> None:
-    """The second one is told (900919)."""
+    """The second one is reported (900919)."""
     path = tmp_path / "out.csv"
     with OutputFile(path) as first:
         first.write("one")
@@ -296,7 +296,7 @@ def test_ctrl_c_tells_where_the_rest_is(
 
 
 def test_what_an_exception_cuts_off_says_so_by_its_name(tmp_path: Path) -> None:
-    """Ctrl-C and failures: the earlier file stays, and where the rest is stands with the error."""
+    """Ctrl-C and failures: the earlier file stays, and where the rest is is with the error."""
     path = tmp_path / "out.csv"
     path.write_text("of yesterday", "utf-8")
     for error in (KeyboardInterrupt(), RuntimeError("a fault")):
@@ -357,7 +357,7 @@ def test_an_endless_file_is_read_up_to_a_bound(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """Programs, lists, loads and data: 900915 tells the bound."""
+    """Programs, lists, loads and data: 900915 names the bound."""
     monkeypatch.setattr(file_access, "MAX_BYTES", 1 << 20)
     with (folder / "machine" / "ext_var1.lis").open("ab") as long:
         long.truncate((1 << 20) + 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run with an FMU beside it: what it gets and when, what counts from when on, how it fails.
+"""A run with an FMU next to it: what it gets and when, what counts from when on, how it fails.
 
 The FMU is built here: y = gain * u with u and y in m, n counts its steps, ``above.ten`` is y > 10.
 """
@@ -195,7 +195,7 @@ def test_a_reference_of_two_variables(libraries: dict[int, Path], tmp_path: Path
     np.testing.assert_allclose(
         1000.0 * run.trace["V.E.VALUE"][1:], run.trace["X.ACS.ACT_POS"][:-1], rtol=1e-12
     )
-    # types have references of their own in FMI 2.0
+    # types have their own references in FMI 2.0
     assert shared(2, ('"n" valueReference="4"', '"n" valueReference="1"')) is not None
 
 
@@ -523,7 +523,7 @@ def test_slips_in_the_project_file_are_told_at_their_place(told: Told) -> None:
     ],
 )
 def test_a_start_value_is_told_at_its_place(told: Told, text: str, place: str) -> None:
-    """Line and column of its name, in a table of its own or in a line."""
+    """Line and column of its name, in its own table or in a line."""
     Path("nctakt.toml").write_text(text, "utf-8")
     code, _, err = told("run", "a.nc", "--fmu", "plant.fmu")
     assert code == 1

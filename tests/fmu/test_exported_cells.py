@@ -75,7 +75,7 @@ def simulated(file: str, step: float, end: float, **further: Any) -> Any:
 def test_an_fmu_does_what_the_run_does(told: Told, version: str) -> None:
     """It is valid, and each value after each step is that of the trace; so with steps of 2 ticks.
 
-    After the end of the program the machine stands (and ticks).
+    After the end of the program the machine is (and ticks).
     """
     from fmpy.validation import validate_fmu  # noqa: PLC0415 - an extra
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""An FMU in a process of its own: the same run, and a crash or a hang ends the run only."""
+"""An FMU in its own process: the same run, and a crash or a hang ends the run only."""
 
 from __future__ import annotations
 

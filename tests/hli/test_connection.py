@@ -238,7 +238,7 @@ def test_random_bytes_are_refused_or_read(cell: Cell) -> None:
 
 
 def test_an_image_that_is_cut_off_is_refused(cell: Cell) -> None:
-    """901433 before anything behind its end is touched, which would end the process (SIGBUS)."""
+    """901433 before anything after its end is touched, which would end the process (SIGBUS)."""
     whole = bytearray(cell.image.memory)
     ImageAccess("copy", memoryview(whole))
     for length in (len(whole) - 1, len(whole) // 2, size_of(HEADER)):
@@ -258,7 +258,7 @@ def test_a_second_plc_is_refused(cell: Cell) -> None:
 
 
 def test_leaving_is_told_to_the_cnc(cell: Cell) -> None:
-    """Behind the end of the context manager the CNC acknowledges by itself."""
+    """After the end of the context manager the CNC acknowledges by itself."""
     access = ImageAccess("cell", cell.image.memory[:])
     assert access.number(LINK, access.offset(LINK), "process") == os.getpid()
     assert access.number(COMMAND, access.offset(COMMAND), "plc_present") == 1

@@ -132,7 +132,7 @@ def areas(layout: ImageLayout) -> list[tuple[int, int]]:
 
 
 def test_areas_do_not_overlap_and_the_plcs_are_last() -> None:
-    """What the tick has to latch stands behind what it only writes."""
+    """What the tick has to latch is after what it only writes."""
     layout = image_layout(Controller().machine)
     places = sorted(areas(layout))
     assert all(before[1] <= after[0] for before, after in itertools.pairwise(places))
@@ -203,7 +203,7 @@ def test_state_and_positions_stand_in_the_image_after_each_tick() -> None:
 
 
 def test_the_sequence_counts_two_for_each_tick() -> None:
-    """One before and one behind what the CNC writes: a reader that sees it unchanged is right."""
+    """One before and one after what the CNC writes: a reader that sees it unchanged is right."""
     memory = running("G00 X10\nM30")
     before = memory.header["sequence"]
     memory.controller.step(7)
@@ -565,7 +565,7 @@ def test_a_plc_in_c_does_what_the_scripted_one_does(tmp_path: Path) -> None:
 @pytest.mark.slow
 @needs_shared_folder
 def test_a_plc_in_python_does_what_the_scripted_one_does(tmp_path: Path) -> None:
-    """The example in Python, in a process of its own: the same."""
+    """The example in Python, in its own process: the same."""
     trace, printed = run_with_partner(
         tmp_path, [sys.executable, str(EXAMPLES / "hli" / "slow_plc.py")]
     )

@@ -186,7 +186,7 @@ class Interface(RuleBasedStateMachine):
 
 
 def whole_name(pointer: str) -> str:
-    """The name of all bytes behind a pointer."""
+    """The name of all bytes after a pointer."""
     size = table.root(pointer.partition("[")[0]).type.size_bytes
     return f"{pointer}:0+{size}"
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Bytes that chance writes into the interface image: what the PLC may write, and what it may not.
 
-What stands in the CNC's own areas is written anew after each tick and never read back: a run whose
-image is scribbled over there gives the same positions. In the PLC's areas anything may stand:
+What is in the CNC's own areas is written anew after each tick and never read back: a run whose
+image is scribbled over there gives the same positions. In the PLC's areas anything is allowed:
 values that cannot be are refused, serials that nobody gave acknowledge nothing, and the channel
 stays in one of its states with finite positions. ``NCTAKT_SEEDS=100000`` makes as many images.
 """
@@ -93,7 +93,7 @@ def test_any_bytes_of_the_plc_leave_the_controller_sound(seeds: range) -> None:
 
 @seeds_in_parts(30, 6, 10)
 def test_bytes_in_the_areas_of_the_cnc_change_no_run(seeds: range) -> None:
-    """Header, channels, axes and spindles are what the CNC says, whatever stands there."""
+    """Header, channels, axes and spindles are what the CNC says, whatever is there."""
     for seed in seeds:
         chance = Random(seed)
         undisturbed, controller = started(), started()

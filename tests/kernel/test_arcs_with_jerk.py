@@ -47,6 +47,6 @@ def test_arcs_that_bend_the_other_way_keep_the_jerk(radius: float, heading: floa
 
 @pytest.mark.parametrize("rise", [0.1, 5.0, 200.0])
 def test_a_helix_keeps_the_jerk(rise: float) -> None:
-    """Three turns of a helix behind a line, flat and steep."""
+    """Three turns of a helix after a line, flat and steep."""
     turns = "\n".join(f"G03 I0 J10 Z{rise}" for _ in range(3))
     assert_within_limits(f"G91 G01 X40 F18000\n{turns}\nG01 X40")

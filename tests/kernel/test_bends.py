@@ -53,7 +53,7 @@ def test_a_bend_keeps_the_deviation_and_saves_time(deviation: float, turn: float
 
 
 def test_a_corner_that_is_as_fast_without_a_bend_stays() -> None:
-    """0.01 mm away the bend would be passed at 4.8 mm/s: a stand at the corner is faster."""
+    """0.01 mm away the bend would be passed at 4.8 mm/s: a stop at the corner is faster."""
     lines = "G01 X50 F12000\nY50\nM30"
     run, places = performed(f"{SLOPE}\n#CONTOUR MODE [DEV PATH_DEV=0.01]\nG261\n{lines}")
     assert run.ticks == performed(f"{SLOPE}\n{lines}")[0].ticks
@@ -61,7 +61,7 @@ def test_a_corner_that_is_as_fast_without_a_bend_stays() -> None:
 
 
 def test_what_stands_between_the_blocks_comes_behind_the_bend() -> None:
-    """The bend belongs to its first block; a message between the blocks comes behind it."""
+    """The bend belongs to its first block; a message between the blocks comes after it."""
     lines = 'G01 X50 F12000\n#MSG ["x"]\nY50\nM30'
     run, places = performed(f"{SLOPE}\nG261\n{lines}")
     told = [event.tick for event in run.events if event.kind == "message"]
@@ -111,7 +111,7 @@ def test_bends_keep_the_limits_and_the_path(seeds: range, ways: str) -> None:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int) -> None:
-    """RC-007, MO-6: on a bend and in front of it, too."""
+    """RC-007, MO-6: on a bend and before it, too."""
     chance = random.Random(seed)
     controller = Controller(DEMO)
     controller.start(NcText("p.nc", cornered(seed, SLOPE)))
@@ -129,7 +129,7 @@ def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int) -> None:
 
 
 def test_a_realtime_loop_rounds_the_corners_of_each_pass() -> None:
-    """Forty passes of a square of 20 mm: the path stands at the loop's end only, and at its own."""
+    """Forty passes of a square of 20 mm: the path is at the loop's end only, and at its own."""
     text = f"""{SLOPE}
 #CONTOUR MODE [DEV PATH_DEV=5]
 G261

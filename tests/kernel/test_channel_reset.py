@@ -34,7 +34,7 @@ def started(text: str, ticks: int) -> Controller:
 
 
 def test_a_reset_brakes_and_gives_the_program_up() -> None:
-    """From 400 mm/s the path stands after 100 ticks, 20 mm on; then the channel is ready."""
+    """From 400 mm/s the path is at rest after 100 ticks, 20 mm on; then the channel is ready."""
     controller = started(CYCLES + "G00 X300\nG00 X0\nM30", 100)
     before = float(controller.read("V.RTA.ACS.ACT_POS.X"))
     assert before == pytest.approx(20.0)
@@ -68,7 +68,7 @@ def test_a_reset_counts_more_than_a_program_end_of_the_same_tick() -> None:
         done = False
 
         def cycle(self, hli: PlcView) -> None:
-            """Behind each tick."""
+            """After each tick."""
             if hli.error and not self.done:
                 self.done = True
                 controller.reset()

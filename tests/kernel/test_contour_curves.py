@@ -135,7 +135,7 @@ def test_corners_with_arcs_are_rounded_within_the_deviation(lines: str) -> None:
 
 
 def test_arcs_behind_plain_lines_have_the_same_curves() -> None:
-    """The fast way of plain lines leaves the line in front of an arc to the tree."""
+    """The fast way of plain lines leaves the line before an arc to the tree."""
     lines = "G01 F6000 X10\nX20 Y5\nX30\nG2 X40 Y-10 R10\nG01 X50\nX60\nG03 X60 Y30 R20\nM30"
     slow = lines.replace("\nX", " ; P1\nX=").replace(" ; P1\nX=20", "\nX=20")
     fast = performed(f"#CONTOUR MODE [DEV PATH_DEV=1]\nG261\n{lines}")[1]
@@ -176,9 +176,9 @@ def test_a_curve_stays_within_the_limits() -> None:
 def test_functions_act_where_the_action_says(
     action: str, at: tuple[float, float], slope: str, lines: str
 ) -> None:
-    """475113099: in front of the curve, between its halves (default), behind it.
+    """475113099: before the curve, between its halves (default), after it.
 
-    What comes behind it leaves the corner to the realtime part, whose parabola is shorter.
+    What comes after it leaves the corner to the realtime part, whose parabola is shorter.
     """
     if (action, slope) == ("POST_ACTION", "STEP"):
         at = (50.0, 4.0 / math.sqrt(2.0))
@@ -191,7 +191,7 @@ def test_functions_act_where_the_action_says(
 
 
 def test_plain_blocks_and_others_have_the_same_curves() -> None:
-    """The fast way of plain lines leaves the motion in front of a function to the tree."""
+    """The fast way of plain lines leaves the motion before a function to the tree."""
     lines = "G01 F6000 X10\nX20 Y5\nX30\nM100\nY50\nX10\nH100\nX0 Y0\nM30"
     slow = lines.replace("\n", " ; P1\n").replace("X10 ", "X=10 ").replace("Y50", "Y=50")
     fast = performed(f"#CONTOUR MODE [DEV PATH_DEV=1]\nG261\n{lines}")[1]
@@ -205,7 +205,7 @@ def test_plain_blocks_and_others_have_the_same_curves() -> None:
 def test_a_function_that_waits_stops_the_path_on_the_curve(
     action: str, at: tuple[float, float]
 ) -> None:
-    """475259787: without an acknowledgement the path stands at the place of the action."""
+    """475259787: without an acknowledgement the path is at the place of the action."""
 
     class Late:
         def cycle(self, hli: PlcView) -> None:
@@ -219,7 +219,7 @@ def test_a_function_that_waits_stops_the_path_on_the_curve(
 
 
 def test_functions_under_compensation_act_on_the_curve_of_the_tool() -> None:
-    """The curve comes behind the compensation of the radius: the corner is that of the tool."""
+    """The curve comes after the compensation of the radius: the corner is that of the tool."""
     tool = "V.G.WZ_AKT.R = 5\n#CONTOUR MODE [DEV PATH_DEV=1]\nG261\nG41 G01 X50 Y50 F6000\n"
     run, found = performed(f"{tool}X150\nM100\nY150\nX100\nG40 X0 Y0\nM30")
     (tick,) = [event.tick for event in run.events if event.kind == "output"]

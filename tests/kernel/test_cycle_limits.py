@@ -14,7 +14,7 @@ from nctakt.run.controller import Controller, NcText
 
 
 def cycle(steps: int, keywords: str = "SCOPE=PROG") -> str:
-    """A cycle of so many elementary instructions: statements of 3, the last one of 2, 3 or 4."""
+    """A cycle of this many elementary instructions: statements of 3, the last one of 2, 3 or 4."""
     last = (steps - 2) % 3 + 2
     statements = ["V.E.COUNT += 1"] * ((steps - last) // 3)
     statements.append("V.E.VALUE = V.E.VALUE1" + " + 1" * (last - 2))
@@ -62,7 +62,7 @@ def test_the_share_of_the_tick_is_limited(tmp_path: Path, steps: int, errors: li
 def test_the_time_is_looked_at_after_each_cont_steps(
     tmp_path: Path, steps: int, errors: list[int]
 ) -> None:
-    """With P-CHAN-00426 of 2,000 the first look comes behind instruction 2,000 (RC-503)."""
+    """With P-CHAN-00426 of 2,000 the first look comes after instruction 2,000 (RC-503)."""
     controller = controller_with(tmp_path, "rt_cycles.max_duration 1", "rt_cycles.cont_steps 2000")
     assert errors_of(controller, cycle(steps)) == errors
 
@@ -132,7 +132,7 @@ def test_a_hundred_thousand_statements_exceed_the_usual_share(tmp_path: Path) ->
     controller = controller_with(tmp_path, LARGE[1])
     body = "V.E.COUNT += 1\n" * 25_100
     assert errors_of(controller, f"#RT CYCLE\n{body}#RT CYCLE END\n") == [50939]
-    # Looked at when 100 instructions were exceeded: behind 24,990 + 10 statements and a few.
+    # Looked at when 100 instructions were exceeded: after 24,990 + 10 statements and a few.
     assert 25_000 <= float(controller.read("V.E.COUNT")) <= 25_034
 
 

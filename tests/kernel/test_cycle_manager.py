@@ -254,7 +254,7 @@ def test_a_thousand_block_cycles_run_through() -> None:
 
 
 def many(count: int, scope: str = "PROG") -> str:
-    """So many cycles that count their first run."""
+    """This many cycles that count their first run."""
     one = f"#RT CYCLE [SCOPE={scope}]\n$IF ONCE TRUE\nV.E.COUNT += 1\n$ENDIF\n#RT CYCLE END\n"
     return one * count
 

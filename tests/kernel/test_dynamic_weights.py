@@ -112,7 +112,7 @@ def test_small_arcs_have_weights(
 
 
 def test_a_block_without_a_row_is_not_weighted(machines: dict[int, Machine]) -> None:
-    """Behind a short block the limits of the lists are back, and a program starts with them."""
+    """After a short block the limits of the lists are back, and a program starts with them."""
     text = "G01 X30 F30000\nN9 G01 G60 X300 F30000"
     assert fastest(machines[2], text)[0] == pytest.approx(500.0)
     assert fastest(machines[2], "G00 X49\nN9 G00 X300")[0] == pytest.approx(500.0)

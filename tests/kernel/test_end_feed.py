@@ -23,7 +23,7 @@ def run(text: str) -> Run:
 
 
 def path_of(text: str) -> np.ndarray:
-    """The positions of X and Y behind each tick."""
+    """The positions of X and Y after each tick."""
     signals = ["X.ACS.ACT_POS", "Y.ACS.ACT_POS"]
     trace = Controller(DEMO).run(NcText("p.nc", text), signals=signals, ticks=100_000).trace
     assert trace is not None
@@ -68,7 +68,7 @@ def test_mistakes_have_their_numbers(text: str, number: int) -> None:
 
 @pytest.mark.parametrize("word", ["G08", "G09", "G900", "G901"])
 def test_where_a_feed_changes(word: str) -> None:
-    """The path brakes in front of a slower block and speeds up behind a faster one (206238219)."""
+    """The path brakes before a slower block and speeds up after a faster one (206238219)."""
     text = f"G01 X100 F12000\n{word} X200 F1200\nX250 F12000\nX300\nM30"
     assert speed_at(text, 100.0) == pytest.approx(20.0, abs=4.5)
     assert speed_at(text, 150.0) == pytest.approx(20.0, abs=0.1)
@@ -138,7 +138,7 @@ CORNER = "#CORNER PARAM [DIST=20 UNIT=PERCENT FEED=50]\nG13\n"
     ],
 )
 def test_the_feed_falls_in_front_of_a_block_end(before: str, places: dict[float, float]) -> None:
-    """G13 with #CORNER PARAM (206444555, 206449675); behind the end F counts again."""
+    """G13 with #CORNER PARAM (206444555, 206449675); after the end F counts again."""
     text = f"{before}G01 X100 F12000\nX200\nG12 X300\nM30"
     for place, expected in places.items():
         assert speed_at(text, place) == pytest.approx(expected, abs=4.0)
@@ -162,7 +162,7 @@ def test_mistakes_of_corner_feeds(text: str, number: int) -> None:
 
 
 def test_corner_feeds_are_told_once_and_end_with_the_program() -> None:
-    """Note 901551; plain lines behind G13 slow down as well."""
+    """Note 901551; plain lines after G13 slow down as well."""
     text = CORNER + "G01 F12000\n" + "".join(f"X{x}\n" for x in range(100, 500, 100)) + "M30"
     ran = run(text)
     assert [one.id for one in ran.diagnostics] == [901551]

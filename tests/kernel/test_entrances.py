@@ -122,7 +122,7 @@ def put(rig: Rig, kind: int, *arguments: float) -> None:
 
 @pytest.mark.parametrize("name", ENTRANCES)
 def test_a_number_out_of_its_range_is_refused(name: str) -> None:
-    """Each entrance, before, behind and far from its table; nothing is read or written."""
+    """Each entrance, before, after and far from its table; nothing is read or written."""
     rig = Rig()
     before = bytes(rig.machine.memory)
     for number in WRONG:

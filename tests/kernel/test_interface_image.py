@@ -35,7 +35,7 @@ def silent() -> Script:
 
 
 def after(ticks: int) -> Script:
-    """A PLC that acknowledges each function so many ticks after it has seen it first."""
+    """A PLC that acknowledges each function this many ticks after it has seen it first."""
 
     def answer(hli: PlcView) -> None:
         for one in hli.functions():
@@ -46,7 +46,7 @@ def after(ticks: int) -> Script:
 
 
 def once(count: int) -> str:
-    """A cycle that commands so many functions in one tick."""
+    """A cycle that commands this many functions in one tick."""
     body = "".join(f"M{100 + n % 10}\n" for n in range(count))
     return f"#RT CYCLE\n$IF ONCE TRUE\n{body}$ENDIF\n#RT CYCLE END\n"
 
@@ -113,9 +113,9 @@ def test_a_plc_sees_functions_in_their_order_with_section_and_stamp() -> None:
 def test_the_program_waits_exactly_for_the_acknowledgement(
     ticks: int, function: str, waits_before: bool, waits_behind: bool
 ) -> None:
-    """What the PLC answers behind tick n counts from n + 1: the next block begins then (RC-002).
+    """What the PLC answers after tick n counts from n + 1: the next block begins then (RC-002).
 
-    MVS_SVS waits before its motion, MVS_SNS and MNS_SNS behind it, MOS not at all.
+    MVS_SVS waits before its motion, MVS_SNS and MNS_SNS after it, MOS not at all.
     """
     text = f"N10 G04 X0.004\nN20 {function} G00 X1\nN30 G04 X0.002\nM30"
     run = Controller(DEMO).run(NcText("p.nc", text), plc=after(ticks), signals=["BLOCK"])
@@ -164,7 +164,7 @@ def test_a_reset_frees_all_slots() -> None:
 
 
 def test_what_a_plc_writes_counts_from_the_next_tick() -> None:
-    """A value written behind tick n is read by the cycles of tick n + 1 (RC-002)."""
+    """A value written after tick n is read by the cycles of tick n + 1 (RC-002)."""
 
     def answer(hli: PlcView) -> None:
         if hli.tick == 3:

@@ -14,10 +14,10 @@ from support.random_seeds import seeds_in_parts
 from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
 
-#: The operator lets go behind this time.
+#: The operator lets go after this time.
 PLAY_US = 3_000_000
 
-#: A slow program is looked at as far as it comes in so many ticks.
+#: A slow program is looked at as far as it comes in this many ticks.
 MAX_TICKS = 25_000
 
 SLOPES = (("STEP",), ("TRAPEZ",), ("STEP", "TRAPEZ"))

@@ -34,7 +34,7 @@ def test_single_block_stops_at_the_end_of_a_block_that_others_pass() -> None:
 
 
 def test_single_block_that_comes_too_late_stops_at_the_next_end() -> None:
-    """At 400 mm/s 20 mm are needed to stand: with 5 left the block after this one stops."""
+    """At 400 mm/s 20 mm are needed to stop: with 5 left the block after this one stops."""
     rig = Rig()
     panel = rig.channel.panel
     panel.begin_program()
@@ -94,7 +94,7 @@ def test_a_reset_of_the_operator_ends_a_run() -> None:
 
 
 def test_start_runs_the_selected_programs_one_after_the_other() -> None:
-    """Each program of a run waits for a START of its own; a START while one runs is dropped."""
+    """Each program of a run waits for its own START; a START while one runs is dropped."""
     controller = Controller(DEMO)
     run = controller.run(
         MOVES,

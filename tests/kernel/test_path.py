@@ -44,7 +44,7 @@ def duration(length: float, speed: float = RAPID) -> float:
 @often
 @given(st.floats(0.001, 200.0), st.sampled_from(["G00", "G01 F6000", "G01 F600", "G01 F30000"]))
 def test_a_move_takes_its_duration_rounded_up(length: float, motion: str) -> None:
-    """ceil(D/T) ticks, the profile at i·T behind each, the programmed value at the end (MO-14)."""
+    """ceil(D/T) ticks, the profile at i·T after each, the programmed value at the end (MO-14)."""
     length = round(length, 4)
     speed = RAPID if motion == "G00" else float(motion.rpartition("F")[2]) / 60
     run = Controller(DEMO).run(
@@ -224,7 +224,7 @@ def test_hold_in_a_dwell_stops_its_count() -> None:
 
 
 def test_a_reset_brakes_on_the_path_over_block_ends() -> None:
-    """A reset gives the rest up where the path stands, 31.25 mm behind the reset (RC-007)."""
+    """A reset gives the rest up where the path is at rest, 31.25 mm after the reset (RC-007)."""
     rig = Rig()
     rig.segment(100.0, end_speed=500.0, exact_stop=False)
     for _ in range(30):
@@ -246,7 +246,7 @@ def test_a_reset_brakes_on_the_path_over_block_ends() -> None:
 
 
 def test_commands_between_passed_blocks_are_taken_in_the_next_tick() -> None:
-    """A flush behind blocks of which several pass in one tick waits for the last (RC-003)."""
+    """A flush after blocks of which several pass in one tick waits for the last (RC-003)."""
     rig = Rig()
     rig.segment(20.0, speed=100.0, end_speed=100.0, exact_stop=False)
     for _ in range(6):
@@ -260,7 +260,7 @@ def test_commands_between_passed_blocks_are_taken_in_the_next_tick() -> None:
 
 
 def test_a_block_cycle_in_front_of_a_passed_block_runs_with_it() -> None:
-    """The cycle is taken in the tick behind the block end, and runs while the block is current."""
+    """The cycle is taken in the tick after the block end, and runs while the block is current."""
     rig = Rig()
     rig.segment(10.0, speed=100.0, end_speed=100.0, exact_stop=False)
     made = rig.cycle(codes.BLOCK_SCOPE)

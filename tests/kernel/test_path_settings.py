@@ -24,7 +24,7 @@ def run(text: str) -> Run:
 
 
 def places(text: str) -> np.ndarray:
-    """The positions of X and Y behind each tick."""
+    """The positions of X and Y after each tick."""
     done = run(text)
     assert done.trace is not None
     assert done.errors == ()

@@ -131,7 +131,8 @@ def test_short_blocks_lose_nothing_with_a_limit_of_the_jerk() -> None:
 def test_a_feed_changes_within_the_jerk_in_the_best_time() -> None:
     """MO-3: 60 mm at 100 mm/s, 30 mm at 20 mm/s: the first ends with the second's feed.
 
-    By hand: up to 100 and down to 20 mm/s with peaks √(80000 · Δv), then down from 20 to a stand.
+    By hand: up to 100 and down to 20 mm/s with peaks √(80000 · Δv), then down from 20 to a
+    standstill.
     """
 
     def ramp(change: float) -> float:

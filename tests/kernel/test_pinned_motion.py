@@ -25,10 +25,10 @@ def test_a_corner_takes_of_each_axis_of_an_arc_what_it_uses_of_it() -> None:
 
 @pytest.mark.parametrize("switch", ["HLI.SINGLE_BLOCK", "HLI.FEED_HOLD"])
 def test_a_stop_that_is_taken_back_while_the_path_brakes_for_it(switch: str) -> None:
-    """MO-1, MO-6: braking to a stand takes less way than braking to a slow corner behind it.
+    """MO-1, MO-6: braking to a standstill takes less way than braking to a slow corner after it.
 
     Single block was to stop the path at the end of N20; switched off, the corner was passed faster
-    than it may. Now the path stands there and goes on.
+    than it may. Now the path stops there and continues.
     """
     text = """#SLOPE [TYPE=TRAPEZ]
     N10 G01 X3.006 Y-0.051 F40000
@@ -47,11 +47,11 @@ def test_a_stop_that_is_taken_back_while_the_path_brakes_for_it(switch: str) -> 
 
 @pytest.mark.parametrize(("feed", "braking"), [(5500, 196), (6000, 180), (9000, 120), (9000, 136)])
 def test_single_block_that_was_taken_back_long_ago_does_not_count(feed: int, braking: int) -> None:
-    """MO-1: switched on and off in N10, it is over when the path brakes for the bend behind N10.
+    """MO-1: switched on and off in N10, it is over when the path brakes for the bend after N10.
 
     The override changes the limit in every tick then. Rounding had it that the path came 2e-8 mm
-    too far; so it was to stand in front of the bend after all, for which there was no room, and
-    came onto the bend braking, with 1.006 of the jerk.
+    too far; so it was to stand before the bend after all, for which there was no room, and came
+    onto the bend braking, with 1.006 of the jerk.
     """
     text = f"""#SLOPE [TYPE=TRAPEZ]
     #CONTOUR MODE [DEV PATH_DEV=0.1]
@@ -70,7 +70,7 @@ def test_single_block_that_was_taken_back_long_ago_does_not_count(feed: int, bra
 
 @pytest.mark.parametrize("every", [2, 5])
 def test_a_hold_while_single_block_stops_the_path_in_front_of_a_bend(every: int) -> None:
-    """MO-1, MO-6: held again and again while it brakes for the end of N10, the path stands there.
+    """MO-1, MO-6: held again and again while it brakes for the end of N10, the path stops there.
 
     Rounding had it that the stop came 1e-14 mm too late; the path was to come to the bend with a
     lesser speed, and the one whose way is as long was far too high: 2.2 of the jerk.

@@ -2,7 +2,7 @@
 """What the preparation of a block costs, counted in calls and not in time (MO-3).
 
 A block can raise the speeds of those before it, but only so far back: each costs the same, however
-long the program is. Calls are counted in the plain mode, in a process of its own.
+long the program is. Calls are counted in the plain mode, in its own process.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import pytest
 
 from nctakt.base.mode import is_compiled
 
-#: Puts so many blocks of a kind into the queue and counts the calls that each of them costs.
+#: Puts this many blocks of a kind into the queue and counts the calls that each of them costs.
 COUNTING = """
 import math, sys
 from nctakt.kernel import rows

@@ -41,7 +41,7 @@ def rows_of(condition: str, values: list[float]) -> tuple[Controller, list[tuple
         machine.kernel.run(1)
         machine.record.take_events()
         data = struct.iter_unpack(f"={rows.PROBE_WIDTH}d", machine.record.take_probes())
-        # Number 0 is the cycle, 1 its condition; behind it are the parts of && and ||.
+        # Number 0 is the cycle, 1 its condition; after it are the parts of && and ||.
         found_rows += [
             (int(row[rows.PROBE_TICK]), int(row[rows.PROBE_KIND] == rows.PROBE_TRUE))
             for row in data

@@ -132,7 +132,7 @@ def test_a_stop_on_a_short_rest_goes_on_behind_its_end(
 @often
 @given(some_speeds, some_speeds, limits)
 def test_no_way_takes_no_time(start: float, end: float, limit: float) -> None:
-    """A rest of nothing, or less by a rounding, ends at once, also from a stand."""
+    """A rest of nothing, or less by a rounding, ends at once, also from a standstill."""
     for length in (0.0, -1e-17):
         profile = planned(length, start, end, limit, 4000.0)
         assert profile.duration_t == 0.0

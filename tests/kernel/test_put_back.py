@@ -3,7 +3,7 @@
 
 ``test_state.py`` finds fields that no copy has in the sources, ``test_snapshot.py`` compares runs.
 Here all objects of a part that has run are compared with those of a new one, whatever they hold:
-also what stands in lists and in arrays, and what is read in rare cases only.
+also what is in lists and in arrays, and what is read in rare cases only.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from nctakt.run.controller import Controller, NcText
 from nctakt.run.realtime.realtime_part import RealtimePart
 from nctakt.run.realtime.snapshot import Snapshot
 
-#: Of so many run folders one is taken, unless ``NCTAKT_SEEDS`` asks for all.
+#: Of this many run folders one is taken, unless ``NCTAKT_SEEDS`` asks for all.
 EACH = 1 if MANY else 24
 
 #: Arrays of which nothing is read before it is written again, as in ``test_state.py``.
@@ -94,7 +94,7 @@ def differences(one: object, other: object) -> Iterator[str]:
 def test_a_part_put_back_behind_a_run_is_a_new_one(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Behind the runs of the folders, with channels, lists, PLC and schedules of their own."""
+    """After the runs of the folders, with their own channels, lists, PLC and schedules."""
     lent = Lent()
     monkeypatch.setattr(run_folders, "Controller", lent.controller)
     run_folders.perform(run_folders.HERE / name, set(), tmp_path)
@@ -103,7 +103,7 @@ def test_a_part_put_back_behind_a_run_is_a_new_one(
 
 @pytest.mark.parametrize("seed", all_seeds(compiled=0, plain=3))
 def test_a_part_put_back_behind_a_random_program_is_a_new_one(seed: int) -> None:
-    """And behind half of it, with cycles that still run."""
+    """And after half of it, with cycles that still run."""
     lent = Lent()
     controller = lent.controller()
     controller.start(NcText(f"p{seed}.nc", program(seed)))

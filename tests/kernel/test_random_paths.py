@@ -110,7 +110,7 @@ def assert_on_the_path(disturbed: Run, plain: Run) -> None:
 @pytest.mark.parametrize("slope", ["", JERK_LIMITED])
 @pytest.mark.parametrize("seed", range(8))
 def test_a_reset_in_any_tick_brakes_within_the_limits(seed: int, slope: str) -> None:
-    """RC-007, MO-6: the path stops at its limits; the axes stand on what was programmed."""
+    """RC-007, MO-6: the path stops at its limits; the axes are on what was programmed."""
     chance = random.Random(seed)
     controller = Controller(DEMO)
     controller.start(NcText("p.nc", program(seed, slope)))

@@ -14,7 +14,7 @@ from support.random_seeds import seeds_in_parts
 from nctakt.run.access.stimuli import Stimulus
 from nctakt.run.controller import Controller, NcText
 
-#: So many ticks behind the stop everything stands.
+#: This many ticks after the stop everything is at rest.
 BRAKING_TICKS = 1500
 
 SLOPES = (("STEP",), ("TRAPEZ",), ("STEP", "TRAPEZ"))

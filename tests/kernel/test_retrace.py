@@ -18,7 +18,7 @@ from nctakt.results.run import Run
 from nctakt.run.controller import Controller, NcText
 from nctakt.run.plcs.plc_view import PlcView
 
-#: The operator lets go behind so many ticks.
+#: The operator lets go after this many ticks.
 PLAY_TICKS = 4000
 
 SIGNALS = [*(f"{name}.ACS.ACT_POS" for name in AXES), "HLI.RETRACE"]
@@ -99,7 +99,7 @@ class Returner:
 
 
 def test_the_way_back_passes_block_ends_with_a_limit_of_the_jerk() -> None:
-    """MO-3, MO-7: a line in pieces, and an arc behind it, are walked back without a stop.
+    """MO-3, MO-7: a line in pieces, and an arc after it, are walked back without a stop.
 
     60 mm in 20 blocks at 100 mm/s, the quarter of 50 mm at 61 mm/s (0.7 of the jerk of a tick).
     """
@@ -119,10 +119,10 @@ def test_the_way_back_passes_block_ends_with_a_limit_of_the_jerk() -> None:
 
 
 def test_the_way_back_passes_rounded_corners_with_a_limit_of_the_jerk() -> None:
-    """MO-3, MO-7: backward and forward the path stands only where it turns, and at its two ends.
+    """MO-3, MO-7: backward and forward the path is only where it turns, and at its two ends.
 
     1 mm beside the corners the axes keep their jerk at 100 mm/s. The path turns in the last block,
-    which is its front, and begins where the bend ends: 6 mm/(2·sin 22.5°) behind the corner.
+    which is its front, and begins where the bend ends: 6 mm/(2·sin 22.5°) after the corner.
     """
     contour = "#CONTOUR MODE [DEV PATH_DEV=1]\nG261"
     text = NcText("p.nc", f"{JERK_LIMITED}\n{contour}\nG01 X60 F6000\nX100 Y40\nY100\nM30")

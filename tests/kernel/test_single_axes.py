@@ -52,7 +52,7 @@ class AxesRig(Rig):
         return self.places[before:]
 
     def run_to_stand(self, maximum: int = 100_000) -> int:
-        """Run until the axis stands: the ticks that it took."""
+        """Run until the axis is at rest: the ticks that it took."""
         for ticks in range(maximum):
             if self.single.ending_count() == 0:
                 return ticks
@@ -155,7 +155,7 @@ def test_buffered_distance_counts_from_the_target_in_front() -> None:
 
 
 def test_endless_and_the_motion_that_waits_for_its_speed() -> None:
-    """PLCopen: a motion behind MC_MoveVelocity begins when that one has reached its speed."""
+    """PLCopen: a motion after MC_MoveVelocity begins when that one has reached its speed."""
     rig = AxesRig()
     assert rig.single.velocity(Z, 100.0, 1, ABORTING, OWNER) == 0
     rig.run(24)
@@ -267,7 +267,7 @@ def test_hold_of_a_motion_that_waits_for_anothers_speed() -> None:
 
 
 def test_the_error_of_an_axis_without_a_channel(tmp_path: Path) -> None:
-    """PLCopen's ErrorStop: no channel is told and none resets it; its own reset does."""
+    """PLCopen's ErrorStop: no channel is reported and none resets it; its own reset does."""
     fewer = machine_with(tmp_path, {"gruppe[0].achs_anzahl": "gruppe[0].achs_anzahl 2"})
     rig = AxesRig(machine=fewer)
     assert rig.single.velocity(Z, 500.0, 1, ABORTING, OWNER) == 0
@@ -371,7 +371,7 @@ def test_the_path_does_not_take_an_axis_in_motion() -> None:
 
 
 def test_reset_brakes_and_ends_when_all_stands() -> None:
-    """RC-007: 40 mm/s take 10 ticks to brake; the reset is over when the axis stands."""
+    """RC-007: 40 mm/s take 10 ticks to brake; the reset is over when the axis is at rest."""
     rig = AxesRig()
     rig.absolute(100.0)
     rig.run(10)
@@ -440,7 +440,7 @@ def test_a_jerk_limited_motion_is_stopped_and_turned_without_a_step(tmp_path: Pa
 def test_the_drive_lags_by_speed_over_gain(tmp_path: Path, share: str, error: float) -> None:
     """MO-10: kv 50/s, 100 mm/s: 2 mm behind; with 3/4 of feed-forward 0.5 mm.
 
-    Where the axis stands, the error falls by exp(-0.05) a tick.
+    Where the axis is at rest, the error falls by exp(-0.05) a tick.
     """
     changes = {
         "antr.simu.ist_gleich_soll": "vorsteuer.vorsteuerung VEL\nvorsteuer.default_active 1\n"
@@ -477,7 +477,7 @@ def test_which_override_a_motion_follows(mode: int, ticks: int) -> None:
 
 
 def test_at_zero_percent_the_motion_stands_and_goes_on() -> None:
-    """MO-11: override 0 brakes to a stand, the motion stays; with 100 % it goes on."""
+    """MO-11: override 0 brakes to a standstill, the motion stays; with 100 % it goes on."""
     rig = AxesRig()
     rig.absolute(10.0, 100.0)
     rig.run(50)

@@ -285,7 +285,7 @@ def test_only_a_segment_that_still_lies_ahead_promises_a_speed(
 def test_single_block_stops_in_a_block_that_has_no_room_to_stop_in(
     continues: float, rounding_d: float, rest_d: float, stands: int
 ) -> None:
-    """The rest of the block is just enough, or not; in front of a rounding by its own limits."""
+    """The rest of the block is just enough, or not; before a rounding by its own limits."""
     row = [0.0] * 200
     row[rows.CONTINUES] = continues
     row[rows.REMAINING_LENGTH] = rest_d

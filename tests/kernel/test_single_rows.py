@@ -55,7 +55,7 @@ def queued(rig: Rig) -> list[float]:
 @pytest.mark.parametrize("exact_stop", [False, True])
 @pytest.mark.parametrize("deviation", [0.0, 0.25])
 def test_a_line_without_objects_is_the_same_command(deviation: float, exact_stop: bool) -> None:
-    """Each column of it: the fast way and the slow way put one segment behind another."""
+    """Each column of it: the fast way and the slow way put one segment after another."""
     slow, fast = Rig(), Rig()
     start, target = (1.0, 2.0, 3.0, 4.0), (11.0, 22.0, 3.0, 4.0)
     for i, (begin, end) in enumerate(((start, target), (target, start))):
@@ -108,7 +108,7 @@ def test_without_one_ramp_the_highest_speed_is_that_of_its_border(
 
 
 def test_the_highest_speed_at_an_end_of_an_arc_is_that_of_its_piece() -> None:
-    """The first one at its begin, the last one at its end; what lies behind is an older arc's."""
+    """The first one at its begin, the last one at its end; what lies after is an older arc's."""
     limits: Any = SimpleNamespace(pieces=3, caps=[4.0, 9.0, 16.0, 25.0, 36.0])
     assert ArcLimits.end_cap(limits, 0) == 2.0
     assert ArcLimits.end_cap(limits, 1) == 4.0
@@ -116,7 +116,7 @@ def test_the_highest_speed_at_an_end_of_an_arc_is_that_of_its_piece() -> None:
 
 @pytest.mark.parametrize(("begin", "end"), [(0.0, 15.0), (5.0, 20.0), (20.0, 5.0), (-5.0, 10.0)])
 def test_a_helix_rises_from_where_it_starts(begin: float, end: float) -> None:
-    """20 mm in the plane and 15 mm along the third axis, wherever that stands."""
+    """20 mm in the plane and 15 mm along the third axis, wherever that is."""
     limits = SegmentLimits(3, 1000, 1.0)
     for axis in range(3):
         limits.limit(axis, True, (500.0, 500.0), (1000.0, 1000.0))
@@ -159,7 +159,7 @@ def test_the_radius_of_an_arc_is_that_of_its_own_axes() -> None:
 
 @pytest.mark.parametrize(("factor", "end_v"), [(0.5, 10.0), (1.0, 10.0), (1.2, 12.0), (2.0, 15.0)])
 def test_an_override_above_one_lets_the_end_of_a_block_grow(factor: float, end_v: float) -> None:
-    """MO-5: as far as the axes allow; below 100 % the next segment has a speed of its own."""
+    """MO-5: as far as the axes allow; below 100 % the next segment has its own speed."""
     row = [0.0] * 200
     row[rows.END_SPEED], row[rows.MAX_END_SPEED] = 10.0, 15.0
     path: Any = SimpleNamespace(history_rows=row, row=0, factor=factor, is_single=False)
@@ -183,7 +183,7 @@ def test_a_feed_per_revolution_follows_its_spindle(spindle_v: float, factor: flo
 
 @pytest.mark.parametrize("degrees", [45.0, -45.0, 405.0])
 def test_the_sine_of_45_degrees_is_the_one_of_small_angles(degrees: float) -> None:
-    """Both series meet there; sine and cosine keep theirs, so a pinned bit is the same for ever."""
+    """Both series meet there; sine and cosine keep theirs, so a pinned bit is the same forever."""
     assert math.fabs(arithmetic.sine(degrees)) == 0.7071067811865475
     assert arithmetic.cosine(degrees) == 0.7071067811865476
 
@@ -220,7 +220,7 @@ def test_a_short_way_from_rest_to_rest(length: float) -> None:
 
 
 def test_from_each_stage_on_the_speed_grows_as_far_as_it_can_be_braked() -> None:
-    """2·a·d of the stage and of all behind it; the acceleration of each is its own."""
+    """2·a·d of the stage and of all after it; the acceleration of each is its own."""
     row = memory(*[0.0] * 200)
     row[rows.LENGTH] = 10.0
     row[rows.ENTRY_LENGTH], row[rows.ENTRY_ACCELERATION] = 2.0, 5.0
@@ -233,7 +233,7 @@ def test_from_each_stage_on_the_speed_grows_as_far_as_it_can_be_braked() -> None
 
 
 def test_the_length_of_a_walk_is_that_of_its_stages_added_up() -> None:
-    """Bit for bit where it goes by a trapezoid, whatever the segments beside it are."""
+    """Bit for bit where it goes by a trapezoid, whatever the segments next to it are."""
     row = memory(*[1.0] * 100, *[0.0] * 200)
     row[100 + rows.LENGTH] = 0.9
     row[100 + rows.ENTRY_LENGTH] = row[100 + rows.EXIT_LENGTH] = 0.2
@@ -245,7 +245,7 @@ def test_the_length_of_a_walk_is_that_of_its_stages_added_up() -> None:
 
 @pytest.mark.parametrize(("change", "keeps"), [(-1, 0), (0, 1), (1, 1)])
 def test_a_promise_is_broken_by_less_acceleration_or_jerk(change: int, keeps: int) -> None:
-    """Some segment behind the current one has less by now, or none has."""
+    """Some segment after the current one has less by now, or none has."""
     both = memory(*[0.0] * 400)
     both[200 + rows.PREDECESSOR] = 1.0
     both[rows.PREDECESSOR] = 1.0
@@ -267,7 +267,7 @@ def test_a_promise_is_broken_by_less_acceleration_or_jerk(change: int, keeps: in
 def test_an_acceleration_settles_in_front_of_a_rounding_only(
     rounding_d: float, is_in_time: bool
 ) -> None:
-    """Elsewhere the path stops behind the segment where it cannot stop on it."""
+    """Elsewhere the path stops after the segment where it cannot stop on it."""
     row = memory(*[0.0] * 200)
     row[rows.ROUNDING_LENGTH] = rounding_d
     called: list[str] = []
@@ -374,7 +374,7 @@ def test_braking_from_now_on_takes_longer_with_a_limit_of_the_jerk(
 
 @pytest.mark.parametrize(("words", "is_same"), [([1, 2], 1), ([1, 3], 0), ([5, 6], 0)])
 def test_any_word_that_a_plc_has_changed_is_noticed(words: list[int], is_same: int) -> None:
-    """One of them or all of them; what the CNC writes in front of them does not count."""
+    """One of them or all of them; what the CNC writes before them does not count."""
     image: Any = SimpleNamespace(
         first_input_word=1, word_count=3, image_words=[9, *words], published_words=[0, 1, 2]
     )
@@ -383,7 +383,7 @@ def test_any_word_that_a_plc_has_changed_is_noticed(words: list[int], is_same: i
 
 @pytest.mark.parametrize("name", ["feed_hold", "single_block", "backward_motion", "probe"])
 def test_a_key_of_the_panel_is_down_where_its_cell_is_not_zero(name: str) -> None:
-    """Each key has a cell of its own, and 0 there means that nobody presses it."""
+    """Each key has its own cell, and 0 there means that nobody presses it."""
     rig = Rig()
     panel = rig.channel.panel
     cell = panel.first_cell + getattr(cells, f"PANEL_{name.upper()}")
@@ -406,7 +406,7 @@ def test_a_key_of_the_panel_is_down_where_its_cell_is_not_zero(name: str) -> Non
 def test_what_the_path_has_begun_is_not_held_back(
     head: int, started: int, speed_v: float, is_started: bool
 ) -> None:
-    """MO-6: single block stops in front of what lies behind the newest segment that has begun."""
+    """MO-6: single block stops before what lies after the newest segment that has begun."""
     asked: list[bool] = []
 
     def permits_block(_line: int, _moves: bool, started: bool) -> int:

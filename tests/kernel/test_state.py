@@ -99,7 +99,7 @@ def stores(tree: ast.AST) -> Iterator[ast.Attribute]:
 
 
 def test_each_field_that_changes_is_copied() -> None:
-    """What a method other than ``__init__`` assigns, or somebody else, stands in a copy."""
+    """What a method other than ``__init__`` assigns, or somebody else, is in a copy."""
     assignments = Assignments()
     missing = []
     for cls, found in CLASSES.items():

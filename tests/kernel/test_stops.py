@@ -59,7 +59,7 @@ def first_tick_of(kind: str, text: str) -> int:
 
 
 def stopping_ticks(stop: Stop, controller: Controller, run: ProgramRun) -> list[int]:
-    """Return the ticks behind which a stop ends the run, up to the run's end."""
+    """Return the ticks after which a stop ends the run, up to the run's end."""
     stops = machine_of(controller).kernel.stops
     stops.watch([stop])
     ticks = []

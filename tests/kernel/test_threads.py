@@ -125,7 +125,7 @@ def test_without_chain_each_thread_waits_for_its_angle() -> None:
 
 
 def test_override_hold_and_single_block_wait_for_the_end_of_a_thread() -> None:
-    """What the operator does acts behind the thread: a decision, told by note 901516."""
+    """What the operator does acts after the thread: a decision, reported by note 901516."""
     text = THREAD.format(speed=600, pitch=2, offset=0)
     at = [
         ("600 ms", "HLI.OVERRIDE", 50),
@@ -181,7 +181,7 @@ def test_a_chain_with_a_step_in_its_pitch_is_an_error() -> None:
 @pytest.mark.parametrize(
     ("program", "number"),
     [
-        ("N10 G33 Z-10 K2", 50499),  # the spindle stands
+        ("N10 G33 Z-10 K2", 50499),  # the spindle is at rest
         ("N10 M03 S600\nN20 G33 Z-10", 120173),  # no pitch
         ("N10 M03 S600\nN20 G33 X-10 K2", 120175),  # no pitch for the longer axis
         ("N10 M03 S600\nN20 G33 Z-10 K-2", 901518),
@@ -268,7 +268,7 @@ def test_taps_under_an_operator_who_goes_back_and_forth(seed: int) -> None:
 
 
 def test_backward_motion_into_a_tap_whose_spindle_turns_is_an_error() -> None:
-    """901508, told once, at the tap."""
+    """901508, reported once, at the tap."""
     text = TAP.replace("N60 M30", "N60 G01 X5 F600 M03 S100\nN70 M30")
     result = run(text, at=[("7 s", "HLI.BACKWARD_MOTION", True)])
     found = [(one.id, one.span.line) for one in result.errors if one.span is not None]

@@ -113,7 +113,7 @@ def test_a_short_way_with_jerk_only() -> None:
 
 
 def test_no_way_takes_no_time() -> None:
-    """A target where the axis stands."""
+    """A target where the axis is at rest."""
     plans = Trajectories(1)
     assert plans.prepare_distance(0.0, 0.0, 0.0, 500.0, 4000.0, 0.0) == 0.0
     assert plans.prepare_distance(0.0, 0.0, 0.0, 500.0, 4000.0, 80_000.0) == 0.0

@@ -25,7 +25,7 @@ SIGNALS = [
     *(f"{name}.MCS.ACT_POS" for name in "XYZ"),
     *(f"{name}.PCS.ACT_POS" for name in "XYZ"),
 ]
-#: Where the axes stand at first; numbers that binary fractions do not hold.
+#: Where the axes are at first; numbers that binary fractions do not hold.
 START = "N1 G00 X12.3456 Y-7.7777 Z33.3333 C17.1717 A-13.1313\n"
 #: Messages of blocks that a random program cannot have: a pole, an axis at its limit.
 REFUSED = {901619, 120002, 120003}

@@ -29,7 +29,7 @@ def contoured(program: FiveAxisProgram, mode: str) -> FiveAxisProgram:
 
 
 def off_the_polygon(program: FiveAxisProgram, places: np.ndarray, run: Run) -> np.ndarray:
-    """How far the tip is from the nearest line in each tick behind the first block."""
+    """How far the tip is from the nearest line in each tick after the first block."""
     assert run.trace is not None
     ticks = np.asarray(run.trace["BLOCK"]).astype(int) > min(program.ways)
     at = tips(places[ticks], program.kinematic)

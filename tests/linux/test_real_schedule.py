@@ -187,7 +187,7 @@ def test_a_recording_repeats_what_the_clock_has_decided(tmp_path: Path) -> None:
 
 
 def test_a_plc_in_its_own_thread_is_repeated_without_it(tmp_path: Path) -> None:
-    """What it writes and acknowledges stands on the tape in the tick that latched it."""
+    """What it writes and acknowledges is on the tape in the tick that latched it."""
     path = list_file(tmp_path)
     plc = CountingPlc()
     real = Real(path, plc)
@@ -198,7 +198,7 @@ def test_a_plc_in_its_own_thread_is_repeated_without_it(tmp_path: Path) -> None:
 
 
 def test_the_table_is_that_of_schedule_run(tmp_path: Path) -> None:
-    """Each NC cycle is counted; the tick has a latency; what cannot be kept is told."""
+    """Each NC cycle is counted; the tick has a latency; what cannot be kept is reported."""
     real = Real(list_file(tmp_path, windows=500))
     table = real.schedule.table("en")
     assert "Wake-up latency" in table
@@ -282,7 +282,7 @@ def test_a_session_runs_by_the_list_and_cannot_go_back(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(("number", "notes"), [(1, [901552]), (2, []), (3, [901552])])
 def test_nc_interrupts_come_from_a_timer(tmp_path: Path, number: int, notes: list[int]) -> None:
-    """Whatever the list says; where it says otherwise a note tells it."""
+    """Whatever the list says; where it says otherwise a note reports it."""
     path = list_file(tmp_path)
     source = f"interrupt_source {number} # 1: Hardware ISR 2: timer 3: Semaphore"
     text = path.read_text().replace(LIST.splitlines()[0], source)

@@ -240,7 +240,7 @@ def test_posts_from_before_the_start(tmp_path: Path, capsys: Capture) -> None:
 
 
 def test_name_of_the_semaphore_from_the_command_line(tmp_path: Path, capsys: Capture) -> None:
-    """--semaphore names what the list leaves open; the posts of before are told."""
+    """--semaphore names what the list leaves open; the posts of before are reported."""
     name = fresh_name()
     source = Semaphore(name, create=True)
     words = write_files(tmp_path, "interrupt_source 3")
@@ -400,7 +400,7 @@ def left_behind(name: str) -> list[Path]:
 
 
 def text(path: Path) -> str:
-    """A file's name and what stands in it."""
+    """A file's name and what is in it."""
     try:
         return path.name + path.read_text("utf-8", "replace")
     except OSError:
@@ -451,7 +451,7 @@ def test_all_killed_and_started_again(tmp_path: Path, capsys: Capture) -> None:
     with started(*words, "--duration", "60s") as process:
         scheduler, workers = tree_of(process)
         wait_for(semaphore_file(name).exists)
-        # Stopped first, that none can clean up behind the other.
+        # Stopped first, that none can clean up after the other.
         for pid in (scheduler, process.pid):
             os.kill(pid, signal.SIGSTOP)
         os.killpg(process.pid, signal.SIGKILL)
@@ -581,7 +581,7 @@ def test_other_systems(tmp_path: Path, capsys: Capture, monkeypatch: pytest.Monk
 
 
 def test_log_without_room(tmp_path: Path, capsys: Capture, monkeypatch: pytest.MonkeyPatch) -> None:
-    """900691: a run ends when its log is full; what it has is told."""
+    """900691: a run ends when its log is full; what it has is reported."""
     from nctakt.schedule.real import area  # noqa: PLC0415 - what is compiled may be missing
 
     monkeypatch.setattr(area, "MAX_ENTRIES", 60)

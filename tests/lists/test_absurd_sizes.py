@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Entries of absurd size: each is told at its line, and the machine starts without it."""
+"""Entries of absurd size: each is reported at its line, and the machine starts without it."""
 
 from __future__ import annotations
 

@@ -315,7 +315,7 @@ def test_functions_end_at_999(index: int) -> None:
 def test_the_tolerance_widens_the_software_limits(
     low: int, high: int, tolerance: int, found: list[int]
 ) -> None:
-    """P-AXIS-00179: for an axis that stands at 0; the limits of commands are as they were."""
+    """P-AXIS-00179: for an axis that is at 0; the limits of commands are as they were."""
     text = f"kenngr.swe_neg {low}\nkenngr.swe_pos {high}\nkenngr.swe_toleranz {tolerance}\n"
     made, told = axis(text)
     assert told == found
@@ -433,7 +433,7 @@ def test_slope_at_program_start(profile: int, findings: list[int]) -> None:
 
 
 def test_spindle_without_a_number_is_not_the_main_spindle() -> None:
-    """main_spindle_ax_nr 0 stands for none."""
+    """main_spindle_ax_nr 0 means none."""
     (spindle,) = channel("spindel[0].bezeichnung S1\nspindel[0].log_achs_nr 0\n")[0].spindles
     assert (spindle.name, spindle.is_main) == ("S1", False)
 
@@ -452,7 +452,7 @@ def test_startup_defaults() -> None:
 
 
 def test_number_of_axes_may_be_missing() -> None:
-    """Without zahl_mds each axis list that is named counts; with it only so many."""
+    """Without zahl_mds each axis list that is named counts; with it only this many."""
     text = "achs_mds[0] a.lis\nachs_mds[2] c.lis\n"
     found = startup(text)[0]
     assert [one and one.path for one in found.axes] == ["a.lis", None, "c.lis"]

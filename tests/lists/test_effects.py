@@ -103,7 +103,7 @@ RARE = {
 
 
 def test_each_name_has_one_line_of_its_table() -> None:
-    """No name stands twice, neither as an entry nor as an old name."""
+    """No name is twice, neither as an entry nor as an old name."""
     for schema in SCHEMAS:
         names = [parameter.pattern for parameter in schema.parameters]
         names += [pattern_of(alias.path) for one in schema.used for alias in one.aliases]

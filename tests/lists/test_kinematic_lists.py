@@ -170,7 +170,7 @@ def test_second_definition_of_an_id_is_ignored(tmp_path: Path) -> None:
 
 
 def test_old_form_is_not_read(tmp_path: Path) -> None:
-    """``kinematik[91]`` is of old versions: told where it stands, and without effect."""
+    """``kinematik[91]`` is from old versions: reported where it is used, and without effect."""
     machine = machine_of(tmp_path, "\nkinematik[91].param[0] 5\nkinematik[91].rtcp 1\n")
     assert machine.channels[0].parameters.transformations.steps[0] == {}
     assert [one.id for one in machine.diagnostics if one.id in {900028, 900008}] == [900028]

@@ -33,7 +33,7 @@ def told(folder: Path, files: dict[str, str]) -> list[str]:
 
 
 def test_a_start_up_list_that_names_itself(tmp_path: Path) -> None:
-    """The entry leads back to the list it stands in."""
+    """The entry leads back to the list it is in."""
     text = STARTUP + "werkz_data[0] ./HOCHLAUF.lis\n"
     (found,) = told(tmp_path, {"hochlauf.lis": text})
     assert found == (
@@ -86,7 +86,7 @@ def test_a_list_with_unknown_entries_only_is_taken(tmp_path: Path) -> None:
 
 
 def test_one_list_for_two_axes_is_no_circle(tmp_path: Path) -> None:
-    """The second axis has the number of the first: that is told, and no more."""
+    """The second axis has the number of the first: that is reported, and no more."""
     text = STARTUP.replace("zahl_mds 1", "zahl_mds 2") + "achs_mds[1] x.lis\n"
     found = told(tmp_path, {"hochlauf.lis": text})
     assert [one.split()[1] for one in found] == ["110064"]

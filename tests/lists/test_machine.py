@@ -264,7 +264,7 @@ def test_where_a_list_is_searched(
     monkeypatch.chdir(tmp_path / "work")
     machine = load_machine(tmp_path, root=tmp_path / "root")
     found = [diagnostic.id for diagnostic in machine.diagnostics]
-    # The first note: the start-up list stands somewhere in the named tree.
+    # The first note: the start-up list is somewhere in the named tree.
     assert found == [900974, *numbers]
     assert len(machine.axes) == 1
 
@@ -554,7 +554,7 @@ def test_a_place_outside_the_memory_is_no_variable(
 
 @pytest.mark.parametrize("name", ["kanal.lis", "x.lis", "rtconf.lis"])
 def test_a_list_that_is_no_text(tmp_path: Path, name: str) -> None:
-    """A binary file is told once, where it is named, and is left out."""
+    """A binary file is reported once, where it is named, and is left out."""
     write(tmp_path, {})
     (tmp_path / name).write_bytes(bytes(range(256)) * 4)
     try:
@@ -583,7 +583,7 @@ def test_a_text_with_nuls_is_no_binary_file(tmp_path: Path, text: str) -> None:
 
 
 def test_an_empty_channel_list(tmp_path: Path) -> None:
-    """A channel without an axis is told at its list."""
+    """A channel without an axis is reported at its list."""
     machine = load_machine(write(tmp_path, {"kanal.lis": ""}))
     (told,) = machine.diagnostics
     assert (told.id, told.span and Path(told.span.file).name) == (900818, "kanal.lis")

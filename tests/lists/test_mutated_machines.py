@@ -70,7 +70,7 @@ def outcome(lists: dict[str, str], program: str, folder: Path) -> str:
 @pytest.mark.nightly
 @seeds_in_parts(75, 75, 25)
 def test_where_the_check_finds_no_error_the_machine_runs(tmp_path: Path, seeds: range) -> None:
-    """The seed of a folder that is treated wrongly stands in front of what happens to it."""
+    """The seed of a folder that is treated wrongly is before what happens to it."""
     wrong = []
     for seed in seeds:
         chance = Random(seed)

@@ -66,7 +66,7 @@ def findings(machine: Machine) -> list[tuple[str, int, int]]:
 
 
 def test_all_findings_and_no_other() -> None:
-    """Each wrong entry is told once, with its place."""
+    """Each wrong entry is reported once, with its place."""
     assert findings(load_machine(FOLDER)) == sorted(EXPECTED)
 
 
@@ -79,7 +79,7 @@ def test_verbose_names_the_unknown_entries_one_by_one() -> None:
 
 
 def test_what_results_is_a_machine() -> None:
-    """Everything else is taken as it stands."""
+    """Everything else is taken as it is."""
     machine = load_machine(FOLDER)
     first, second = machine.channels
     assert [axis.name for axis in first.axes] == ["X", "Y", "Z", "A", "C"]

@@ -18,7 +18,7 @@ thread[0].function[0].name task_int
 """
 
 
-#: The convention of interrupt_source and missing priorities have tests of their own.
+#: The convention of interrupt_source and missing priorities have their own tests.
 ELSEWHERE = (900600, 900604)
 
 
@@ -253,7 +253,7 @@ external_thread[0].cycle 2000
 
 
 def test_a_complete_list_has_no_findings() -> None:
-    """A list as the manual shows it is taken as it stands."""
+    """A list as the manual shows it is taken as it is."""
     configuration, found = load(EXAMPLE)
     assert found == []
     geo, driver = configuration.threads

@@ -262,7 +262,7 @@ def test_own_functions_can_be_named() -> None:
 
 
 def test_misspelt_functions() -> None:
-    """A name that is nearly one of the controller's is a warning of its own, task_tcp is known."""
+    """A name that is nearly one of the controller's is its own warning, task_tcp is known."""
     text = BASE + "thread[0].function[1].name {}\n"
     _, collector = collect(text.format("task_rmd"))
     assert [one.id for one in collector.diagnostics] == [900616]
@@ -284,7 +284,7 @@ def test_advice_about_windows_is_for_windows() -> None:
 
 
 def test_places_of_missing_entries() -> None:
-    """A missing entry is told where its thread begins, one of the whole list without a line."""
+    """A missing entry is reported where its thread begins, one of the whole list without a line."""
     text = BASE.replace("cycle_time 2000\n", "") + THREAD
     spans = {one.entry: str(one.span) for one in collect(text)[1].diagnostics}
     assert spans["thread[1].priority"] == "rtconf.lis:10:1"
@@ -292,7 +292,7 @@ def test_places_of_missing_entries() -> None:
 
 
 def test_ten_threads_with_ten_functions() -> None:
-    """The manual prints seven, larger systems have ten: a note tells it once for each kind."""
+    """The manual prints seven, larger systems have ten: a note reports it once for each kind."""
     lines = [
         f"thread[{i}].name T{i}\nthread[{i}].cycle 2000\nthread[{i}].priority {100 - i}\n"
         f"thread[{i}].function[0].name task_rnd\n"
@@ -367,7 +367,7 @@ external_thread[0].semaphore_name external_sps
 
 
 def test_parameter_examples_of_the_manual() -> None:
-    """F3: the examples of chapters 4 and 5 are taken as they stand."""
+    """F3: the examples of chapters 4 and 5 are taken unchanged."""
     head = "interrupt_source 3\nexternal_object_name s\n"
     times = "cycle_time 2000\ntime_slice 500\nwindows_time 500\n"
     configuration, found = load(head + times + PARAMETERS)

@@ -172,7 +172,7 @@ def test_leading_zeros_in_an_index_are_the_same_key() -> None:
 
 @pytest.mark.parametrize("order", [("context", "context_info"), ("context_info", "context")])
 def test_present_name_beats_the_old_one(order: tuple[str, str]) -> None:
-    """context_info wins over context, wherever it stands."""
+    """context_info wins over context, wherever it is."""
     text = "".join(f"thread[0].{name} {len(name)}\n" for name in order) + "End\n"
     values, found, _ = load(text.encode())
     assert taken(values) == {"thread[0].context_info": len("context_info")}
@@ -186,7 +186,7 @@ def test_missing_end_is_a_warning() -> None:
 
 
 def test_text_after_end_is_ignored_with_one_note() -> None:
-    """Nothing behind End counts; blank lines and comments there are not worth a note."""
+    """Nothing after End counts; blank lines and comments there are not worth a note."""
     values, found, _ = load(b"Ende\n\n# comment\ncycle_time 9\ntime_slice 9\n")
     assert (taken(values), found) == ({}, [AFTER_END])
     assert load(b"Ende\n\n# comment\n")[1] == []

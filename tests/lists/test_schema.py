@@ -206,7 +206,7 @@ def test_a_misspelt_entry_names_the_one_that_is_meant(entry: str, number: int) -
 
 
 def test_entries_without_effect_are_silent_at_their_default() -> None:
-    """A parameter without effect is checked; with all details it is told."""
+    """A parameter without effect is checked; with all details it is reported."""
     text = "gruppe[0].bezeichnung IPO 1 # x\ncoordinate_system.rotation_sequence ZYX\n"
     assert load(CHANNEL, text)[1] == [900018]
     assert load(CHANNEL, text, detail="all")[1] == [900018, 900026, 900026]
@@ -252,7 +252,7 @@ def test_bounds_of_other_parameters() -> None:
 
 
 def test_a_list_that_lowers_a_bound_of_its_defaults_list() -> None:
-    """The entry of the defaults list keeps the bound; the finding stands in the list itself."""
+    """The entry of the defaults list keeps the bound; the finding is in the list itself."""
     base, _ = load(AXIS, "getriebe[0].slope_profil.a_beschl 900\n")
     values, numbers = load(AXIS, "getriebe[0].dynamik.a_max 400\n", base=base)
     assert numbers == [110101]
@@ -271,7 +271,7 @@ def test_specific_list_goes_over_the_defaults_list() -> None:
 
 
 def test_references_take_the_value_of_another_parameter() -> None:
-    """P-AXIS-00212.0 is the value of that parameter for gear step 0, wherever it stands."""
+    """P-AXIS-00212.0 is the value of that parameter for gear step 0, wherever it is used."""
     text = "getriebe[0].vb_eilgang P-AXIS-00212.0 (comment\ngetriebe[1].vb_eilgang P-AXIS-00212\n"
     base, found = load(AXIS, text)
     assert found == []
@@ -315,7 +315,7 @@ def test_scope_that_does_not_exist_is_the_controllers_own_number() -> None:
 
 
 def test_values_given_by_a_list_have_a_place() -> None:
-    """Where an entry stands can be told later; without one it is the file as a whole."""
+    """Where an entry is can be reported later; without one it is the file as a whole."""
     values, _ = load(CHANNEL, "\n  exact_stop_after_g00 1\n")
     span, line = values.position("exact_stop_after_g00")
     assert (span.line, span.column, line) == (2, 3, "  exact_stop_after_g00 1")

@@ -131,7 +131,7 @@ def test_a_time_is_shown_with_its_unit(value: str, text: str) -> None:
 
 
 def test_texts_of_load_files_are_exact_to_the_nanosecond() -> None:
-    """They need a unit of their own, since a number there means microseconds."""
+    """They need their own unit, since a number there means microseconds."""
     assert nanoseconds("1.5 us") == 1500
     assert nanoseconds("0.0001us") == 1
     assert nanoseconds("1 h") == 3_600 * 10**9

@@ -84,7 +84,7 @@ def test_tool_0_has_no_dimensions() -> None:
 
 
 def test_offsets_of_axes_that_there_are_not() -> None:
-    """Two axes have the indices 0 and 1: an offset of index 2 is left out and told."""
+    """Two axes have the indices 0 and 1: an offset of index 2 is left out and reported."""
     assert tools("wz[1].ax_versatz[2] 5\n", True, True)[1] == ["900741 at 1"]
     text = "np_grp[1].achse[1].versch 5\nnp_grp[1].achse[2].versch 5\n"
     offsets, reported = zero_offsets(text)

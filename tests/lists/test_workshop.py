@@ -2,7 +2,7 @@
 """A folder with 300 entries of all kinds of lists that differ from their defaults.
 
 Each entry has a comment that says what becomes of it, from the published facts: it takes effect, it
-would or may change a run and is told, or no run depends on it.
+would or may change a run and is reported, or no run depends on it.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def findings() -> dict[Place, tuple[int, ...]]:
 
 
 def test_what_becomes_of_each_of_300_entries() -> None:
-    """Each is in effect or told with its line, and nothing else is found."""
+    """Each is in effect or reported with its line, and nothing else is found."""
     marked = entries()
     assert len(marked) >= COUNT
     expected = {place: FINDINGS[comment] for place, (_, _, comment) in marked.items()}

@@ -54,14 +54,14 @@ def test_ids_with_indices_are_names() -> None:
 
 @pytest.mark.parametrize("mark", [b"", b"\xef\xbb\xbf"])
 def test_with_and_without_a_byte_order_mark(mark: bytes) -> None:
-    """UTF-8 with either, and the text of a value as it stands."""
+    """UTF-8 with either, and the text of a value as it is."""
     data = mark + '<AX_MDS><P-AXIS-00297 Value="Größe (mm) # 1"/></AX_MDS>'.encode()
     values, found = load(AXIS, data)
     assert (values.text("kopf.log_achs_name"), found) == ("Größe (mm) # 1", [])
 
 
 def test_old_names_and_old_ids() -> None:
-    """An ID stands for the parameter whatever its entry was called."""
+    """An ID means the parameter, whatever the name of its entry."""
     values, found = load(AXIS, '<AX_MDS><P-AXIS-00212.0 Value="0x10"/></AX_MDS>')
     assert (values.integer("getriebe[].dynamik.vb_max", 0), found) == (16, [])
 
@@ -208,7 +208,7 @@ CHANNEL = (
 
 
 def test_a_machine_of_both_formats(tmp_path: Path) -> None:
-    """XML and ASCII lists beside each other; paths from the controller's root folder."""
+    """XML and ASCII lists next to each other; paths from the controller's root folder."""
     files = {
         "startup.xml": STARTUP,
         "listen/sda.xml": CHANNEL,
@@ -235,7 +235,7 @@ def test_a_machine_of_both_formats(tmp_path: Path) -> None:
 
 
 def test_a_list_of_another_kind_is_left_out(tmp_path: Path) -> None:
-    """Its root element tells it."""
+    """Its root element shows it."""
     files = {
         "hochlauf.lis": "sda_mds[0] sda.xml\nachs_mds[0] x.xml\n",
         "sda.xml": CHANNEL,

@@ -30,7 +30,7 @@ pytest.importorskip("playwright.sync_api", reason="driving a browser needs Playw
 
 pytestmark = BROWSER
 
-#: Who stands after a tick sees already what the decoder has written for the next one.
+#: A session after a tick already sees what the decoder has written for the next one.
 EARLY = "V.E.ASYNC"
 
 #: What is done in a walk.

@@ -48,7 +48,7 @@ def written(folder: Path, text: str = PROGRAM, name: str = "part.nc") -> Path:
 def test_a_person_at_the_page(browser: Any, tmp_path: Path) -> None:
     """Step, set a variable, see the reaction, travel, run, acknowledge, pause, make a mistake.
 
-    What was lived through stands on a tape behind it.
+    What was lived through is on a tape after it.
     """
     path, tape = written(tmp_path), tmp_path / "page.tape"
     with served(str(path), "--acknowledge", "--record", str(tape)) as address:
@@ -189,7 +189,7 @@ def test_two_browsers_and_one_pen(browser: Any, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 def test_what_one_browser_saves_the_other_one_shows(browser: Any, tmp_path: Path) -> None:
-    """One with changes of its own keeps them, and does not write over what was saved."""
+    """One with its own changes keeps them, and does not write over what was saved."""
     path = written(tmp_path)
     with served(str(path)) as address:
         first, second = opened(browser, address), opened(browser, address)
@@ -422,7 +422,7 @@ def test_keys_do_all(browser: Any, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
-    """It is told, the run goes on with the old text, and the new one can be loaded."""
+    """It is reported, the run goes on with the old text, and the new one can be loaded."""
     path = written(tmp_path)
     with served(str(path)) as address:
         page = opened(browser, address)
@@ -438,10 +438,10 @@ def test_a_program_that_changes_on_disk(browser: Any, tmp_path: Path) -> None:
 
 @pytest.mark.nightly
 def test_a_plc_that_is_saved(browser: Any, tmp_path: Path) -> None:
-    """It is told; the run begins anew with the new text, and what is typed here stays.
+    """It is reported; the run begins anew with the new text, and what is typed here stays.
 
-    Of a text with a mistake the mistake is told, and the run stays as it was. What the PLC keeps
-    goes on from run to run (ST-406): its cycle is due in the first tick of each.
+    Of a text with a mistake the mistake is reported, and the run stays as it was. What the PLC
+    keeps goes on from run to run (ST-406): its cycle is due in the first tick of each.
     """
     path, plc, kept = written(tmp_path), tmp_path / "cell.st", tmp_path / "kept.json"
     text = "PROGRAM MAIN\nVAR RETAIN\n    n : INT;\nEND_VAR\nn := n + 1;\nEND_PROGRAM\n"

@@ -28,7 +28,7 @@ ASKED = 3688
 
 
 def test_the_gate_stays_shut_while_somebody_stands_there(capsys: Any) -> None:
-    """The cell of the tour: with its inputs M8 waits for ever, without them the program ends."""
+    """The cell of the tour: with its inputs M8 waits forever, without them the program ends."""
     words = ["run", str(CELL / "mill.nc"), "--channel", "2", str(CELL / "loader.nc")]
     words += ["--machine", str(MACHINE), "--plc", str(CELL / "cell.st"), "--until", "8s"]
     words += ["--set", f"{AREA}=1"]

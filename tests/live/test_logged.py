@@ -42,7 +42,7 @@ def logged(folder: Path) -> tuple[str, str]:
 
 
 def test_the_log_is_a_pale_curve_over_the_run(browser: Any, tmp_path: Path) -> None:
-    """Its points in ticks of the run; the stretch behind M10 is marked; red is between both."""
+    """Its points in ticks of the run; the stretch after M10 is marked; red is between both."""
     part, log = logged(tmp_path)
     words = ("--log", log, "--offset", "1s", "--tolerance", "0.05")
     with served(part, *words) as address:

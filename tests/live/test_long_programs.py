@@ -27,7 +27,7 @@ pytestmark = BROWSER
 
 LINES = 1_000_000
 
-#: What stands at the lines in view that have come: their numbers and texts.
+#: What is at the lines in view that have come: their numbers and texts.
 IN_VIEW = """() => {
   const { id } = document.querySelector("[data-testid=editor]");
   const view = getElement(Number(id.slice(1))).editor;

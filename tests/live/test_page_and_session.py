@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""What stands on the page at a tick is what the engine had after it: walks on the page, compared.
+"""What is on the page at a tick is what the engine had after it: walks on the page, compared.
 
-Beside the page a session of the same program stands at the same tick.
+Beside the page a session of the same program is at the same tick.
 """
 
 import random
@@ -328,7 +328,7 @@ def test_lanes_of_branches(browser: Any, tmp_path: Path) -> None:
         page.close()
 
 
-#: Where the current block stands in the editor: whether it is in view.
+#: Where the current block is in the editor: whether it is in view.
 _IN_VIEW = """() => {
   const room = document.querySelector(".cm-scroller").getBoundingClientRect();
   const block = document.querySelector(".cm-line.nc-block")?.getBoundingClientRect();

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The PLC on the page, in Chromium: files beside the program, values, stops, steps, by keys alone.
+"""The PLC on the page, in Chromium: files next to the program, values, stops, steps, by keys alone.
 
 The task runs each 10 ms, so in ticks 0, 10 … of the demo machine.
 """
@@ -215,7 +215,7 @@ def test_findings_while_a_text_is_typed(browser: Any, part: Path) -> None:
 
 
 def test_events_and_answers_lead_to_lines_of_the_plc(browser: Any) -> None:
-    """M7 is acknowledged by a statement; why tells what that has written, and names others."""
+    """M7 is acknowledged by a statement; why shows what that has written, and names others."""
     folder = Path(__file__).parents[2] / "examples" / "coolant"
     words = ("--plc", str(folder / "cell.st"), "--set", "MAIN.bPressure=1")
     with served(str(folder / "part.nc"), *words) as address:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A file of the PLC on the page: its rows, what they name, where the session stands."""
+"""A file of the PLC on the page: its rows, what they name, where the session is at rest."""
 
 from support.plc_text import pou_file
 
@@ -97,7 +97,7 @@ def test_words_of_a_line_with_entities_are_not_placed() -> None:
 
 
 def test_where_the_session_stands() -> None:
-    """The innermost call, those around it, stops; a fault has a colour of its own."""
+    """The innermost call, those around it, stops; a fault has its own colour."""
     text = main()
     frames = tuple(
         PlcFrame(name, "", Span(file, line, 1, 2), Text("", ""))

@@ -85,7 +85,7 @@ def program(folder: Path) -> str:
 
 
 def test_strangers_garbage_and_files(tmp_path: Path) -> None:
-    """Another site's socket is refused, garbage is dropped and told once, files stay unseen."""
+    """Another site's socket is refused, garbage is dropped and reported once, files stay unseen."""
     errors = tmp_path / "errors.txt"
     (tmp_path / "secret.txt").write_text("secret", "utf-8")
     with served(program(tmp_path), errors=errors) as address:
@@ -174,7 +174,7 @@ def test_a_hundred_connections_do_not_stop_the_tick(tmp_path: Path, mark: None) 
 
 @pytest.mark.nightly
 def test_a_flood_of_events_is_bounded() -> None:
-    """More than a million events a second: lists stay short, what is left out is told."""
+    """More than a million events a second: lists stay short, what is left out is reported."""
 
     def opener(chosen: str | None, acknowledges: bool) -> Session:
         return Session(NcText("part.nc", TURNING), acknowledges=acknowledges, until="1 h")

@@ -319,7 +319,7 @@ def test_events_in_words() -> None:
 
 
 def test_words_and_keys_are_complete() -> None:
-    """Each key has a word for the help; no key stands twice."""
+    """Each key has a word for the help; no key is twice."""
     for language in ("en", "de"):
         texts = Texts(language)  # type: ignore[arg-type]
         for heading, keys in GROUPS:
@@ -408,7 +408,7 @@ def test_a_controller_that_is_lost_is_told_once() -> None:
 
 
 def test_a_page_that_did_not_keep_up_listens_anew() -> None:
-    """Whoever leaves too many notices unread is told no more."""
+    """Whoever leaves too many notices unread is reported no more."""
     shared = SharedSession(endless, FILE, acknowledges=True)
     try:
         audience = audience_of(shared.session)

@@ -101,7 +101,7 @@ def test_each_message_has_a_number_of_its_own() -> None:
 
 
 def test_numbers_of_a_message_are_told_once() -> None:
-    """What a message is also known as neither leads it nor is told twice."""
+    """What a message is also known as neither leads it nor is reported twice."""
     for message in catalogue():
         assert len(message.known_as) == len(set(message.known_as)), message
         assert set(message.known_as).isdisjoint(message.leading), message
@@ -160,7 +160,7 @@ def test_the_case_gives_the_number(own: int, values: dict[str, object], number: 
 
 
 def test_numbers_with_two_readings_name_both() -> None:
-    """errors.md: 50939 and 51028 stay; whoever asks is told what else is called so."""
+    """errors.md: 50939 and 51028 stay; whoever asks is reported what else is called so."""
     time_limit = messages_of(50939)[0]
     assert time_limit.known_as == (50930,)
     assert "M" in time_limit.cause.en
@@ -175,7 +175,7 @@ CODE = re.compile(r"[^\w]|[\d_]|^nctakt$|^moduloo$")
 def test_remedies_are_sentences() -> None:
     """A remedy begins with a capital letter, unless with code, and ends as a sentence does.
 
-    Behind a colon there may be names at its end, which a full stop would blur.
+    After a colon there may be names at its end, which a full stop would blur.
     """
     for text in [text for one in catalogue() for text in (one.remedy.en, one.remedy.de)]:
         if not text:

@@ -37,14 +37,14 @@ MODULES = [path for path in sorted(SOURCES.rglob("*.py")) if MESSAGES not in pat
 
 
 def reported(node: ast.expr) -> list[str]:
-    """The names of the messages that an argument stands for: one, or one of two."""
+    """The names of the messages that an argument represents: one, or one of two."""
     if isinstance(node, ast.IfExp):
         return [*reported(node.body), *reported(node.orelse)]
     return [node.id] if isinstance(node, ast.Name) and node.id in NAMES else []
 
 
 def given(call: ast.Call) -> set[str | None]:
-    """The parameters of a call; those of a dictionary that stands in it count as well."""
+    """The parameters of a call; those of a dictionary that is in it count as well."""
     values: set[str | None] = {word.arg for word in call.keywords}
     for argument in call.args:
         if isinstance(argument, ast.Dict):
@@ -66,7 +66,7 @@ def calls() -> Iterator[tuple[str, ast.Call, Message]]:
                         )
 
 
-#: What a call adds of its own to the parameters that it is given.
+#: What its own call adds to the parameters that it is given.
 ADDED = {
     "defect": {"key", "default"},
     "_may": {"name"},
@@ -100,7 +100,7 @@ def test_a_call_gives_the_parameters_of_its_message() -> None:
 
 
 def test_names_are_unique_and_upper_case() -> None:
-    """A name stands for one message, wherever it is imported."""
+    """A name means one message, wherever it is imported."""
     declared = Counter(
         target.id
         for module in MESSAGES.glob("*.py")

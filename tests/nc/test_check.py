@@ -38,7 +38,7 @@ def test_realtime_cycles_need_p_chan_00406() -> None:
 
 
 def test_a_tool_change_program_is_a_call() -> None:
-    """M6 with a subprogram of its own (P-CHAN-00118) needs no entry in the channel list."""
+    """M6 with its own subprogram (P-CHAN-00118) needs no entry in the channel list."""
     parameters = replace(demo_channel().parameters, m_functions={})
     programs = replace(parameters.implicit_programs, m6="change.nc")
     found = findings(("M6",), replace(parameters, implicit_programs=programs))
@@ -192,8 +192,8 @@ def test_each_message_reads_in_both_languages() -> None:
 def test_each_message_of_the_checker_is_tested() -> None:
     """No message of checked programs is without a line that causes it.
 
-    21982 and 901079 need a machine of their own, 901810, 901811, 901986 and 901987 whole
-    programs; these have tests of their own.
+    21982 and 901079 need their own machine, 901810, 901811, 901986 and 901987 whole programs; these
+    have their own tests.
     """
     files = ("check_*.nc", "lint_*.nc")
     expected = {number for one in files for _, number, _ in expected_messages(one)}

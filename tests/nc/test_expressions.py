@@ -173,7 +173,7 @@ def test_a_chain_of_operators_may_have_as_many_operands_as_the_limit() -> None:
 
 
 def test_a_number_beyond_float64_is_reported() -> None:
-    """900119: a literal that no float64 holds, wherever it stands."""
+    """900119: a literal that no float64 holds, wherever it is."""
     digits = "9" * 400
     assert numbers(f"P1 = {digits}") == [900119]
     assert numbers(f"G0 X{digits}") == [900119]
@@ -182,7 +182,7 @@ def test_a_number_beyond_float64_is_reported() -> None:
 
 
 def test_brackets_of_keywords_nest_up_to_the_limit() -> None:
-    """20386 also for keywords with brackets of their own."""
+    """20386 also for keywords with their own brackets."""
     limit = EXPRESSION_DEPTH
     assert numbers("#FOO " + "[A" * limit + "]" * limit) == []
     assert numbers("#FOO " + "[A" * (limit + 2) + "]" * (limit + 2)) == [20386]

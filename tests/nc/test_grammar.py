@@ -18,7 +18,7 @@ TEXT = " ".join(GRAMMAR.split())
 
 
 def test_the_grammar_states_the_limits_of_the_code() -> None:
-    """Each bound stands in the text as the code has it."""
+    """Each bound is in the text as the code has it."""
     assert f"at most {BLOCK_LENGTH} characters (a warning), {BLOCK_LENGTH_HARD} can be" in TEXT
     assert f"at most {EXPRESSION_DEPTH} nodes high" in TEXT
     assert f"nest at most {EXPRESSION_DEPTH} deep" in TEXT

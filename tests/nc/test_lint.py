@@ -172,7 +172,7 @@ MORE = ("Q1", "S5", "M30", "M17", "/G01", "%L S", "%", "X", "XP1", "G4.5", "G41"
 
 @pytest.mark.parametrize("seed", range(20))
 def test_blocks_of_a_shape_that_was_seen_are_checked_all_the_same(seed: int) -> None:
-    """Many blocks of few shapes, right and wrong: each mistake is told each time."""
+    """Many blocks of few shapes, right and wrong: each mistake is reported each time."""
     chance = random.Random(seed)
     lines = tuple(
         " ".join(chance.choices((*WORDS, *WORDS, *MORE[: 3 + seed % 10]), k=chance.randint(1, 3)))
@@ -198,7 +198,7 @@ def test_a_feed_of_nothing_is_found_in_a_long_program() -> None:
 
 
 def test_a_global_cycle_may_be_deleted_by_another_program() -> None:
-    """RC-107: only where no program of the set deletes it the cycle is told."""
+    """RC-107: only where no program of the set deletes it the cycle is reported."""
     defines = ("#RT CYCLE [ID=3 SCOPE=GLOBAL]", "#RT CYCLE END")
     assert [str(one.span) for one in lints(defines, ("M30",))] == ["1.nc:1:1"]
     assert lints(defines, ("#RT CYCLE DELETE [ID=3]",)) == []
@@ -241,7 +241,7 @@ def test_any_program_is_looked_at_without_a_fault(seed: int) -> None:
     ],
 )
 def test_a_number_of_a_tool_is_looked_up_in_the_list(text: str, found: list[int]) -> None:
-    """Each D that is a number, wherever it stands; without a list nothing can be told."""
+    """Each D that is a number, wherever it is; without a list nothing can be reported."""
     channel = demo_channel()
     source = Source("p.nc", tuple(f"{text}\nM30".splitlines()))
     tool = replace(NO_TOOL, valid=True, number=1)

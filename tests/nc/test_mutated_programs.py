@@ -99,7 +99,7 @@ def lose(text: str, chance: Random) -> str:
 
 
 def insert(text: str, chance: Random) -> str:
-    """Something stands where it does not belong."""
+    """Something is where it does not belong."""
     place = chance.randrange(len(text) + 1)
     return text[:place] + chance.choice(PIECES) + text[place:]
 

@@ -280,7 +280,7 @@ def test_a_realtime_cycle_may_have_very_many_statements() -> None:
 
 
 def test_a_byte_0_ends_the_reading() -> None:
-    """900108: a file that is no text gives one diagnostic, wherever the byte stands."""
+    """900108: a file that is no text gives one diagnostic, wherever the byte is."""
     binary = bytes(range(256)) * 1000
     lines = split_lines(decode_text(binary).text)
     collector = Collector()

@@ -37,7 +37,7 @@ def read(path: Path) -> Source:
 @pytest.mark.skipif(not FILES, reason="no corpus beside the project")
 @pytest.mark.parametrize("path", FILES, ids=_name)
 def test_foreign_programs_are_read_to_their_end(path: Path) -> None:
-    """Whatever stands in them: no exception, and each diagnostic stands inside the file."""
+    """Whatever is in them: no exception, and each diagnostic is inside the file."""
     source = read(path)
     collector = Collector()
     count = sum(1 for _ in parse(source, collector))

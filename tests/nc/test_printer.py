@@ -348,7 +348,7 @@ def test_a_program_is_read_as_it_is_printed(program: Program) -> None:
 @given(st.lists(st.text(st.characters(codec="utf-8"), max_size=60), max_size=8))
 @settings(max_examples=300, deadline=None)
 def test_any_text_gives_diagnostics_inside_the_text(lines: list[str]) -> None:
-    """No text makes the parser fail; each diagnostic stands in a line that exists."""
+    """No text makes the parser fail; each diagnostic is in a line that exists."""
     _check_places(lines)
 
 

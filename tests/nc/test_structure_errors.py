@@ -65,7 +65,8 @@ def test_a_structure_error_hides_no_other_finding(
     opening: str, errors: int, machine: AssembledMachine
 ) -> None:
     """``errors``: what is told of the structure itself. An open cycle ends before the first
-    statement that none can have (RC-201); a definition behind an open ``$IF`` is told as well."""
+    statement that none can have (RC-201); a definition after an open ``$IF`` is reported as
+    well."""
     before = findings(REST, machine)
     after = findings(opening + REST, machine)
     missing = [text for text in before if text not in after]

@@ -259,7 +259,7 @@ def test_the_shape_of_a_line(line: str, shape: bytes | None) -> None:
 
 
 def test_a_structure_has_the_shape_of_its_own_lines() -> None:
-    """One that goes on behind the lines at hand has none, nor has an end without begin."""
+    """One that goes on after the lines at hand has none, nor has an end without begin."""
     scanner = ShapeScanner()
     lines = ["$IF P1 > 2", "", "X4", "$FOR P1 = 1, 2, 1", "Y1", "$ENDFOR", "$ELSE", "$ENDIF", "X2"]
     assert scanner.read(lines, 0) == 8
@@ -279,7 +279,7 @@ def test_a_structure_has_the_shape_of_its_own_lines() -> None:
 
 
 def test_what_is_not_looked_at_does_not_count_as_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Behind a condition that is never true nothing is checked; elsewhere the same is a mistake."""
+    """After a condition that is never true nothing is checked; elsewhere the same is a mistake."""
     monkeypatch.setattr(outline, "KEPT_STATEMENTS", 0)
     dead = ["$IF 0", "X1 Q5", "$ENDIF", "$WHILE FALSE", "X1 Q5", "$ENDWHILE"] * 5
     found = checked([*dead, "X2 Q3"])

@@ -2,7 +2,7 @@
 """Each word that is known has one of three levels of support, and nothing is skipped in silence.
 
 nc-programs, "What a command that we know but do not simulate does": the table of
-``support_level.py`` is the only place that tells, so the checker is held to it row by row.
+``support_level.py`` is the only place that decides, so the checker is held to it row by row.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def test_a_refused_g_function_is_refused_by_name(entry: Entry) -> None:
 
 @pytest.mark.parametrize("entry", rows(Kind.G_FUNCTION, Support.ACCEPTED), ids=lambda one: one.name)
 def test_an_accepted_g_function_is_told_as_a_note(entry: Entry) -> None:
-    """Once per program, however often it stands there."""
+    """Once per program, however often it is there."""
     is_weight = isinstance(entry, GFunction) and entry.form is Form.WEIGHT
     first, second = ("=50", "=60") if is_weight else (" X1", " X2")
     found = findings((entry.name + first, entry.name + second, "M30"), file="p.nc")
@@ -60,7 +60,7 @@ def test_a_simulated_g_function_is_neither(entry: Entry) -> None:
 
 @pytest.mark.parametrize("entry", rows(Kind.COMMAND, Support.REFUSED), ids=lambda one: one.name)
 def test_a_refused_command_is_refused_by_name(entry: Entry) -> None:
-    """``#MC_`` stands for all that begin like it."""
+    """``#MC_`` means all that begin like it."""
     name = entry.name + "POWER" if entry.name.endswith("_") else entry.name
     numbers = [number for number, text in told(f"{name} [X]") if entry.meaning.en in text]
     assert numbers == [REFUSED]
@@ -117,7 +117,7 @@ def test_a_refused_family_of_variables_is_refused_by_name(entry: Entry) -> None:
     ],
 )
 def test_what_nobody_knows_is_an_error(block: str) -> None:
-    """Each of them is told at its line; none is passed over."""
+    """Each of them is reported at its line; none is passed over."""
     found = findings((block, "M30"), file="p.nc")
     assert any(one.severity.name == "ERROR" for one in found), block
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Single axes moved by the PLC: PLCopen's outputs and states, one owner at a time (MO-11, MO-13).
 
-The demo machine: 500 mm/s, 4000 mm/s², trapezoid. What is called behind tick n moves from tick
-n + 1 on; 10 mm from rest to rest take 100 ticks, with 5 mm after 50 of them.
+The demo machine: 500 mm/s, 4000 mm/s², trapezoid. What is called after tick n moves from tick n + 1
+on; 10 mm from rest to rest take 100 ticks, with 5 mm after 50 of them.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ class Cell(Plc):
         self.told: list[list[tuple[int, str]]] = [[] for _ in blocks]
 
     def each_tick(self, hli: PlcView) -> None:
-        """Behind each tick."""
+        """After each tick."""
         self.call(hli)
         for block, told in zip(self.blocks, self.told, strict=True):
             if not told or told[-1][1] != outputs(block):
@@ -74,7 +74,7 @@ def column(run: Run, name: str) -> list[float]:
 
 
 def test_move_absolute_goes_to_its_target_and_is_done() -> None:
-    """Busy at once, active from the tick that latches it, done behind the one that arrives."""
+    """Busy at once, active from the tick that latches it, done after the one that arrives."""
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=True, position=10, velocity=500), move)
     made = run(WAIT, plc)
@@ -153,7 +153,7 @@ def test_a_new_command_aborts_the_one_before() -> None:
     assert plc.told[0] == [(0, "busy"), (1, "busy active"), (51, "command_aborted")]
     assert plc.told[1][:3] == [(0, ""), (50, "busy"), (51, "busy active")]
     assert plc.told[1][3][1] == "done"
-    assert max(x) == pytest.approx(10.0)  # 200 mm/s need 5 mm to stand
+    assert max(x) == pytest.approx(10.0)  # 200 mm/s need 5 mm to stop
     assert x[-1] == 0.0
 
 
@@ -236,10 +236,10 @@ def test_a_block_that_moves_an_axis_of_the_plc_is_an_error() -> None:
 
 @pytest.mark.parametrize(("begin", "number"), [(50, 900420), (300, 50766)])
 def test_the_path_brakes_where_it_cannot_take_the_next_block(begin: int, number: int) -> None:
-    """MO-1, MO-6: X passes its corner with speed, and brakes with its 4000 mm/s² behind it.
+    """MO-1, MO-6: X passes its corner with speed, and brakes with its 4000 mm/s² after it.
 
-    Z sets off in tick 51 or 301, while the block does not move it: when X comes to the corner, Z
-    stands elsewhere, or still moves. Z goes where the PLC sends it.
+    Z sets off in tick 51 or 301, while the block does not move it: when X comes to the corner, Z is
+    elsewhere, or still moves. Z goes where the PLC sends it.
     """
     move = MC_MoveAbsolute("Z")
     plc = Cell(lambda hli: move(hli, execute=hli.tick >= begin, position=5, velocity=500), move)
@@ -354,7 +354,7 @@ def test_reset_of_an_axis_without_an_error_is_done() -> None:
 
 
 def test_a_run_waits_for_the_motions_of_the_plc() -> None:
-    """Behind M30 until they stand, as for those of cycles (RC-006)."""
+    """After M30 until they are at rest, as for those of cycles (RC-006)."""
     move = MC_MoveAbsolute("X")
     plc = Cell(lambda hli: move(hli, execute=True, position=10, velocity=500), move)
     made = run("G04 X0.010\nM30", plc)

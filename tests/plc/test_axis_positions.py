@@ -47,7 +47,7 @@ HOMING = AxisHoming(distance=-3.0, speed=100.0, position=250.0)
 def run_with(
     folder: Path, body: str, ticks: int, program: str = "G04 1\nM30", homing: AxisHoming = HOMING
 ) -> tuple[list[float], StructuredPlc, Run]:
-    """The positions of A behind each tick, the PLC afterwards, the run."""
+    """The positions of A after each tick, the PLC afterwards, the run."""
     plc = loaded(folder, CNC.format(body=body))
     demo = load_machine(None)
     axes = [replace(one, homing=homing) if one.name == "A" else one for one in demo.axes]
@@ -64,8 +64,8 @@ fbInfo(Axis := A, Enable := TRUE);"""
 def test_a_plc_homes_an_axis(tmp_path: Path) -> None:
     """4.25° / (100°/s) + 100 / 4000 s = 67.5 ms: 68 increments from tick 6 on, Done in cycle 73.
 
-    The axis stands 1.25° beyond the zero pulse, towards the negative side: 250 - 1.25. Its
-    positions are shown from 0 to 360°.
+    The axis is 1.25° beyond the zero pulse, towards the negative side: 250 - 1.25. Its positions
+    are shown from 0 to 360°.
     """
     reads = '#MSG ["%d %f", V.A.RERF.A, V.A.REF.A]\n'
     a, plc, run = run_with(tmp_path, HOME, 1100, f"{reads}G04 1\n#FLUSH WAIT\n{reads}M30")
@@ -105,7 +105,7 @@ def test_an_axis_that_moves_or_must_not_be_homed_is_refused(
 
 
 def test_a_position_is_set_without_motion(tmp_path: Path) -> None:
-    """Execute rises in cycle 5: tick 6 has the position, Done behind it; the path leaves it."""
+    """Execute rises in cycle 5: tick 6 has the position, Done after it; the path leaves it."""
     body = "fbPosition(Axis := A, Execute := n >= 5, Position := 123_0000); "
     body += "IF fbPosition.Done AND nDone = 0 THEN nDone := n; END_IF"
     a, plc, run = run_with(tmp_path, body, 200, "G01 X2 F6000\nG04 1\nM30")

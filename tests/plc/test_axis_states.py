@@ -36,7 +36,7 @@ n := n + 1;"""
 def traced(
     folder: Path, body: str, ticks: int, *names: str
 ) -> tuple[list[list[float]], StructuredPlc]:
-    """Values of variables of MAIN behind each tick, and the PLC afterwards."""
+    """Values of variables of MAIN after each tick, and the PLC afterwards."""
     plc = load_structured(nc_axis(folder, AXIS, body), {"MAIN.C": "X"})
     trace = run(plc, ticks, [f"MAIN.{name}" for name in names]).trace
     return [[round(float(one), 6) for one in trace[f"MAIN.{name}"]] for name in names], plc
@@ -117,7 +117,7 @@ def test_a_motion_downwards_has_the_same_phases(tmp_path: Path) -> None:
 
 
 def test_states_of_endless_motion_stop_and_an_axis_without_power(tmp_path: Path) -> None:
-    """ST-744: by ReadStatus() or a call of the reference; MC_Stop keeps an axis that stands."""
+    """ST-744: by ReadStatus() or a call of the reference; MC_Stop keeps an axis that is at rest."""
     body = """fbPower(Axis := A, Enable := TRUE);
 fbEndless(Axis := A, Execute := n >= 5, Velocity := 100.0, Direction := MC_Negative_Direction);
 fbStop(Axis := A, Execute := n >= 60);

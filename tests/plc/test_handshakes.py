@@ -32,14 +32,14 @@ def examples(page: str) -> list[tuple[str, str, str]]:
 def test_a_plc_in_python(
     title: str, code: str, expected: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """As it stands."""
+    """As it is."""
     exec(compile(code, f"{title}.py", "exec"), {"__name__": "example"})
     assert capsys.readouterr().out == expected
 
 
 @pytest.mark.slow
 def test_hmi_and_plc_by_ads(tmp_path: Path) -> None:
-    """One after another, in a process of their own, against a controller of their own."""
+    """One after another, in their own process, against their own controller."""
     pytest.importorskip("pyads", reason="pyads needs a compiler, which is missing here")
     server = Server(tmp_path, "--wait-for-start", text=PART)
     codes, outputs = zip(*[found[1:] for found in examples("ads-handshakes.md")], strict=True)

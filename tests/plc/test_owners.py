@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """One owner at a time: the PLC, a realtime cycle and the path want one axis (MO-13, RC-409).
 
-What the PLC calls behind tick n is latched at the start of tick n + 1; then come commands and
+What the PLC calls after tick n is latched at the start of tick n + 1; then come commands and
 blocks, then the cycles, then the path. So in one tick the PLC is first, the path second, a cycle
 last. The demo machine: 500 mm/s, 4000 mm/s²; 10 mm from rest to rest take 100 ticks.
 """
@@ -36,7 +36,7 @@ class Owner(Plc):
         self.ends: list[tuple[int, str]] = []
 
     def each_tick(self, hli: PlcView) -> None:
-        """What is called behind tick n acts in tick n + 1."""
+        """What is called after tick n acts in tick n + 1."""
         execute = hli.tick + 1 >= self.moves
         if isinstance(self.block, MC_MoveVelocity):
             self.block(hli, execute=execute, velocity=100)
@@ -115,7 +115,7 @@ def test_plc_and_cycle_in_one_tick() -> None:
 @pytest.mark.parametrize(
     ("moves", "number", "end"),
     [
-        (20, 900420, "done"),  # Z has moved to 10 and stands where the program does not know
+        (20, 900420, "done"),  # Z has moved to 10 and is where the program does not know
         (150, 50766, "done"),  # Z moves when the block begins in tick 200
         (200, 50766, "done"),  # in the same tick: the PLC is first
     ],
@@ -130,7 +130,7 @@ def test_a_block_wants_an_axis_that_the_plc_has_or_had(moves: int, number: int, 
 
 
 def test_the_plc_wants_an_axis_that_the_path_has() -> None:
-    """One tick behind the begin of the block: 50603 for the PLC, the path goes on."""
+    """One tick after the begin of the block: 50603 for the PLC, the path goes on."""
     plc = Owner(201)
     made = run("G04 X0.2\nG00 Z-5\nM30", plc)
     assert errors(made) == []
@@ -160,7 +160,7 @@ def test_a_block_asks_for_an_axis_that_a_cycle_names() -> None:
 
 
 def test_a_block_asks_for_an_axis_that_the_plc_moves_endlessly() -> None:
-    """RC-409, MO-13: 50766, since Z never stands."""
+    """RC-409, MO-13: 50766, since Z never stops."""
     plc = Owner(150, endless=True)
     made = Controller().run(NcText("p.nc", CYCLE + "G04 X0.2\nG00 Z-5\nM30"), plc=plc, ticks=400)
     assert errors(made) == [50766]

@@ -4,7 +4,7 @@
 A state machine of hypothesis plays the PLC of a program that outputs functions of all
 synchronisations, functions of realtime cycles and jobs of spindles. Whatever it does, a function
 waits until its own serial is acknowledged, what is not there is a ``ValueError`` or a ``Failure``,
-and what no longer waits is told once. ``NCTAKT_SEEDS=100000`` makes as many PLCs.
+and what no longer waits is reported once. ``NCTAKT_SEEDS=100000`` makes as many PLCs.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ CYCLES = (
 NUMBERS = st.one_of(
     st.integers(-3, 300), st.sampled_from([-(10**9), 1 << 31, 1 << 62, -(1 << 63), 10**30])
 )
-#: A number that stands for another one; ``None``: it stays as it is.
+#: A number that represents another one; ``None``: it stays as it is.
 CHANGED = st.one_of(st.none(), NUMBERS)
 REALS = st.floats(width=64)
 WRITTEN = ("V.E.TRIGGER", "V.E.COUNT", "HLI.OVERRIDE", "V.E.NOPE", "HLI.NOPE")
@@ -71,7 +71,7 @@ class RandomPlc(RuleBasedStateMachine):
         super().__init__()
         self.controller = Controller(DEMO)
         self.hli: PlcView = self.controller.hli
-        #: Section and serial of the functions that waited behind the last step.
+        #: Section and serial of the functions that waited after the last step.
         self.seen: set[tuple[bool, int]] = set()
         self.answered: set[tuple[bool, int]] = set()
         self.resets = 0
@@ -196,7 +196,7 @@ class RandomPlc(RuleBasedStateMachine):
 
     @invariant()
     def the_channel_is_in_a_state(self) -> None:
-        """One of the known ones, with finite values; stale names are told once each."""
+        """One of the known ones, with finite values; stale names are reported once each."""
         assert self.hli.state in STATES
         assert all(math.isfinite(value) for value in self.hli.channel().values())
         told = [one.values["name"] for one in self.controller.diagnostics if one.id == 900671]

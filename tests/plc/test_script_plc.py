@@ -59,7 +59,7 @@ class Observer(Plc):
     ],
 )
 def test_policies_acknowledge_when_they_say(policy: Policy, expected: dict[int, int]) -> None:
-    """What is acknowledged behind tick n waits no longer after tick n + 1."""
+    """What is acknowledged after tick n waits no longer after tick n + 1."""
 
     class Cell(Observer):
         acknowledge = policy
@@ -92,7 +92,7 @@ class Timed(Plc):
 
     @at(0)
     def begin(self, hli: PlcView) -> None:
-        """The first call comes behind tick 0: in force in tick 1."""
+        """The first call comes after tick 0: in force in tick 1."""
         hli.write("V.E.TRIGGER", 1)
 
 
@@ -148,7 +148,7 @@ def test_conditions_react_to_edges_and_functions_once_each() -> None:
 
 
 def test_functions_in_the_same_slot_are_told_apart() -> None:
-    """Each tick M100 again: each is a function of its own."""
+    """Each tick M100 again: each is its own function."""
     plc = Watching()
     run("#RT CYCLE\nM100\n#RT CYCLE END\nG04 X0.004\nM30", plc)
     assert plc.seen == [(tick, "M100") for tick in range(4)]
@@ -238,7 +238,7 @@ class Cell(Plc):
 
 
 def test_a_mistake_shows_the_users_lines_only(tmp_path: Path) -> None:
-    """Not the base class, not the library that was called: files beside the PLC's own."""
+    """Not the base class, not the library that was called: files next to the PLC's own."""
     (tmp_path / "plc.py").write_text(MISTAKE, "utf-8")
     helper = "import json\n\ndef broken():\n    json.loads('{')\n"
     (tmp_path / "broken_helper.py").write_text(helper, "utf-8")
@@ -301,9 +301,9 @@ M30"""
 def test_jobs_of_plc_spindles_are_acknowledged_as_they_say(
     policy: SpindlePolicy, reached: list[int]
 ) -> None:
-    """RC-404: the tick behind the acknowledgement knows that the job is over.
+    """RC-404: the tick after the acknowledgement knows that the job is over.
 
-    M19 has brought the spindle to a stand, so M5 has nothing to do.
+    M19 has brought the spindle to a standstill, so M5 has nothing to do.
     """
 
     class Cell(Plc):
@@ -323,7 +323,7 @@ def test_a_spindle_that_nobody_acknowledges_is_busy() -> None:
 
 
 def test_a_method_gets_each_job_of_a_spindle() -> None:
-    """Once each, behind the tick that commands it, with what the spindle turned with before."""
+    """Once each, after the tick that commands it, with what the spindle turned with before."""
     seen: list[tuple[int, int, float, float]] = []
 
     class Cell(Plc):

@@ -177,7 +177,7 @@ def test_a_project_wins_over_python() -> None:
 
 
 def test_two_in_python_are_refused(capsys: pytest.CaptureFixture[str]) -> None:
-    """902761: two PLCs in Python do not run together, which is told before the first tick."""
+    """902761: two PLCs in Python do not run together, which is reported before the first tick."""
     assert main(["run", "part.nc", "--plc", "cell.py", "--plc", "cell.py"]) == 2
     assert "902761" in capsys.readouterr().err
     with pytest.raises(Failure, match="902761"):
@@ -211,7 +211,7 @@ def test_an_fmu_has_all_of_them() -> None:
 def test_a_study_measures_all_of_them() -> None:
     """Each run begins anew with all of them; a recorded run is replayed without the one in Python.
 
-    The program waits 10 ms for M7, which is acknowledged behind tick 0, and G04.
+    The program waits 10 ms for M7, which is acknowledged after tick 0, and G04.
     """
     study = Study(
         program="part.nc",

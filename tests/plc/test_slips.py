@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Slips in a PLC's file: told when it is loaded, with place and nearest name (RC-002)."""
+"""Slips in a PLC's file: reported when it is loaded, with place and nearest name (RC-002)."""
 
 from __future__ import annotations
 

@@ -181,7 +181,7 @@ def test_branches_of_the_plc_are_counted(tmp_path: Path) -> None:
         (9, "FOR", 6, 0, 6),
         (14, "CASE", 2, 0, 2),
         (15, "CASE", 0, 0, 0),
-        # sum is 2, 4, 0, 1, 3 in front of the loop.
+        # sum is 2, 4, 0, 1, 3 before the loop.
         (17, "WHILE", 1, 5, 1),
     ]
     assert [(part.text, part.true, part.false) for part in main.branches[0].parts] == [

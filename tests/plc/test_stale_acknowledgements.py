@@ -27,7 +27,7 @@ class KeepsTheFirst(Plc):
         self.waiting: dict[int, list[str]] = {}
 
     def each_tick(self, hli: PlcView) -> None:
-        """Called behind each tick."""
+        """Called after each tick."""
         functions = hli.functions()
         self.waiting[hli.tick] = [one.name for one in functions]
         if self.kept is None and functions:
@@ -37,7 +37,7 @@ class KeepsTheFirst(Plc):
 
 
 def test_a_kept_function_does_not_acknowledge_the_next_one_in_its_slot() -> None:
-    """Only M100 is acknowledged; that the others still wait is told once, with the tick."""
+    """Only M100 is acknowledged; that the others still wait is reported once, with the tick."""
     plc = KeepsTheFirst()
     run = Controller().run(NcText("p.nc", WAITING), plc=plc)
     assert plc.waiting[0] == ["M100"]
@@ -60,7 +60,7 @@ def test_a_function_acknowledged_twice_behind_one_tick_is_acknowledged() -> None
 
 
 def test_a_function_that_a_reset_has_cleared_is_stale() -> None:
-    """What comes behind the reset still waits."""
+    """What comes after the reset still waits."""
     controller = Controller()
     plc = KeepsTheFirst()
     controller.run(NcText("p.nc", WAITING), plc=plc, ticks=5)

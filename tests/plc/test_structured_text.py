@@ -110,7 +110,7 @@ def test_a_stopped_plc_is_no_longer_present(tmp_path: Path) -> None:
     plc = loaded(tmp_path, GATE.replace("END_PROGRAM", f"{stops} END_PROGRAM"))
     done = run_nc(plc, "N5 G04 0.01\nN20 M7\nN30 G00 X10\nM30", 40, ["X.ACS.ACT_POS"])
     assert [one.message.id for one in done.errors] == [902265]
-    # cycle 21 is the twentieth behind the opening of the interface; M7 goes on in tick 23
+    # cycle 21 is the twentieth after the opening of the interface; M7 goes on in tick 23
     x = done.trace["X.ACS.ACT_POS"]
     assert x[21] == 0.0
     assert x[39] > 0.0
@@ -479,7 +479,7 @@ n := n + 1;"""
 def test_a_stop_aborts_a_motion_of_the_other_library(tmp_path: Path) -> None:
     """ST-741 … 744: braking from 100 mm/s at 4000 mm/s² takes 25 increments after cycle 105.
 
-    The motion stands at 8.75 in cycle 105; braking adds 100² / (2 · 4000) = 1.25: 10 in cycle 130.
+    The motion is at 8.75 in cycle 105; braking adds 100² / (2 · 4000) = 1.25: 10 in cycle 130.
     """
     plc = load_structured(nc_axis(tmp_path, NC_AXIS, NC_BODY), {"MAIN.axLoader": "A"})
     a = list(run_nc(plc, "N10 G04 1\nM30", 140, ["A.ACS.ACT_POS"]).trace["A.ACS.ACT_POS"])
@@ -715,7 +715,7 @@ n := n + 1;"""
 def test_the_other_library_homes_in_three_ways(
     tmp_path: Path, pins: str, homed: float, number: int
 ) -> None:
-    """ST-744: the simulated axis stands 0.001 mm beyond its zero pulse, as that is 0.001 off.
+    """ST-744: the simulated axis is 0.001 mm beyond its zero pulse, as that is 0.001 off.
 
     Then its position becomes greater by 7.5, and the parameter was read once.
     """

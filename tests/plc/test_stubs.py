@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Classes in Python stand in for blocks of libraries: ``[plc.stubs]``.
+"""Classes in Python replace blocks of libraries: ``[plc.stubs]``.
 
 T = 1 ms. Cycle n of the PLC is that after tick n; a class is called after it, and what it sets is
 there in cycle n + 1 (ST-803, RC-002).
@@ -152,7 +152,7 @@ def test_a_tape_has_what_they_set_and_replays_without_python(folder: Path) -> No
 
 
 def test_functions_still_acknowledge_themselves(folder: Path) -> None:
-    """ST-763: a class that stands in for a block is no PLC that functions wait for."""
+    """ST-763: a class that replaces a block is no PLC that functions wait for."""
     nc = NcText("part.nc", "N10 M7\nN20 G04 0.01\nM30")
     assert Controller().run(nc, plc=plc_in(folder), until="1 s").state == "ended"
 
@@ -176,7 +176,7 @@ def test_they_run_beside_a_plc_in_python(folder: Path) -> None:
 
 
 def test_two_projects_have_their_own(folder: Path) -> None:
-    """ST-803: paths of the second project of a name are told apart on the tape as well."""
+    """ST-803: paths of the second project of a name are distinguished on the tape as well."""
     noted = list[object]()
     both = PlcGroup([plc_in(folder), plc_in(folder)])
     Controller().run(NC, plc=both, ticks=6, record=noted.extend)
@@ -249,7 +249,7 @@ def test_suites_run_with_them(folder: Path) -> None:
 
 
 def found_in(folder: Path) -> list[tuple[str, int, int]]:
-    """File, line and number of each error that ``nctakt check`` tells."""
+    """File, line and number of each error that ``nctakt check`` reports."""
     done = CliRunner().invoke(command, [str(folder / "cell.st")])
     assert done.exception is None or isinstance(done.exception, SystemExit)
     found = re.findall(r"^(?:(\S+?):(\d+):\d+: )?error (\d+):", done.output, re.MULTILINE)
@@ -257,7 +257,7 @@ def found_in(folder: Path) -> list[tuple[str, int, int]]:
 
 
 def test_a_check_runs_nothing(folder: Path) -> None:
-    """What stands around the declaration is not run, and the block is known."""
+    """What is around the declaration is not run, and the block is known."""
     (folder / "stubs.py").write_text(f"raise SystemExit(9)\n{STUBS}", "utf-8")
     assert found_in(folder) == []
 

@@ -70,7 +70,7 @@ def test_the_data_of_the_answer_are_those_of_the_tool(folder: Path) -> None:
 
 
 def test_what_a_request_says(folder: Path) -> None:
-    """T 500 is got ready; D501 tells what the program has written into P[0] of the tool 500."""
+    """T 500 is got ready; D501 shows what the program has written into P[0] of the tool 500."""
     plc = Cell()
     lines = ("T500", "D500", "V.G.WZ_AKT.P[0] = 9", "D501", "#TOOL PREP [500]", "D0")
     assert numbers(run(folder, "\n".join(lines), plc=plc)) == []

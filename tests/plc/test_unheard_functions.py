@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What happened before the PLC announced itself is told: functions, jobs, motions (ST-763).
+"""What happened before the PLC announced itself is reported: functions, jobs, motions (ST-763).
 
 T = 1 ms. The PLC opens the interface in cycles 0 and 1 and announces itself in cycle 2, that after
 tick 2 (ST-801); from tick 3 on functions wait for it (RC-002).
@@ -141,7 +141,7 @@ def test_a_job_of_a_cycle_before_the_plc_that_turns_the_spindle_is_told(tmp_path
 def test_a_function_that_takes_its_time_may_still_reach_the_plc(
     tmp_path: Path, ticks: int, seen: int, told: int
 ) -> None:
-    """P-CHAN-00040: M7 acknowledges itself after its time, in tick 2 no one has it, in 3 the PLC.
+    """P-CHAN-00040: M7 acknowledges itself after its time, in tick 2 nobody has it, in 3 the PLC.
 
     The list counts in 0.1 µs.
     """

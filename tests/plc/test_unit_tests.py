@@ -155,7 +155,7 @@ def test_mistakes_have_their_place(
 
 
 def test_what_belongs_to_no_test_fails_all_of_its_suite(tmp_path: Path) -> None:
-    """An assertion in front of the first TEST, in the first cycle."""
+    """An assertion before the first TEST, in the first cycle."""
     text = """FUNCTION_BLOCK FB_Suite EXTENDS FB_TestSuite
         AssertTrue(FALSE, '');
         TEST('t'); TEST_FINISHED();

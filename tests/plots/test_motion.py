@@ -44,7 +44,7 @@ def test_the_jerk_has_a_limit_where_the_slope_gives_it_one() -> None:
 
 
 def test_speed_acceleration_and_jerk_are_those_of_the_positions() -> None:
-    """G00 X20: 4000 mm/s² up and down, 0.1414 s; each difference stands in its middle."""
+    """G00 X20: 4000 mm/s² up and down, 0.1414 s; each difference is in its middle."""
     axis = motions("G00 X20\nM30\n")[0]
     assert (axis.name, axis.unit, axis.moves) == ("X", "mm", True)
     assert axis.position.time_s[0] == pytest.approx(0.001)

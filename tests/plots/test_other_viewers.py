@@ -199,7 +199,7 @@ def test_what_is_not_kept_any_more_is_shown_as_unknown() -> None:
 
 @pytest.mark.parametrize("kind", ["condition", "reaction"])
 def test_a_file_for_perfetto_says_why_a_reaction_never_ran(kind: str, tmp_path: Path) -> None:
-    """Each branch has its tracks; on one without slices the reason stands at the begin."""
+    """Each branch has its tracks; on one without slices the reason is at the begin."""
     found = events(drawn(IDLE), tmp_path / "part.json")
     name = {"condition": "never true", "reaction": "never ran"}[kind]
     moments = [one for one in found if one["name"] == name]
@@ -209,7 +209,7 @@ def test_a_file_for_perfetto_says_why_a_reaction_never_ran(kind: str, tmp_path: 
 
 
 def test_slices_of_a_track_are_apart(tmp_path: Path) -> None:
-    """Functions that overlap have tracks of their own; each track has a name."""
+    """Functions that overlap have their own tracks; each track has a name."""
     text = PART.replace("$IF ONCE V.RTA.ACS.ACT_POS.X > 5", "$IF V.RTA.ACS.ACT_POS.X > 19")
     found = events(drawn(text, plc=Slow()), tmp_path / "part.json")
     named = {(one["pid"], one["tid"]) for one in found if one["name"] == "thread_name"}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The interactive page in a browser: it draws, zooms, tells values and places."""
+"""The interactive page in a browser: it draws, zooms, shows values and places."""
 
 from __future__ import annotations
 

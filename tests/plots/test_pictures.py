@@ -73,7 +73,7 @@ def test_signals_choose_what_is_drawn() -> None:
 
 
 def test_reactions_have_numbers_on_the_path() -> None:
-    """Each mark stands where the axes were when the reaction began."""
+    """Each mark is where the axes were when the reaction began."""
     path = scene(drawn()).path
     assert path is not None
     assert path.axes == ("X", "Y", "Z")
@@ -98,7 +98,7 @@ def test_a_reaction_lies_over_its_condition() -> None:
 
 
 def test_bars_close_together_are_joined() -> None:
-    """No more bars than can be seen, and how many each stands for."""
+    """No more bars than can be seen, and how many each represents."""
     bars = [Bar(i / 1000, i / 1000 + 0.0005, "x") for i in range(10_000)]
     few, are_joined = joined(bars, 100, 10.0)
     assert are_joined
@@ -223,7 +223,7 @@ def test_pictures_have_one_of_three_suffixes() -> None:
 def test_what_was_not_recorded_cannot_be_drawn(
     run: object, signals: list[str] | None, number: int, tmp_path: Path
 ) -> None:
-    """The message tells how to record it."""
+    """The message says how to record it."""
     assert callable(run)
     with pytest.raises(Failure) as caught:
         run().plot(tmp_path / "part.html", signals=signals)

@@ -61,7 +61,7 @@ def answer(client: socket.socket) -> bytes:
 
 
 def test_only_the_token_opens(endpoint: Endpoint) -> None:
-    """901921 without one, 901922 with another one; the endpoint hangs up behind both."""
+    """901921 without one, 901922 with another one; the endpoint hangs up after both."""
     for first, expected in (("-\n", b"901921\n"), (f"{endpoint.token[:-1]}\n", b"901922\n")):
         with connected(endpoint, first) as client:
             assert answer(client) == expected

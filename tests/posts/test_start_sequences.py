@@ -18,7 +18,7 @@ from nctakt.run.controller import Controller
 PROGRAMS = Path(__file__).parent / "programs"
 DEMO5 = Path(nctakt.__file__).parent / "machines" / "demo5"
 
-#: Program -> positions of X, Y, Z behind its end; ``None``: not looked at.
+#: Program -> positions of X, Y, Z after its end; ``None``: not looked at.
 ENDS: dict[str, tuple[float | None, float | None, float | None]] = {
     "beam_centre.nc": (105.0, 20.0, 300.0),
     "cladding.nc": (120.0, 80.0, 60.0),

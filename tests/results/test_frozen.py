@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""RC-302: a run tells which asynchronous values its realtime cycles see."""
+"""RC-302: a run shows which asynchronous values its realtime cycles see."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ M30
 
 
 def test_a_definition_that_is_decoded_again_tells_its_latest_values() -> None:
-    """Cycles of one definition are told together, with what the last of them sees."""
+    """Cycles of one definition are reported together, with what the last of them sees."""
     text = """$FOR P1 = 1, 3, 1
 #RT CYCLE [SCOPE=BLOCK]
   P1
@@ -55,7 +55,7 @@ M30
 
 
 def test_definitions_of_one_id_keep_their_own_values() -> None:
-    """Two definitions that use an ID one after the other are told apart."""
+    """Two definitions that use an ID one after the other are distinguished."""
     text = """P1 = 1
 #RT CYCLE [ID=7]
   P1

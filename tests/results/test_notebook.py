@@ -57,7 +57,7 @@ def test_curves_of_constants_are_level() -> None:
 
 
 def test_a_why_report_shows_its_branches(run: ExplainedRun) -> None:
-    """The line as it stands, its counts, when its body ran, and that on a strip."""
+    """The line as it is, its counts, when its body ran, and that on a strip."""
     page = run.why._repr_html_()
     assert "V.RTA.ACS.ACT_POS.X &gt; 1 &amp;&amp; V.E.COUNT &lt; 5" in page
     assert is_escaped(page)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A controller is run by one thread at a time; a second one is told (901005)."""
+"""A controller is run by one thread at a time; a second one is reported (901005)."""
 
 from __future__ import annotations
 

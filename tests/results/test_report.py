@@ -164,7 +164,7 @@ def test_a_user_error_is_an_action_and_what_it_says() -> None:
 
 
 def test_spindles_and_timers_of_the_program_make_no_line() -> None:
-    """Manual 5: level 4 tells of the actions of cycles."""
+    """Manual 5: level 4 reports the actions of cycles."""
     report = DiagnosisReport()
     report.add([event("spindle", "S M3 100", cycle=""), event("spindle_reached", "S", cycle="")])
     assert report.lines(4) == []
@@ -191,7 +191,7 @@ def test_what_is_not_the_cycles_makes_no_line() -> None:
 
 
 def test_an_error_is_told_with_its_text() -> None:
-    """RC-602: what the error says stands behind its number, in the language asked for."""
+    """RC-602: what the error says comes after its number, in the requested language."""
     place = Span("part.nc", 5, 3, 4)
     report = DiagnosisReport()
     report.add([Event(1, 1000, "error", "900510", place, "1")])
@@ -212,7 +212,7 @@ def test_a_sink_keeps_everything() -> None:
 
 @pytest.mark.parametrize("extra", [-1, 0, 1])
 def test_the_ring_is_bounded(extra: int) -> None:
-    """RC-603: at the bound all lines are there, one more pushes out the oldest and is told."""
+    """RC-603: at the bound all lines are there, one more pushes out the oldest and is reported."""
     report = DiagnosisReport()
     for number in range(DIAGNOSIS_CAPACITY + extra):
         report.add([event("started", "1", time_us=number)])

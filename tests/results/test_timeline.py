@@ -91,7 +91,7 @@ def test_a_cycle_is_defined_active_and_held() -> None:
 
 
 def test_cycles_without_id_of_one_definition_share_a_track() -> None:
-    """A definition that a loop runs three times; what overlaps gets rows of its own."""
+    """A definition that a loop runs three times; what overlaps gets its own rows."""
     text = (
         "V.P.I = 0\n$WHILE V.P.I < 3\n#RT CYCLE [SCOPE=PROG]\n$IF V.RTA.ACS.ACT_POS.X > 1\n"
         "V.E.COUNT = 1\n$ENDIF\n#RT CYCLE END\nV.P.I = V.P.I + 1\n$ENDWHILE\nG00 X10\nM30\n"

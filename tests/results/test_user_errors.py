@@ -65,7 +65,7 @@ def test_lines_that_are_no_texts_are_reported(machine: Path) -> None:
 
 
 def test_a_file_that_is_not_there_is_a_warning(machine: Path) -> None:
-    """User errors are told without texts then."""
+    """User errors are reported without texts then."""
     (machine / "user_errors.txt").unlink()
     controller = Controller(machine)
     assert 296010 in [one.id for one in controller.diagnostics]

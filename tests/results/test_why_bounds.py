@@ -14,7 +14,7 @@ from nctakt.results.probe_log import CYCLES_KEPT
 
 @pytest.mark.parametrize("over", [-1, 0, 1])
 def test_the_newest_changes_are_kept(over: int) -> None:
-    """One change a tick: at the bound nothing is left out, behind it the oldest."""
+    """One change a tick: at the bound nothing is left out, after it the oldest."""
     (cycle,) = why(TOGGLE, ticks=CHANGES_KEPT + over).cycles
     condition = cycle.branches[0].condition
     assert len(condition.changes) == min(CHANGES_KEPT, CHANGES_KEPT + over)

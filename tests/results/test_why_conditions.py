@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a run tells of each condition: evaluations, changes, run-throughs, nearest misses."""
+"""What a run shows of each condition: evaluations, changes, run-throughs, nearest misses."""
 
 from __future__ import annotations
 
@@ -199,7 +199,7 @@ def test_the_report_does_not_depend_on_how_the_run_is_cut() -> None:
 
 
 def test_nothing_is_kept_unless_it_is_asked_for() -> None:
-    """``why`` is off by default, also behind a run that had it on."""
+    """``why`` is off by default, also after a run that had it on."""
     controller = Controller()
     assert why(ONCE, controller=controller).cycles
     assert controller.run(NcText("part.nc", "G00 X0\nM30\n")).why is None

@@ -20,7 +20,7 @@ IF = ("$IF V.E.CONDITION == 1", "V.E.COUNT += 1", "$ENDIF")
 
 
 def test_never_true() -> None:
-    """The nearest value is told: 0.25 at tick 2, in which it was first seen."""
+    """The nearest value is reported: 0.25 at tick 2, in which it was first seen."""
     at = [(2, "V.E.VALUE", 4.0), (3, "V.E.VALUE", 0.0), (5, "V.E.VALUE", 4.0)]
     report = why(body("$IF V.E.VALUE > 4.25", "V.E.COUNT += 1", "$ENDIF"), at=at)
     (cycle,) = report.cycles
@@ -44,7 +44,7 @@ def test_never_reached_since_the_branch_around_it_was_false() -> None:
 
 
 def test_never_reached_since_an_earlier_branch_was_true() -> None:
-    """RC-201: ``$ELSEIF`` and ``$ELSE`` behind a branch that is true in each tick."""
+    """RC-201: ``$ELSEIF`` and ``$ELSE`` after a branch that is true in each tick."""
     lines = (*IF[:2], "$ELSEIF V.E.VALUE == 1", "$ELSE", "V.E.COUNT = 0", "$ENDIF")
     report = why(body(*lines), set={"V.E.CONDITION": 1})
     (cycle,) = report.cycles

@@ -149,7 +149,7 @@ def test_what_a_cycle_went_through(text: str, language: str, told: str) -> None:
 
 
 def test_a_long_list_shows_its_ends() -> None:
-    """Of 50 changes the first and the last ones are told, and how many are between."""
+    """Of 50 changes the first and the last ones are reported, and how many are between."""
     text = why(TOGGLE, ticks=50).render()
     assert text.count("true from tick") + text.count("false from tick") == 2 * ENDS_SHOWN
     assert "    … 42 more …\n" in text
@@ -188,7 +188,7 @@ def test_a_line_outside_of_every_branch() -> None:
 def test_what_there_is_not(
     text: str, cycle: str | None, line: int | None, number: int, told: str
 ) -> None:
-    """An unknown cycle or line is told with what there is."""
+    """An unknown cycle or line is reported with what there is."""
     with pytest.raises(Failure) as failure:
         why(text).select(cycle, line)
     (found,) = failure.value.diagnostics

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt disassemble``: each program in this folder gives the listing beside it, word for word.
+"""``nctakt disassemble``: each program in this folder gives the listing next to it, word for word.
 
 Lines ``; --set NAME=VALUE`` at a program's head are options of the command. ``NCTAKT_UPDATE=1``
 writes the listings anew: then read what ``git diff`` says.
@@ -147,7 +147,7 @@ def test_a_program_without_cycles(
 def test_an_error_behind_a_cycle(
     capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What was decoded before an error is listed; the error is told, exit code 1."""
+    """What was decoded before an error is listed; the error is reported, exit code 1."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text("#RT CYCLE\nM100\n#RT CYCLE END\nP1 = 1 / 0\nM30\n", "utf-8")
     assert main(["disassemble", "part.nc"]) == 1
@@ -168,7 +168,7 @@ def test_a_limit(capsys: Captured, tmp_path: Path, monkeypatch: pytest.MonkeyPat
 
 
 def test_wrong_words(capsys: Captured) -> None:
-    """What cannot be used is told as for nctakt run: exit code 2."""
+    """What cannot be used is reported as for nctakt run: exit code 2."""
     assert main(["disassemble", "nowhere.nc", "--set", "V.E.COUNT"]) == 2
     told = capsys.readouterr().err
     assert "error 900500" in told

@@ -91,7 +91,7 @@ def test_each_level_adds_its_kind_of_lines(level: int, tmp_path: Path) -> None:
 def test_a_channel_without_realtime_cycles_has_no_diagnosis_data(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """RC-603, manual 5: only where P-CHAN-00406 is on; that there are none is told (901040)."""
+    """RC-603, manual 5: only where P-CHAN-00406 is on; that there are none is reported (901040)."""
     lines = {"sda_mds1.lis": ["configuration.rt_cycles.enable 0"]}
     machine = changed_machine(lines, tmp_path / "machine")
     program, written = tmp_path / "part.nc", tmp_path / "diagnosis.txt"

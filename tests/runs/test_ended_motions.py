@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Motions that end with their realtime cycle (END_ACTION), and how that is told (RC-110)."""
+"""Motions that end with their realtime cycle (END_ACTION), and how that is reported (RC-110)."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def test_a_motion_that_the_programs_end_cuts_off_is_told() -> None:
             ["Z did not begin its waiting motion", "before its target"],
         ),
         ("A[INDP G01 G90 POS=90 FEED=600]", "", "", ["° before its target"]),
-        (f"{FAR}\nV.E.VALUE = 1 / V.E.VALUE", "", "", []),  # the error is told
+        (f"{FAR}\nV.E.VALUE = 1 / V.E.VALUE", "", "", []),  # the error is reported
     ],
 )
 def test_what_is_told_and_what_is_not(

@@ -52,11 +52,11 @@ class Writer:
         self.lines: list[str] = []
         self.moved = 0
         self.has_read = False
-        #: What the IDs stand for, as far as the text tells: scope and state.
+        #: What the IDs represent, as far as the text shows: scope and state.
         self.alive: dict[int, tuple[str, str]] = {}
 
     def program(self) -> list[Command]:
-        """A program; its text is in ``lines`` behind it."""
+        """A program; its text is in ``lines`` after it."""
         self.lines = []
         self.has_read = False
         commands = [self._command() for _ in range(self.random.randint(3, 14))]

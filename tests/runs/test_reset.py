@@ -29,7 +29,7 @@ M30
 
 
 def started(ticks: int) -> Controller:
-    """A controller that has run so many ticks of the program."""
+    """A controller that has run this many ticks of the program."""
     controller = Controller()
     controller.start(NcText("part.nc", PROGRAM))
     controller.step(ticks)
@@ -42,7 +42,7 @@ def values(controller: Controller) -> list[float]:
 
 
 def test_a_reset_brakes_on_the_path_and_no_cycle_runs_in_it() -> None:
-    """RC-007, MO-6: 20 mm after 100 ticks at 400 mm/s; it stands 100 ticks later at 40 mm."""
+    """RC-007, MO-6: 20 mm after 100 ticks at 400 mm/s; it is 100 ticks later at 40 mm."""
     controller = started(100)
     assert controller.read("V.RTA.ACS.ACT_POS.X") == pytest.approx(20, abs=1e-9)
     assert values(controller) == [100, 100, 100]
@@ -54,7 +54,7 @@ def test_a_reset_brakes_on_the_path_and_no_cycle_runs_in_it() -> None:
 
 
 def test_a_reset_deletes_block_and_prog_cycles_and_keeps_global_ones() -> None:
-    """RC-007: the GLOBAL cycle runs on behind the reset with its ``$IF`` states."""
+    """RC-007: the GLOBAL cycle runs on after the reset with its ``$IF`` states."""
     controller = started(100)
     controller.write("V.E.TRIGGER", 1)
     controller.reset()
@@ -91,7 +91,7 @@ def test_ids_are_free_behind_a_reset() -> None:
 
 
 def test_a_reset_ends_the_error_state() -> None:
-    """RC-007, RC-505: behind a fault the channel is in error until it is reset."""
+    """RC-007, RC-505: after a fault the channel is in error until it is reset."""
     controller = Controller()
     text = "#RT CYCLE [ID = 1 SCOPE = GLOBAL]\nV.E.COUNT += 1\n#RT CYCLE END\n"
     text += "#RT CYCLE [ID = 2]\nV.E.VALUE = 1 / V.E.VALUE1\n#RT CYCLE END\n#TIME 0.010\nM30\n"

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Runs whole programs and compares them with traces that were worked out by hand.
 
-Each folder beside this file is a test: programs, ``run.toml`` with values and limits where needed,
+Each folder next to this file is a test: programs, ``run.toml`` with values and limits where needed,
 and ``expected.trace``. Programs of other channels than the first are named in ``run.toml``
 (``[channels]``), a machine folder of the test's own as well (``machine_folder``), a schedule with
-its load (``rtconf``, ``load``). Its README
-derives the trace from the rules. Lines of ``expected.trace``:
-``value <tick> <signal> <number>``; ``event <tick> <kind> <text>``, where all events are listed, and
-all notices if there is one; ``diagnostic <number> <line> <words>``, where all errors are listed if
-there is one. Without ``exit = 1`` in ``run.toml`` a run has no errors.
+its load (``rtconf``, ``load``). Its README derives the trace from the rules. Lines of
+``expected.trace``: ``value <tick> <signal> <number>``; ``event <tick> <kind> <text>``, where all
+events are listed, and all notices if there is one; ``diagnostic <number> <line> <words>``, where
+all errors are listed if there is one. Without ``exit = 1`` in ``run.toml`` a run has no errors.
 """
 
 from __future__ import annotations

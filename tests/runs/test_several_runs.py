@@ -27,7 +27,7 @@ def test_ticks_count_on_and_channel_variables_live_until_the_restart() -> None:
 
 
 def test_a_run_ends_with_its_motions_and_lasts_as_long_as_asked_for() -> None:
-    """RC-006: the last tick is that of M30, or so many ticks behind it."""
+    """RC-006: the last tick is that of M30, or this many ticks after it."""
     text = NcText("move.nc", "G00 X0.1\nM30")
     assert Controller().run(text).ticks == 11
     assert Controller().run(text, after="5 ms").ticks == 16
@@ -35,7 +35,7 @@ def test_a_run_ends_with_its_motions_and_lasts_as_long_as_asked_for() -> None:
 
 
 def test_a_run_that_is_reset_goes_on_for_as_long_as_asked_for() -> None:
-    """RC-007, RC-107: ``after`` counts behind a reset as well; GLOBAL cycles run in it.
+    """RC-007, RC-107: ``after`` counts after a reset as well; GLOBAL cycles run in it.
 
     The reset is latched in tick 5; in it no cycle runs. Five ticks follow.
     """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A controller that is stepped tells what its ticks have done."""
+"""A controller that is stepped shows what its ticks have done."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ def cells_of(inputs: list[Input]) -> Cells:
 
 
 def written(inputs: list[Input], parts: int = 1) -> list[str]:
-    """Return the lines of inputs that come in so many parts."""
+    """Return the lines of inputs that come in this many parts."""
     lines: list[str] = []
     writer = InputLines(lines.append)
     size = -(-len(inputs) // parts) or 1

@@ -37,7 +37,7 @@ def test_a_text_by_mistake_is_a_failure_that_names_nctext(text: str) -> None:
 
 
 def test_nothing_runs_and_the_controller_stays_usable() -> None:
-    """The program in front of the missing one has not begun."""
+    """The program before the missing one has not begun."""
     controller = Controller()
     with pytest.raises(Failure):
         controller.run(NcText("a.nc", "G00 X5\nM30"), "nofile.nc")

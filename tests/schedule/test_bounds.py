@@ -15,7 +15,7 @@ from nctakt.schedule.simulation.simulate import hyperperiod, simulate
 
 
 def simulated(model: Model) -> int:
-    """So many NC cycles show what there is to see."""
+    """This many NC cycles show what there is to see."""
     return 2 * hyperperiod(model) + 4
 
 

@@ -60,7 +60,7 @@ def test_the_other_way_round(folder: Path, capsys: Capture) -> None:
 
 
 def test_threads_of_one_list_only(folder: Path, capsys: Capture) -> None:
-    """They are told as such, and belong together by name, not by place."""
+    """They are reported as such, and belong together by name, not by place."""
     (folder / "b.lis").write_text(EXAMPLE_2, "utf-8")
     run(folder, "--lang", "de")
     out = capsys.readouterr().out

@@ -87,7 +87,7 @@ def test_how_times_are_written(folder: Path, capsys: Capture, form: str) -> None
 def bits_only(model: Model, cycles: int) -> Recording:
     """What an oscilloscope sees of a simulation: the bits, and nothing else."""
     record = simulate(model, cycles, record=cycles).record
-    # It is switched on before the first call and off behind the last one.
+    # It is switched on before the first call and off after the last one.
     return Recording(record.begin - US, record.end + US, trace_bits(model, record))
 
 
@@ -111,7 +111,7 @@ def test_bits_alone() -> None:
 @given(st.integers(50, 700), st.integers(50, 600), st.integers(50, 600), st.integers(50, 600))
 @settings(max_examples=60, deadline=None)
 def test_bits_of_all_threads_are_enough(geo: int, rnd: int, mmi: int, com: int) -> None:
-    """Where each thread has a bit of its own the times come out to the nanosecond."""
+    """Where each thread has its own bit the times come out to the nanosecond."""
     text = "\n".join(line for line in BITS.splitlines() if not line.startswith("external_thread"))
     times = {"task_int": geo, "task_rnd": rnd, "task_mmi_driver": mmi, "task_com": com}
     load = "[functions]\n" + "".join(f"{name} = {time}\n" for name, time in times.items())
@@ -128,7 +128,7 @@ def test_suspension_that_nobody_can_know() -> None:
 
 
 def test_bits_of_several_functions() -> None:
-    """They are told apart by nobody."""
+    """They are distinguished by nobody."""
     text = with_line(EXAMPLE_1, "thread[3].function[0].trace_bit 2")
     model, _ = make(text, load_text(TIGHT))
     learnt = learn(model, bits_only(model, 12))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Load files: what is taken, and what is told about bad ones."""
+"""Load files: what is taken, and what is reported about bad ones."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_bad_loads(text: str, number: int) -> None:
 
 
 def test_missing_times() -> None:
-    """Functions and external threads without a time have the assumed ones, a note tells each."""
+    """Functions and external threads without a time have the assumed ones, a note names each."""
     model, found = make(EXAMPLE_1, "[functions]\ntask_int = 1\n")
     assert found == [900622] * 4
     assert [task.longest // 1000 for task in model.tasks] == [1, 600, 200, 200, 150]
@@ -159,7 +159,7 @@ def test_time_of_one_place_in_the_list() -> None:
 
 
 def test_priority_of_an_external_thread() -> None:
-    """Without a priority it comes right behind the realtime thread."""
+    """Without a priority it comes right after the realtime thread."""
     load = load_text(TIGHT).replace("priority = 110\n", "")
     model, _ = make(EXAMPLE_1, load)
     order = sorted(model.tasks, key=lambda task: -task.urgency)

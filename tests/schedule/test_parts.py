@@ -61,7 +61,7 @@ def test_threads_run_as_without_parts() -> None:
 
 
 def test_interrupted_parts() -> None:
-    """What a more urgent external thread interrupts goes on behind it."""
+    """What a more urgent external thread interrupts goes on after it."""
     model = model_of("SWITCHED", load=LOAD.replace("priority = 110", "priority = 120"))
     found = parts_of(model, simulate(model, 1, record=1).record)
     assert [(one.begin // 1000, one.end // 1000) for one in found] == [
@@ -81,7 +81,7 @@ def test_interrupted_parts() -> None:
 
 
 def test_report_picture_and_trace(tmp_path: Path, capsys: Capture) -> None:
-    """The report tells the dead time; picture and Perfetto trace show the parts."""
+    """The report shows the dead time; picture and Perfetto trace show the parts."""
     (tmp_path / "rtconf.lis").write_text(EXAMPLE_1, "utf-8")
     (tmp_path / "load.toml").write_text(LOAD, "utf-8")
     words = [str(tmp_path / "rtconf.lis"), "--load", str(tmp_path / "load.toml")]

@@ -21,7 +21,7 @@ COMMANDS = re.findall(
 
 @pytest.mark.parametrize("command", COMMANDS)
 def test_picture_is_current(command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The command draws the picture that stands in the document."""
+    """The command draws the picture that is in the document."""
     monkeypatch.chdir(ROOT)
     *words, picture = shlex.split(command)
     assert main([*words, str(tmp_path / "a.svg")]) == 0

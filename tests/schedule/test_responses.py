@@ -19,13 +19,13 @@ US = 1000
 
 
 def counted(values: list[int]) -> ResponseCounts:
-    """The counts of values that are all told apart."""
+    """The counts of values that are all distinguished."""
     return ResponseCounts(1, tuple((one, values.count(one)) for one in sorted(set(values))))
 
 
 @given(st.lists(st.integers(0, 50), min_size=1, max_size=200))
 def test_percentiles(values: list[int]) -> None:
-    """At least so many jobs have that response or a shorter one, and no less would do."""
+    """At least this many jobs have that response or a shorter one, and no less would do."""
     responses = counted(values)
     assert responses.total == len(values)
     for share in PERCENTILES_PER_MILLE:
@@ -63,7 +63,7 @@ def test_responses_of_the_example() -> None:
 
 @pytest.mark.parametrize("count", [4096, 4097, 30_000])
 def test_many_different_responses(count: int) -> None:
-    """More than can be told apart: neighbours count together, and no percentile is too short."""
+    """More than can be distinguished: neighbours count together, and no percentile is too short."""
     model, _ = make(EXAMPLE_1, load_text(TIGHT))
     counters = Counters(model)
     chance = random.Random(count)

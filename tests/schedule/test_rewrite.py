@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""rtconf.lis written anew: what counts stands there, and nothing else has changed."""
+"""rtconf.lis written anew: what counts is there, and nothing else has changed."""
 
 from __future__ import annotations
 
@@ -96,14 +96,14 @@ def test_line_ends_and_encoding_stay(end: str, encoding: str) -> None:
 
 
 def test_what_stands_behind_the_end_stays() -> None:
-    """Text behind End or the character that ends a file is nobody's."""
+    """Text after End or the character that ends a file is nobody's."""
     for tail in ("End\nnotes\n", "End\n\x1acycle_time x"):
         text = BEFORE + tail
         assert fixed(text.encode())[0].data.decode() == AFTER.removesuffix("End\n") + tail
 
 
 def test_a_last_line_without_an_end() -> None:
-    """It gets one before the line that is added behind it."""
+    """It gets one before the line that is added after it."""
     anew, _, _ = fixed(BEFORE.rstrip("\n").encode())
     assert anew.data.decode() == AFTER
 

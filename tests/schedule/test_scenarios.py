@@ -361,7 +361,7 @@ def test_s6_realtime_thread_in_the_time_of_windows() -> None:
 
 
 def asynchronous(period: int, phase: int, mode: str = "ticks") -> Model:
-    """The load of S4 with an interrupt of its own."""
+    """The load of S4 with its own interrupt."""
     load = load_text(TIGHT | S4_TIMES, extra=f"[interrupt]\nperiod = {period}\nphase = {phase}\n")
     suspension = "ticks" if mode == "ticks" else "elapsed"
     rules = Rules(suspension=suspension)
@@ -410,7 +410,7 @@ def test_very_short_interrupts_prevent_suspensions(period: int, cycles: int) -> 
 
 
 def test_s9_two_processors() -> None:
-    """S9: GEO on a processor of its own."""
+    """S9: GEO on its own processor."""
     text = with_line(EXAMPLE_1, "thread[0].cpu 2")
     load = load_text(
         TIGHT | {"task_int": 1200, "task_rnd": 900}, extra="[machine]\nwindows_cpus = [1]\n"

@@ -299,7 +299,7 @@ def test_analyse(folder: Path, capsys: Capture) -> None:
 
 
 def test_both_examples_are_simulated_without_a_load(folder: Path, capsys: Capture) -> None:
-    """The assumed times are told in a note."""
+    """The assumed times are reported in a note."""
     for name in ("rtconf.lis", "rtconf2.lis"):
         assert run("simulate", folder / name) == 0
         assert "note 900625" in capsys.readouterr().err

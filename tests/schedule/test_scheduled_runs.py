@@ -190,7 +190,7 @@ class Listener:
 def test_the_plc_runs_when_its_thread_ends(tmp_path: Path) -> None:
     """P-RTCF-00006: the external thread of each second NC cycle, the cycles 2, 4 …
 
-    Tick k is the call of GEO in NC cycle k + 1, so the PLC comes behind the ticks 1, 3, 5.
+    Tick k is the call of GEO in NC cycle k + 1, so the PLC comes after the ticks 1, 3, 5.
     """
     given = schedule(tmp_path, LIST.replace("End", PLC + "End"), LOAD + PLC_LOAD)
     listener = Listener()
@@ -212,9 +212,9 @@ def test_a_plc_before_the_interpolation(tmp_path: Path) -> None:
 
 
 def test_the_default_plc_acknowledges_in_its_thread(tmp_path: Path) -> None:
-    """Without a script the PLC acknowledges when its thread ends: behind tick 3, not tick 2.
+    """Without a script the PLC acknowledges when its thread ends: after tick 3, not tick 2.
 
-    M100 goes out in tick 2, behind a dwell of two ticks; the block behind it waits for it.
+    M100 goes out in tick 2, after a dwell of two ticks; the block after it waits for it.
     """
     program = "N10 G04 X0.002\nN20 M111\nN30 G04 X0.001\nM30\n"
     given = schedule(tmp_path, LIST.replace("End", PLC + "End"), LOAD + PLC_LOAD)
@@ -260,7 +260,7 @@ def test_lists_that_cannot_run_a_program(line: str, numbers: list[int], tmp_path
 
 
 def test_without_task_int_the_most_urgent_thread_interpolates(tmp_path: Path) -> None:
-    """As in the simulation: no thread with task_int is told, and the first one counts as it."""
+    """As in the simulation: no thread with task_int is reported, and the first one counts as it."""
     load = "[functions]\ntask_com = 100\ntask_rnd = 600\n"
     text = with_lines(LIST, "thread[0].function[0].name task_com")
     one = run(schedule(tmp_path, text, load), "N10 G04 X0.002\nM30\n")
@@ -302,7 +302,7 @@ def test_priorities_of_another_system(tmp_path: Path) -> None:
     """P-RTCF-00010: on VxWorks 115 is less urgent than 105, so the decoder comes first.
 
     It wants 1200 µs and is suspended at 750, so it ends at 450 of the cycle behind: an overflow in
-    the NC cycles 1 and 3, ticks 0 and 2. GEO comes behind it, and in each cycle.
+    the NC cycles 1 and 3, ticks 0 and 2. GEO comes after it, and in each cycle.
     """
     load = LOAD.replace("task_rnd = 600", "task_rnd = 1200")
     given = schedule(tmp_path, LIST, load, RtconfOptions(PROFILES["vxworks"]))
@@ -343,7 +343,7 @@ def test_overflows_are_those_of_the_ticks(tmp_path: Path) -> None:
 
 
 def test_answers_come_with_the_decoders_time(tmp_path: Path) -> None:
-    """The decoder goes on behind #FLUSH WAIT when its thread runs, not before.
+    """The decoder goes on after #FLUSH WAIT when its thread runs, not before.
 
     One block in each five ticks: the dwell in tick 0, the flush in tick 5, the dwell in tick 10.
     """
@@ -384,7 +384,7 @@ def test_values_are_read_when_a_block_begins(tmp_path: Path) -> None:
     """Of 600 µs in each fifth NC cycle N10 takes 400, N20 the rest and 200 before tick 5.
 
     So #MSG begins there: it sees what V.E.ASYNC is since tick 3, and not what it is from tick 5 on.
-    The message comes behind the dwell N20, which is tick 5.
+    The message comes after the dwell N20, which is tick 5.
     """
     slow = LIST.replace("thread[1].cycle 1000", "thread[1].cycle 5000")
     given = schedule(tmp_path, slow, LOAD.replace("block = 1", "block = 400"))
@@ -408,7 +408,7 @@ def test_random_times_are_the_same_each_time(tmp_path: Path) -> None:
 
 
 def test_the_machines_own_list_as_the_schedule(tmp_path: Path) -> None:
-    """Named by --rtconf it gives the time; what is wrong with it is told once."""
+    """Named by --rtconf it gives the time; its mistake is reported once."""
     machine = two_channels(tmp_path, "schedule.context.geo 7")
     (machine / "rtconf.lis").write_text(with_lines(LIST, "windows_time 999"), "utf-8")
     (tmp_path / "load.toml").write_text(LOAD, "utf-8")

@@ -32,7 +32,7 @@ CYCLE, SLICE, WINDOWS = 2000 * US, 500 * US, 500 * US
 
 
 def random_model(seed: int) -> Model:
-    """One realtime task, some external ones right behind it, suspendable ones below."""
+    """One realtime task, some external ones right after it, suspendable ones below."""
     chance = random.Random(seed)
     tasks = []
     for i in range(chance.randint(2, 6)):

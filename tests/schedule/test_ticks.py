@@ -139,7 +139,7 @@ def test_a_plc_behind_or_before_the_interpolation(priority: int, calls: list[int
 
 
 def test_a_plc_that_takes_longer_than_a_cycle() -> None:
-    """Its wake-ups wait, as those of a semaphore: 1500 µs each behind GEO and before BACKGROUND.
+    """Its wake-ups wait, as those of a semaphore: 1500 µs each after GEO and before BACKGROUND.
 
     It has 900 µs of each NC cycle, so it ends after 1500 of 1800, 3000 of 3600, 4500 of 4500 (with
     the interrupt, which still is the cycle before) and 6000 of 6300: in the cycles 1, 3, 4 and 6.

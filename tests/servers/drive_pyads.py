@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """pyads, the vendor's own library, drives the ADS server: drive_pyads.py HOST:PORT NETID.
 
-In a process of its own: the library may crash when its process ends in the middle.
+In its own process: the library may crash when its process ends in the middle.
 """
 
 from __future__ import annotations

@@ -92,7 +92,7 @@ def test_net_ids_are_six_numbers() -> None:
 
 
 def test_a_written_value_is_read_after_the_tick_that_latches_it() -> None:
-    """What a client writes others see with the frame behind its tick, and not before (RC-002)."""
+    """What a client writes others see with the frame after its tick, and not before (RC-002)."""
 
     async def act(found: Bench) -> None:
         one, wire = found.connect()
@@ -161,7 +161,7 @@ MISTAKES = [
 
 
 def test_what_cannot_be_answered_has_its_error() -> None:
-    """Each mistake has the number that TwinCAT's clients know (AD-1), and stands in the log."""
+    """Each mistake has the number that TwinCAT's clients know (AD-1), and is in the log."""
 
     async def act(found: Bench) -> None:
         one, wire = found.connect()
@@ -175,7 +175,7 @@ def test_what_cannot_be_answered_has_its_error() -> None:
 
 
 def test_an_error_of_our_own_has_an_answer_and_the_next_request_too() -> None:
-    """Nobody waits for ever, and nobody is told that it has been done."""
+    """Nobody waits forever, and nobody is told that it has been done."""
 
     async def act(found: Bench) -> None:
         def fail(_: object) -> list[int]:
@@ -191,7 +191,7 @@ def test_an_error_of_our_own_has_an_answer_and_the_next_request_too() -> None:
 
 
 def test_who_is_not_permitted_gets_the_error_of_symbols_and_stands_in_the_log_once() -> None:
-    """A NetId that is not in the list: 0x710, told once (AD-6)."""
+    """A NetId that is not in the list: 0x710, reported once (AD-6)."""
 
     async def act(found: Bench) -> None:
         one, wire = found.connect()
@@ -227,7 +227,7 @@ def test_a_connection_from_elsewhere_ends_before_anything_is_read_whatever_its_n
     ("address", "is_in"),
     [
         ("10.0.0.9", True),
-        ("::ffff:10.0.0.9", True),  # as a socket of both families tells it
+        ("::ffff:10.0.0.9", True),  # as reported by a socket of both families
         ("10.0.1.9", False),
         ("fe80::1%eth0", True),
         ("fe81::1", False),
@@ -473,7 +473,7 @@ def test_what_is_remembered_of_sum_commands_is_bounded() -> None:
 
 
 def test_what_is_remembered_of_large_ranges_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Ranges that are read once are forgotten: all together have so many values at most."""
+    """Ranges that are read once are forgotten: all together have this many values at most."""
     monkeypatch.setattr(symbols, "MAX_KEPT", 25)
 
     async def act(found: Bench) -> None:
@@ -514,7 +514,7 @@ def test_who_does_not_take_notifications_is_disconnected() -> None:
 
 
 def test_values_that_nobody_reads_any_more_are_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Reading all there is once costs the session nothing for ever; beyond a limit it is asked."""
+    """Reading all there is once costs the session nothing forever; beyond a limit it is asked."""
     monkeypatch.setattr("nctakt.servers.store.MAX_BORROWED", 12)
 
     async def act(found: Bench) -> None:

@@ -108,7 +108,7 @@ def test_writes_of_all_clients_act_in_the_order_of_their_endpoints() -> None:
 
 
 def test_what_a_frame_listener_breaks_reaches_no_other_endpoint() -> None:
-    """An exception in one endpoint's listener stands in the log; the others hear on."""
+    """An exception in one endpoint's listener is in the log; the others hear on."""
 
     async def act(host: Host) -> None:
         heard: list[int] = []
@@ -155,7 +155,7 @@ def test_who_does_not_take_notices_is_dropped() -> None:
 
 
 def test_notices_by_the_thousand_at_once_do_not_end_the_servers() -> None:
-    """Only a controller that has stopped does; a broken listener stands in the log."""
+    """Only a controller that has stopped does; a broken listener is in the log."""
 
     async def act(host: Host) -> None:
         def fail(_: object) -> None:
@@ -325,7 +325,7 @@ def test_addresses_are_host_and_port(text: str, address: tuple[str, int]) -> Non
     "text", ["part.nc", "part.nc:", "dir/part.nc", "part", ":5", "h:70000", ""]
 )
 def test_what_is_no_address_is_refused(text: str) -> None:
-    """A program behind the option of an endpoint is told from an address (901352)."""
+    """A program after the option of an endpoint is reported from an address (901352)."""
     with pytest.raises(Failure) as caught:
         read_address("--ads", text, 7)
     assert caught.value.diagnostics[0].id == 901352

@@ -274,7 +274,7 @@ def test_the_address_of_a_broker(url: str, broker: Broker) -> None:
     ],
 )
 def test_another_text_is_refused_without_its_secrets(url: str) -> None:
-    """A password in a URL stands in lists of processes: it is refused, and not repeated."""
+    """A password in a URL is in lists of processes: it is refused, and not repeated."""
     with pytest.raises(Failure) as caught:
         read_broker(url)
     assert caught.value.diagnostics[0].id == 901450
@@ -350,7 +350,7 @@ def with_a_broker(
 
 
 def test_a_topic_that_nobody_can_read_is_dropped() -> None:
-    """A broker that sends bytes without UTF-8 as a topic: it is told, the next request acts."""
+    """A broker that sends bytes without UTF-8 as a topic: it is reported, the next request acts."""
 
     async def then(writer: asyncio.StreamWriter) -> None:
         writer.write(message(b"\xff\xfe", b"{}") + message(b"cell/press", b'{"key": "hold"}'))

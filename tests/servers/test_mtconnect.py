@@ -35,7 +35,7 @@ STAMP = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{6}Z")
 
 
 class Agent:
-    """An agent as it stands in the adapter's specification: one value of each key, all texts."""
+    """An agent as it is in the adapter's specification: one value of each key, all texts."""
 
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self.reader = reader
@@ -144,7 +144,7 @@ def test_an_error_is_a_fault_until_it_is_cleared() -> None:
 
 
 def test_what_an_agent_must_not_send_is_refused() -> None:
-    """An unknown command is told; a line without end closes the connection, and no other's."""
+    """An unknown command is reported; a line without end closes the connection, and no other's."""
 
     async def act(host: Host, endpoint: MtconnectEndpoint, agent: Agent) -> None:
         agent.writer.write(b"x|y\n" + b"z" * 5000)

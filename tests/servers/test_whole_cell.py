@@ -156,7 +156,7 @@ def test_plc_hmi_and_operator_share_a_controller_and_its_tape(tmp_path: Path) ->
 
 
 async def operate(addresses):
-    """Let the HMI lead while a browser in a thread of its own has the page."""
+    """Let the HMI lead while a browser in its own thread has the page."""
     loop = asyncio.get_running_loop()
     clicks: asyncio.Queue = asyncio.Queue()
 

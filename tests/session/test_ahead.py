@@ -40,7 +40,7 @@ def test_the_future_is_what_comes_then() -> None:
 
 
 def test_rows_where_the_way_bends_are_kept() -> None:
-    """It goes up to tick 7, then stands: that row is kept, beside the first and even ones.
+    """It goes up to tick 7, then is at rest: that row is kept, beside the first and even ones.
 
     Of a straight way only the even ones are. Between rows it is known in which tick it is where.
     """

@@ -2,7 +2,7 @@
 """Sessions that chance lives through: any way there and back, and nothing is ever otherwise.
 
 A state machine of hypothesis steps, stops, travels, writes and selects programs that are kept in
-memory or read from their file. Whatever it has seen behind a tick it sees again whenever it comes
+memory or read from their file. Whatever it has seen after a tick it sees again whenever it comes
 back, and so does a straight run of the tape. ``NCTAKT_SEEDS=1000`` makes as many sessions.
 """
 

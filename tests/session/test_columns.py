@@ -30,7 +30,7 @@ OPERATORS: dict[str, Callable[[float, float], bool]] = {
 
 
 def holds(needed: Necessary, before: float, value: float) -> bool:
-    """Whether the stop that needs this holds behind a tick."""
+    """Whether the stop that needs this holds after a tick."""
     if needed.operator == "changes":
         return before != value
     is_true = OPERATORS[needed.operator]
@@ -44,7 +44,7 @@ def extent_of(lowest: float, highest: float) -> memoryview[float]:
 
 @each_seed(20, 20)
 def test_no_tick_in_which_a_stop_holds_is_left_out(seed: int, monkeypatch: Any) -> None:
-    """Signals that stand, step and swing, recorded in parts of any length on two branches."""
+    """Signals that are at rest, step and swing, recorded in parts of any length on two branches."""
     monkeypatch.setattr(columns, "EXTENT_TICKS", 16)
     chance = random.Random(seed)
     values = [float(chance.randint(0, 3))]

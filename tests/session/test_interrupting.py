@@ -30,7 +30,7 @@ G04 X60
 M30
 """
 
-#: A condition of which the record tells nothing, so that the past is run again.
+#: A condition of which the record shows nothing, so that the past is run again.
 AGAIN = "V.E.COUNT + V.E.VALUE > 5"
 
 

@@ -74,7 +74,7 @@ def test_the_programs_that_are_open_are_those_of_the_current_block(session: Sess
 
 
 def test_a_block_can_be_wanted_up_to_a_depth(session: Session) -> None:
-    """A step over a call ends behind it: in the tick of the call its first block is current."""
+    """A step over a call ends after it: in the tick of the call its first block is current."""
     session.run(until="line 9")
     stop = StopAt("block", max_depth=2, is_of_channel=True)
     assert [session.run(until=stop).blocks[1].line for _ in range(2)] == [11, 24]

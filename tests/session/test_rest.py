@@ -48,7 +48,7 @@ def told(done: StepResult) -> list[tuple[int, str]]:
 
 
 def test_the_next_block_in_single_block_waits_for_start(opened: Any) -> None:
-    """It stands in the tick in which single block has stopped; START leads to the next block."""
+    """It is in the tick in which single block has stopped; START leads to the next block."""
     session = opened()
     assert session.next_block().blocks[1].line == 1
     done = session.next_block()
@@ -66,7 +66,7 @@ def test_the_next_block_in_single_block_waits_for_start(opened: Any) -> None:
 
 @pytest.mark.nightly
 def test_a_run_ends_at_m00_and_in_feed_hold_and_at_an_override_of_0(opened: Any) -> None:
-    """In the same tick wherever it is cut: multiples of 1000 where no event tells of the stop."""
+    """In the same tick wherever it is cut: multiples of 1000 where no event shows the stop."""
     session = opened(single=False)
     done = session.run()
     assert done.is_resting

@@ -79,7 +79,7 @@ def session(shared: Session) -> Session:
         ("line 9", 1),
         ("M100", 1026),
         ("message", 1026),
-        ("V.RTA.ACS.ACT_POS.X >= 50", 513),  # behind the tick that has moved the axis there
+        ("V.RTA.ACS.ACT_POS.X >= 50", 513),  # after the tick that has moved the axis there
         ("runs 5", 514),  # the cycles run before the path (RC-002)
         ("error", 1076),  # never: the end of the run
     ],

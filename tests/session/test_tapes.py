@@ -40,7 +40,7 @@ class Cell:
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of its own, with a program and a PLC."""
+    """Its own folder, with a program and a PLC."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text(PROGRAM, "utf-8")
     Path("cell.py").write_text(PLC, "utf-8")
@@ -111,7 +111,7 @@ def test_a_recorded_run_is_lived_through_without_its_plc() -> None:
 
 
 def with_line(tape: str, number: int, line: str) -> None:
-    """Put a line into a tape behind its first ``number`` lines."""
+    """Put a line into a tape after its first ``number`` lines."""
     lines = Path(tape).read_text("utf-8").split("\n")
     Path(tape).write_text("\n".join([*lines[:number], line, *lines[number:]]), "utf-8")
 
@@ -133,7 +133,7 @@ def test_what_a_plc_in_another_process_wrote_is_lived_through_without_it() -> No
 
 
 def test_a_tape_does_not_widen_the_allowed_folders() -> None:
-    """902024: it may read the files of its own folder, whatever folders it names itself."""
+    """902024: it may read the its own files folder, whatever folders it names itself."""
     assert main(["run", "part.nc", "--record", "run.tape", "--quiet", "--confine", "/"]) == 0
     Path("tapes").mkdir()
     tape = Path("run.tape").rename("tapes/run.tape")

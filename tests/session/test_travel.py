@@ -60,7 +60,7 @@ STOPS = ["V.E.COUNT > 2", "fires 2", "line 11", "changes V.E.VALUE", "M111", "ru
 
 
 def straight(core: SessionCore, plc: Path | None, programs: list[NcText]) -> tuple[Controller, Run]:
-    """Run the tape of a session from the start up to where the session stands."""
+    """Run the tape of a session from the start up to where the session is."""
     inputs = tuple(one for one in core.tape() if one.source != PLC_SOURCE)
     controller = Controller()
     tape = Tape({}, {}, plc is not None, inputs, {}, 0, "", {})
@@ -123,7 +123,7 @@ def test_a_session_is_a_straight_run_of_its_tape(seed: int, has_plc: bool, tmp_p
 
 
 def long_program(path: Path, size: int, chance: random.Random) -> None:
-    """Write a program of about so many bytes."""
+    """Write a program of about this many bytes."""
     lines = ["G01 X0 Y0 F60000"]
     lines += (
         f"N{number} G01 X{chance.uniform(0, 0.6):.3f} Y{chance.uniform(0, 0.6):.3f}"

@@ -156,7 +156,7 @@ TYPE ST_P : STRUCT b : BOOL; l : LREAL; END_STRUCT END_TYPE
     ],
 )
 def test_bits_stand_in_structures_and_blocks(text: str) -> None:
-    """ST-312: a bit of its own has no place in memory."""
+    """ST-312: its own bit has no place in memory."""
     assert [one.id for one in check(text)[1]] == [902910]
 
 

@@ -133,7 +133,7 @@ def test_lists_and_structures_of_a_library_begin_with_their_values(folder: Path)
 
 
 def test_interfaces_and_properties_of_a_library_run(folder: Path) -> None:
-    """ST-603, 604: a call through its interface, Get and Set with variables of their own."""
+    """ST-603, 604: a call through its interface, Get and Set with their own variables."""
     text = """INTERFACE I_Level METHOD Add : INT VAR_INPUT n : INT; END_VAR END_METHOD
         PROPERTY Level : INT GET END_GET SET END_SET END_PROPERTY END_INTERFACE
         FUNCTION_BLOCK FB_Level IMPLEMENTS I_Level VAR _n : INT; END_VAR
@@ -184,7 +184,7 @@ def test_files_of_a_known_name_add_to_it_and_a_project_replaces_it(folder: Path)
 
 
 def test_suites_of_other_sources_are_refused_by_the_test_command(folder: Path) -> None:
-    """ST-904, 902911: a project of the name TcUnit keeps its results in a way of its own."""
+    """ST-904, 902911: a project of the name TcUnit keeps its results in its own way."""
     (folder / "Cell.plcproj").write_text(PROJECT.replace("Vendor_Valves", "TcUnit"), "utf-8")
     own = folder / "libraries" / "TcUnit"
     own.mkdir()

@@ -256,7 +256,7 @@ def test_name_holds_its_text() -> None:
 
 
 def test_the_folder_of_libraries_is_read() -> None:
-    """What is built in has no mistakes of its own."""
+    """What is built in has no its own mistakes."""
     program, found = check(
         "PROGRAM MAIN\nVAR t : TON; s : STRING; END_VAR\nt(IN := TRUE);\n"
         "s := CONCAT(s, 'x');\nEND_PROGRAM"

@@ -138,7 +138,7 @@ class Watching(Plc):
 
 
 class Cyclic:
-    """Works after each tick, with a state of its own."""
+    """Works after each tick, with its own state."""
 
     def __init__(self) -> None:
         self.calls = 0
@@ -263,7 +263,7 @@ def test_order_and_kind_of_containers_come_back() -> None:
     held.items = [counts, held.names]
     first = held.names["a"]
     kept = KeptObjects(held)
-    held.names["a"] = held.names.pop("a")  # behind b now
+    held.names["a"] = held.names.pop("a")  # after b now
     counts["a"] += 1
     del held.number
     kept.put_back()

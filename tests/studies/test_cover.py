@@ -109,7 +109,7 @@ def test_round_numbers(low: float, high: float, values: dict[int, float]) -> Non
 
 
 def test_branches_of_several_plcs_are_reached(tmp_path: Path) -> None:
-    """Each PLC in Structured Text has targets: of one comparison, of two, behind an ELSIF.
+    """Each PLC in Structured Text has targets: of one comparison, of two, after an ELSIF.
 
     The values of comparisons lead there: no run of a hundred hits 77,777 or 4711 by chance.
     """
@@ -218,7 +218,7 @@ def test_each_wrong_line_of_a_corpus_is_reported(tmp_path: Path) -> None:
 
 
 def test_runs_that_are_not_possible_end_no_search(tmp_path: Path, capsys: Captured) -> None:
-    """A text for a number, behind the fifty values that are checked before any run (902531)."""
+    """A text for a number, after the fifty values that are checked before any run (902531)."""
     plan = tmp_path / "plan.toml"
     plan.write_text(
         f'program = "part.nc"\n[[vary]]\nvariable = "V.E.COUNT_POS"\n'

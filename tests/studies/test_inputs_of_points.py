@@ -25,7 +25,7 @@ def rows(folder: Path, vary: dict[str, Any], text: str = MOVE, **entries: Any) -
 
 
 def test_acknowledgements_come_late_never_and_twice(tmp_path: Path) -> None:
-    """The block behind M8 ends when both its way and the acknowledgement are over."""
+    """The block after M8 ends when both its way and the acknowledgement are over."""
     vary = {"acknowledge": "M8", "values": ["0 ms", "300 ms", "400 ms", "never", "twice"]}
     at_once, late, later, never, twice = rows(tmp_path, vary)
     assert late > at_once

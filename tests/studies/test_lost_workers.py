@@ -127,7 +127,7 @@ def test_a_plc_reads_and_prints_what_it_likes(
 
 
 def test_blocks_are_as_long_as_they_should_be() -> None:
-    """So many runs as take the time of a block; few at the end, so that no worker waits."""
+    """This many runs as take the time of a block; few at the end, so that no worker waits."""
     blocks = Blocks(range(5000), 4, block_s=0.2)
     lengths, numbers = [], []
     for block in blocks:
@@ -141,7 +141,7 @@ def test_blocks_are_as_long_as_they_should_be() -> None:
 
 
 def test_what_is_finished_is_not_made_again(tmp_path: Path) -> None:
-    """``resumes`` makes the missing runs only, also behind a line that was cut off."""
+    """``resumes`` makes the missing runs only, also after a line that was cut off."""
     plan = study(tmp_path, count=8)
     whole = plan.run().rows
     path = tmp_path / "out.csv.rows"
@@ -188,7 +188,7 @@ def test_rows_are_read_back(tmp_path: Path, name: str) -> None:
 
 
 def schedule(folder: Path) -> Study:
-    """A study of a schedule with files of its own, and a measure of a user's."""
+    """A study of its own schedule with files, and a measure of a user's."""
     (folder / "own.py").write_text("def cycles(simulation):\n    return simulation.cycles\n")
     (folder / "load.toml").write_text("[functions]\ntask_rnd = 500\n")
     (folder / "rtconf.lis").write_text(
@@ -237,7 +237,7 @@ def test_a_cluster_yields_the_same_rows_and_survives_kills(tmp_path: Path) -> No
 
 @pytest.mark.filterwarnings("ignore")
 def test_a_cluster_without_workers_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Nobody would make the runs: 901316 after a time, instead of waiting for ever."""
+    """Nobody would make the runs: 901316 after a time, instead of waiting forever."""
     distributed = pytest.importorskip("distributed")
     from nctakt.studies.workers import cluster  # noqa: PLC0415 - an extra
 

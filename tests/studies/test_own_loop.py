@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The rows of a study are those of a loop of one's own over ``Controller.run``.
+"""The rows of a study are those of one's own loop over ``Controller.run``.
 
 The loop knows nothing of plans: it takes each value with each other one, the last dimension
 fastest, says it with ``set`` and ``at``, and reads trace and events of the result itself.

@@ -127,7 +127,7 @@ def test_any_storage_of_fsspec(plan: Path) -> None:
 
 @pytest.mark.nightly
 def test_object_storage(plan: Path, monkeypatch: pytest.MonkeyPatch, capsys: Captured) -> None:
-    """Two processes write to a server of S3; when it has gone, that is told (900507)."""
+    """Two processes write to a server of S3; when it has gone, that is reported (900507)."""
     server_of: Any = pytest.importorskip("moto.server")
     s3fs: Any = pytest.importorskip("s3fs")
     server = server_of.ThreadedMotoServer(ip_address="127.0.0.1", port=0)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Plans in files: what is wrong in them is told with its line, all at once, before any run."""
+"""Plans in files: what is wrong in them is reported with its line, all at once, before any run."""
 
 from __future__ import annotations
 
@@ -106,7 +106,7 @@ VALUE = '[[vary]]\nvariable = "V.E.VALUE"\nvalues = [1]\n'
     ],
 )
 def test_values_that_no_entry_takes(tmp_path: Path, text: str, found: tuple[int, int]) -> None:
-    """Each is told in its line, before anything runs."""
+    """Each is reported in its line, before anything runs."""
     assert failure_of(plan(tmp_path, f'program = "part.nc"\n{text}')) == [found]
 
 

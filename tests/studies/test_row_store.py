@@ -28,7 +28,7 @@ PLAN = (
 
 @pytest.fixture
 def study(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Study:
-    """A study in a folder of its own."""
+    """A study in its own folder."""
     monkeypatch.chdir(tmp_path)
     Path("part.nc").write_text("G01 X[V.E.VALUE] F6000\nM30\n")
     Path("plan.toml").write_text(PLAN)
@@ -134,7 +134,7 @@ def test_damaged_rows_are_told(study: Study, line: str) -> None:
 
 
 def test_more_runs_than_anybody_counts(study: Study, capsys: pytest.CaptureFixture[str]) -> None:
-    """10^36 points are told with the estimate; a sample of them runs."""
+    """10^36 points are reported with the estimate; a sample of them runs."""
     vary = '[[vary]]\nvariable = "V.E.VALUE{}"\nfrom = 0\nto = 1e6\nstep = 1e-12\n'
     text = PLAN + "".join(vary.format(number) for number in (1, 2))
     Path("plan.toml").write_text(text)

@@ -98,7 +98,7 @@ def test_another_maker_gives_the_same_answers(plan: Path) -> None:
 
 @pytest.mark.nightly
 def test_a_cluster_makes_the_runs_of_a_search(plan: Path) -> None:
-    """The same answers as here; and no scheduler is told (901316)."""
+    """The same answers as here; and no scheduler is reported (901316)."""
     distributed = pytest.importorskip("distributed")
     from nctakt.studies.workers.cluster import points_of_cluster  # noqa: PLC0415 - an extra
 
@@ -190,7 +190,7 @@ def test_a_search_for_branches_goes_on(
 
 
 def test_rows_of_other_points_are_made_again(cover: Path) -> None:
-    """A corpus that another search has changed since: no row stands for other inputs."""
+    """A corpus that another search has changed since: no row is for other inputs."""
     study = Study(cover)
     store = RowStore(cover.with_name("rows"), study.plan, resumes=False)
     SearchRuns(study.runner, store, covers=True).add([(3,), (4,)])

@@ -40,7 +40,7 @@ FIRST_LATE = 0.551
 
 @pytest.fixture
 def program(tmp_path: Path) -> Path:
-    """The program in a file of its own."""
+    """The program in its own file."""
     path = tmp_path / "stop.nc"
     path.write_text(PROGRAM)
     return path

@@ -138,7 +138,7 @@ def test_ctrl_c_keeps_what_is_finished(
 def test_what_takes_hours_has_to_be_confirmed(
     plan: Path, capsys: Captured, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """10^12 points: the estimate is told, nothing begins; a sample does."""
+    """10^12 points: the estimate is reported, nothing begins; a sample does."""
     text = PLAN.replace("to = 6", "to = 1000000")
     text += '[[vary]]\nvariable = "V.E.VALUE1"\nfrom = 1\nto = 1000000\nstep = 1\n'
     plan.write_text(text)
@@ -186,7 +186,7 @@ def test_an_error_that_nobody_expects_breaks(plan: Path, capsys: Captured) -> No
 
 
 def test_answers_come_with_their_commands(plan: Path, capsys: Captured) -> None:
-    """The run before and the run behind a switch-over; in German with German words."""
+    """The run before and the run after a switch-over; in German with German words."""
     plan.write_text(PLAN + '[[find]]\nboundary = "V.E.VALUE"\n')
     assert main(["study", str(plan), "--quiet", "--lang", "de"]) == 0
     lines = capsys.readouterr().out.splitlines()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Verdicts of studies: exact at a tick's edge, with what was instead, and what changes nothing.
 
-The program stands for 200 ms and ends in the tick behind that, after 201 ms; M100 goes out in the
+The program dwells for 200 ms and ends in the tick after that, after 201 ms; M100 goes out in the
 tick that begins when V.E.TRIGGER is set (RC-001, RC-002). So the margin between both, in whole
 ticks of 1 ms, is 201 ms less the time of the trigger.
 """
@@ -147,7 +147,7 @@ def test_by_chance_runs_are_made_again_for_each_dimension(
     program: str, method: str, capsys: Captured
 ) -> None:
     """No two runs differ in one dimension alone: M9, which nothing gives out, and a variable that
-    nothing reads are told; the trigger is not, nor anything where a repeated run differs."""
+    nothing reads are reported; the trigger is not, nor anything where a repeated run differs."""
     dead = {"acknowledge": "M9", "from": "5 ms", "to": "50 ms"}
     chance = {"method": method, "count": 12, "seed": 3, "measure": MARGIN}
     idle = {"variable": "V.E.VALUE", "from": 0.0, "to": 1.0}
@@ -204,7 +204,7 @@ def test_times_by_chance_are_whole_ticks(program: str) -> None:
 
 @pytest.mark.nightly
 def test_an_unchanged_run_that_is_broken_already(program: str, capsys: Captured) -> None:
-    """901942 stands before the results; what is about the injection is not judged without it."""
+    """901942 is before the results; what is about the injection is not judged without it."""
     words = ["study", program, "--each-tick", "V.E.TRIGGER=1 for 2 ms"]
     code = main([*words, "--expect", "M100 never", "--expect", "duration < 0.1",
                  "--expect", "V.E.TRIGGER > 0 within 5 ms"])  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt serve --ads`` in a process of its own, for tests with the clients of others."""
+"""``nctakt serve --ads`` in its own process, for tests with the clients of others."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def until(holds: Callable[[], bool]) -> None:
 
 
 class Server:
-    """``nctakt serve`` in a process of its own."""
+    """``nctakt serve`` in its own process."""
 
     def __init__(self, folder: Path, *words: str, text: str = PROGRAM) -> None:
         self.folder = folder

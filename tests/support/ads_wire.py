@@ -27,7 +27,7 @@ OWN, CLIENT = bytes((127, 0, 0, 1, 1, 1)), bytes((10, 0, 0, 9, 1, 1))
 
 
 class StandingSession:
-    """A session that stands: it takes writes, and shows them with the next ``tick``.
+    """A paused session: it takes writes, and shows them with the next ``tick``.
 
     Its interface is the real one, on values that a test sets.
     """
@@ -124,7 +124,7 @@ class StandingSession:
 
 
 class _Machine:
-    """What the interface needs of a machine, on the values of a session that stands."""
+    """What the interface needs of a machine, on the values of a paused session."""
 
     def __init__(self, session: StandingSession, configuration: Machine) -> None:
         self.configuration = configuration
@@ -224,7 +224,7 @@ class Wire(asyncio.Transport):
 
 
 class Bench:
-    """A server on a session that stands, with ``log``, its lines."""
+    """A server on a paused session, with ``log``, its lines."""
 
     def __init__(
         self, host: Host, session: StandingSession, endpoint: AdsEndpoint, log: list[str]

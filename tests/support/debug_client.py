@@ -27,7 +27,7 @@ class Refused(Exception):
 
 
 class DebugClient:
-    """A client at the ends of two pipes, with a server in a thread of its own, or at a port."""
+    """A client at the ends of two pipes, with a server in its own thread, or at a port."""
 
     def __init__(self, port: int | None = None, **options: Any) -> None:
         if port is None:

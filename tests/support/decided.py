@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of decisions share: a program as text, what a run tells, what it leaves behind."""
+"""What the tests of decisions share: a program as text, reports of a run, what it leaves behind."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Event rows made by hand, and the names that their numbers stand for."""
+"""Event rows made by hand, and the names that their numbers represent."""
 
 import struct
 

@@ -28,7 +28,7 @@ def run_of(program: FiveAxisProgram) -> Run:
 
 
 def positions(run: Run) -> np.ndarray:
-    """The axes' positions behind each tick; the modulo axis as it runs on."""
+    """The axes' positions after each tick; the modulo axis as it runs on."""
     assert run.trace is not None
     places = np.array([run.trace[name] for name in SIGNALS[:5]]).T
     places[:, 3] = np.unwrap(np.concatenate([[0.0], places[:, 3]]), period=360.0)[1:]

@@ -67,7 +67,7 @@ class Audience:
         return len(self._session._audience._listeners)
 
     def tell_of_travel(self) -> None:
-        """Tell all of them that the session has travelled, in its thread."""
+        """Report all of them that the session has travelled, in its thread."""
         self._session._thread.ask(self._session._audience.tell, "travelled")
 
 

@@ -75,7 +75,7 @@ class Rig:
         return made
 
     def run(self, ticks: int) -> list[float]:
-        """Run, and give the positions of X behind each tick."""
+        """Run, and give the positions of X after each tick."""
         before = len(self.x)
         for _ in range(ticks):
             self.machine.reserve()
@@ -86,7 +86,7 @@ class Rig:
         return self.x[before:]
 
     def run_to_the_end(self, maximum: int = 200_000) -> int:
-        """Run until the queue is empty and the path stands: the ticks that it took."""
+        """Run until the queue is empty and the path is at rest: the ticks that it took."""
         for ticks in range(maximum):
             if not self.channel.queue.queued() and not self.channel.path.is_active:
                 return ticks

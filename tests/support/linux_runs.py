@@ -100,7 +100,7 @@ def run(*words: str) -> int:
 
 @contextmanager
 def started(*words: str) -> Iterator[subprocess.Popen[str]]:
-    """``nctakt schedule run`` in a process of its own, at the head of its own group."""
+    """``nctakt schedule run`` in its own process, at the head of its own group."""
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(one for one in sys.path if one)}
     with subprocess.Popen(
         [sys.executable, "-m", "nctakt", "schedule", "run", *words],

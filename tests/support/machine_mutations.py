@@ -2,8 +2,8 @@
 """Machine folders with mistakes that chance has made.
 
 In: the lists of a machine, a ``Random``. Out: the lists with one to six changes: entries that are
-missing, doubled, swapped, have other values, indices or names, lists that are missing or stand in
-for each other. The same seed gives the same folder.
+missing, doubled, swapped, have other values, indices or names, lists that are missing or replace
+each other. The same seed gives the same folder.
 """
 
 from __future__ import annotations

@@ -21,7 +21,7 @@ OFF_MM = 1e-6
 
 
 def positions(run: Run) -> np.ndarray:
-    """The axes' positions behind each tick; the modulo axis as it runs on."""
+    """The axes' positions after each tick; the modulo axis as it runs on."""
     assert run.trace is not None
     places = np.array([run.trace[name] for name in SIGNALS[:4]]).T
     places[:, 3] = np.unwrap(np.concatenate([[0.0], places[:, 3]]), period=360.0)[1:]
@@ -41,8 +41,8 @@ def broken_limits(
 ) -> list[str]:
     """Where an axis is faster, or changes its speed or acceleration more, than it may in a tick.
 
-    ``limits_jerk``: whether the slope of each tick has a limit of the jerk. ``stands``: behind the
-    last tick the axes stand.
+    ``limits_jerk``: whether the slope of each tick has a limit of the jerk. ``is``: after the last
+    tick the axes are at rest.
     """
     behind = [places[-1:]] * 3 if stands else []
     path = np.concatenate([np.zeros((3, 4)), places, *behind])
@@ -141,9 +141,9 @@ def violations(program: MotionProgram, run: Run, machine: DrawnMachine) -> list[
 def stop_violations(
     program: MotionProgram, run: Run, machine: DrawnMachine, *, stands: bool
 ) -> list[str]:
-    """Everything that is wrong with a run that has been stopped, and may have to stand by now.
+    """Everything that is wrong with a run that has been stopped, and may have to stop by now.
 
-    An error or a reset ends the run in the tick in which the path has come to its stand.
+    An error or a reset ends the run in the tick in which the path has stopped.
     """
     places, numbers = positions(run), blocks(run)
     if not len(places):

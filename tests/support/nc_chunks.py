@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Chunked diagnostics: NC files in which each line says what is wrong with it.
+"""Chunked diagnostics: NC files in which each line says its mistake.
 
-A line ``; ---`` divides a file into chunks, each of which is a program of its own. A line that
-shall be reported ends with ``; error 22005 "part of text"``, or several of these behind each other,
+A line ``; ---`` divides a file into chunks, each of which is its own program. A line that shall be
+reported ends with ``; error 22005 "part of text"``, or several of these after each other,
 ``warning`` and ``note`` likewise. What is missing and what is too much are both failures.
 """
 
@@ -35,7 +35,7 @@ class Chunk:
 
 
 def read_chunks(pattern: str) -> list[Chunk]:
-    """The chunks of the files beside this one whose names fit the pattern."""
+    """The chunks of the files next to this one whose names fit the pattern."""
     chunks: list[Chunk] = []
     for path in sorted(FOLDER.glob(pattern)):
         lines = split_lines(decode_text(path.read_bytes()).text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``nctakt live`` in a process of its own, and Chromium in front of it."""
+"""``nctakt live`` in its own process, and Chromium in front of it."""
 
 import contextlib
 import os
@@ -34,7 +34,7 @@ BROWSER = [
 def served(
     *words: str, errors: Path | None = None, command: tuple[str, ...] = ("live",)
 ) -> Iterator[str]:
-    """``nctakt live`` in a process of its own; its address. What it tells goes to ``errors``.
+    """``nctakt live`` in its own process; its address. Its reports go to ``errors``.
 
     ``command``: another one that serves the page, such as ``demo``.
     """
@@ -73,7 +73,7 @@ def chromium() -> Iterator[Any]:
 
 
 def opened(browser: Any, address: str, width: int = 1280, height: int = 800) -> Any:
-    """A page at an address, once it shows where the session stands."""
+    """A page at an address, once it shows where the session is."""
     page = browser.new_page(viewport={"width": width, "height": height})
     page.set_default_timeout(PATIENCE_MS)
     page.goto(address)

@@ -29,7 +29,7 @@ MAX_ROWS = 80
 LOADED = """globalThis.nctaktRun && document.querySelector(".cm-line")
   && document.querySelector("[data-testid=clock]")?.textContent"""
 
-#: All that stands on the page, in one look; texts of the scope are those of a new drawing.
+#: All that is on the page, in one look; texts of the scope are those of a new drawing.
 READ = """async () => {
   const text = (name) => document.querySelector(`[data-testid="${name}"]`)?.textContent ?? null;
   const named = (name) => [...document.querySelectorAll(`[data-testid^="${name}"]`)];
@@ -134,7 +134,7 @@ class Beside:
             session.step(ticks - lived)
 
     def differences(self, shown: dict[str, Any]) -> list[str]:
-        """Return in what the page differs; the session stands where the page says it does."""
+        """Return in what the page differs; the session is where the page says it does."""
         ticks, branch = place_of(shown)
         self.stand(ticks, branch)
         found = []
@@ -303,7 +303,7 @@ class Beside:
 
 
 def settle(page: Any, beside: Beside, target: tuple[int, int] | None) -> dict[str, Any]:
-    """Wait until the page stands at a target, or rests, and shows all of it; return it."""
+    """Wait until the page is at a target, or rests, and shows all of it; return it."""
     passed, before = 0.0, ""
     while True:
         clock, state = page.evaluate(_BAR)

@@ -34,7 +34,7 @@ def loaded(folder: Path, text: str, task: str = EACH_TICK) -> StructuredPlc:
 def run(
     plc: StructuredPlc, ticks: int, signals: Sequence[str] = (), at: Sequence[Stimulus] = ()
 ) -> Run:
-    """The run of a program that does nothing for so many ticks, with this PLC."""
+    """The run of a program that does nothing for this many ticks, with this PLC."""
     waits = NcText("wait.nc", "G04 10\nM30")
     return Controller().run(waits, plc=plc, ticks=ticks, signals=list(signals), at=at)
 

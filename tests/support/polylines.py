@@ -12,7 +12,7 @@ Points = NDArray[np.float64]
 
 
 def way(run: Run, signals: list[str], tick: int = 0) -> Points:
-    """Return where the axes have been from a tick on; where they stand, once."""
+    """Return where the axes have been from a tick on; where they are at rest, once."""
     assert run.trace is not None
     points = np.array([run.trace[signal][tick:] for signal in signals]).T
     moved = np.r_[True, np.any(np.diff(points, axis=0) != 0.0, axis=1)]

@@ -7,7 +7,7 @@ import random
 
 from nctakt.run.plcs.plc_view import PlcView
 
-#: The operator lets go behind so many ticks.
+#: The operator lets go after this many ticks.
 PLAY_TICKS = 4000
 
 

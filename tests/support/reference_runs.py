@@ -110,7 +110,7 @@ class Command:
 
 @dataclass(eq=False, slots=True)
 class Cycle:
-    """A realtime cycle; ``state``: sleeping, running, held, over (behind its block), gone."""
+    """A realtime cycle; ``state``: sleeping, running, held, over (after its block), gone."""
 
     identifier: int
     scope: str
@@ -147,9 +147,9 @@ class Reference:
         self.way_mm: list[float] = []
 
     def run(self) -> None:
-        """All programs to their ends, or to where the path stands behind a fault.
+        """All programs to their ends, or to where the path stops after a fault.
 
-        Behind the fault there is a tick in any case: the other cycles run on (RC-505).
+        After the fault there is a tick in any case: the other cycles run on (RC-505).
         """
         for number, program in enumerate(self._programs, 1):
             commands = iter(program)
@@ -164,7 +164,7 @@ class Reference:
         self.events.append(f"{self.tick} {kind} {text}")
 
     def _tick(self, command: Command | None, rest: Iterator[Command], name: str) -> Command | None:
-        """One tick; the command that waits for the next one, ``None`` behind the program's end."""
+        """One tick; the command that waits for the next one, ``None`` after the program's end."""
         for tick, variable, number in self._stimuli:
             if tick == self.tick:
                 self._values[variable] = number
@@ -192,7 +192,7 @@ class Reference:
         return waiting
 
     def _run_cycles(self) -> None:
-        """RC-112; behind a fault no further cycle runs in the tick (RC-505)."""
+        """RC-112; after a fault no further cycle runs in the tick (RC-505)."""
         self._sequence = 0
         for cycle in self._cycles:
             if cycle.state != "running" or (cycle.scope == "BLOCK" and cycle not in self._attached):
@@ -215,7 +215,7 @@ class Reference:
             self._braking = min(moved, self._left)
 
     def _has_ended_braking(self) -> bool:
-        """RC-105, RC-505: a move whose second half is its braking is over when it stands."""
+        """RC-105, RC-505: a move whose second half is its braking is over when it is at rest."""
         return self._braking == 0 and self._moving and 0 < self._left <= 5
 
     def _enter_block(self) -> None:
@@ -225,9 +225,9 @@ class Reference:
             cycle.armed = False
 
     def _leave_block(self) -> None:
-        """RC-105: the tick behind the last increment."""
+        """RC-105: the tick after the last increment."""
         for cycle in self._attached:
-            if cycle.state == "gone":  # by a fault of its own
+            if cycle.state == "gone":  # by its own fault
                 continue
             self._tell("ended", f"{cycle.identifier} scope")
             cycle.state = "over" if cycle.lasting else "gone"

@@ -112,7 +112,7 @@ def configure(text: str, options: RtconfOptions = TABLE) -> RtconfConfiguration:
 
 
 def load_text(times: dict[str, int], priority: int = 110, extra: str = "") -> str:
-    """A load file with constant times; ``extra`` stands in front."""
+    """A load file with constant times; ``extra`` is in front."""
     functions = "".join(
         f"{name} = {time}\n" for name, time in times.items() if name != "external_sps"
     )

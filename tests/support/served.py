@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A session served by OPC UA in a thread of its own, for clients of any kind."""
+"""A session served by OPC UA in its own thread, for clients of any kind."""
 
 from __future__ import annotations
 

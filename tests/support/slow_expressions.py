@@ -3,7 +3,7 @@
 
 The second opinion on RC-202, RC-206, RC-207 and RC-501: slow, obvious, and ignorant of how nctakt
 parses, folds and fuses. Only the functions of angles, roots and logarithms are shared with it; they
-have tests of their own.
+have their own tests.
 
 A tree is ``("number", text)``, ``("list", index tree)``, ``("frozen", k)``, ``("unary", op, a)``,
 ``("binary", op, a, b)`` or ``("call", name, a, …)``.

@@ -71,7 +71,7 @@ def test_what_cannot_be_compared_is_told(folder: Path, expectation: str, number:
 
 
 def test_a_log_whose_time_is_not_found(folder: Path) -> None:
-    """902528 stands beside the deviation: nothing moves in the log, so its time is the run's."""
+    """902528 is beside the deviation: nothing moves in the log, so its time is the run's."""
     rows = "".join(f"{tick},{400.0}\n" for tick in range(10))
     (folder / "still.csv").write_text(f"time_ms,X.ACS.ACT_POS\n{rows}", "utf-8")
     (found,) = wrong(folder, "X within 1 of still.csv")

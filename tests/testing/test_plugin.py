@@ -47,7 +47,7 @@ def plugin_words() -> list[str]:
 
 
 def run_pytest(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """Run pytest in a folder in a process of its own."""
+    """Run pytest in a folder in its own process."""
     command = [sys.executable, "-m", "pytest", *plugin_words(), *WORDS]
     path = os.pathsep.join(filter(None, [str(SOURCES), os.environ.get("PYTHONPATH", "")]))
     return subprocess.run(
@@ -221,7 +221,7 @@ def test_expectations_that_are_met(sessions: Sessions, first: str, second: str) 
 
 
 def test_what_is_given_is_there(sessions: Sessions) -> None:
-    """Values before and at times, a PLC, a limit, START, time behind the end."""
+    """Values before and at times, a PLC, a limit, START, time after the end."""
     plc = "class Slow:\n    def cycle(self, hli):\n        pass\n"
     text = (
         "; given: V.E.VALUE = 4; given: V.E.TRIGGER = 1 at 30ms; given: plc slow.py\n"
@@ -275,7 +275,7 @@ def test_what_never_happens_shows_what_did(sessions: Sessions) -> None:
 
 
 def test_what_must_not_happen(sessions: Sessions) -> None:
-    """``never`` in front of a function that went out."""
+    """``never`` before a function that went out."""
     shown = failure(sessions, MOTION.replace("M100", "M100 ; expect: M100 never"))
     assert "- M100 never (line 2)" in shown
     assert "+ M100 at 0.1 s, tick 100 (line 2)" in shown
@@ -297,7 +297,7 @@ def test_an_error_that_nobody_expects_fails(sessions: Sessions) -> None:
 
 
 def test_an_expected_error_in_another_line(sessions: Sessions) -> None:
-    """The line counts where the expectation stands behind a block."""
+    """The line counts where the expectation is after a block."""
     shown = failure(sessions, "M100 ; expect: error 20176\nG01 X10 F0\nM30\n")
     assert "- 20176 (line 1)" in shown
     assert "+ line 2: 20176" in shown
@@ -451,7 +451,7 @@ def test_coverage_of_a_session(tmp_path: Path, workers: int) -> None:
 
 
 def test_coverage_that_cannot_be_written_is_told(sessions: Sessions) -> None:
-    """A suffix that says nothing before the tests, a folder that is not there behind them."""
+    """A suffix that says nothing before the tests, a folder that is not there after them."""
     project(sessions.folder, part_nc=COVERED)
     for file, number in (("all.xml", "900804"), ("none/all.json", "900507")):
         code, shown = sessions.run("--nctakt-coverage-file", file)

@@ -274,7 +274,7 @@ def test_suites_of_several_files_run_at_the_same_time(tmp_path: Path) -> None:
         (tmp_path / f"{name}.st").write_text(SUITES, "utf-8")
     found, makers = [], []
     for count in ("1", "2"):
-        # a process of its own: a thread of another test would keep this one from copying itself
+        # its own process: a thread of another test would keep this one from copying itself
         words = ["test", ".", "-j", count, "--junit", f"{count}.xml", *WORDS, "-q"]
         command = [*python_command("nctakt", *words), "--nctakt-coverage-file", f"{count}.json"]
         environment = python_environment()

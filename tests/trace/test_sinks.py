@@ -192,7 +192,7 @@ def test_a_file_that_is_no_trace_is_a_diagnostic(
 def test_a_trace_that_cannot_be_written_is_a_diagnostic(
     tmp_path: Path, name: str, number: int
 ) -> None:
-    """An unknown format and an unwritable file are told before the first tick."""
+    """An unknown format and an unwritable file are reported before the first tick."""
     with pytest.raises(Failure) as failure:
         file_sink(tmp_path / name).open(HEADER)
     assert [found.id for found in failure.value.diagnostics] == [number]
@@ -254,7 +254,7 @@ def test_a_file_stays_until_the_trace_begins(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("suffix", ["csv", "jsonl"])
 def test_events_may_come_long_before_their_rows(tmp_path: Path, suffix: str) -> None:
-    """Each event stands in the line of its tick, however the rows are cut."""
+    """Each event is in the line of its tick, however the rows are cut."""
     path = tmp_path / f"out.{suffix}"
     sink = file_sink(path)
     sink.open(HEADER)

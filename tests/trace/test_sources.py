@@ -50,7 +50,7 @@ def test_source_files_give_back_span_and_line() -> None:
 
 
 def test_no_source_has_no_place() -> None:
-    """0 stands for no place, also when there are files."""
+    """0 represents no place, also when there are files."""
     files = SourceFiles()
     files.add("a.nc", ["G0 X1"])
     assert files.span(NO_SOURCE) is None

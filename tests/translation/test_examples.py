@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Programs with timers, states, inheritance, texts and faults, tick by tick.
 
-The values are worked out by hand from the rules: T = 1 ms; cycle n is that behind tick n (ST-801).
+The values are worked out by hand from the rules: T = 1 ms; cycle n is that after tick n (ST-801).
 """
 
 from __future__ import annotations

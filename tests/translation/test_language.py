@@ -328,7 +328,7 @@ CASES = {
         " m := r; s REF= p^; c := __ISVALIDREF(s); t REF= s; d := __ISVALIDREF(t);",
         {"a": False, "b": True, "m": 3, "c": False, "d": False},
     ),
-    # Behind the 8 bytes of its type a block has eight bits in a byte, then n at 10.
+    # After the 8 bytes of its type a block has eight bits in a byte, then n at 10.
     "ST-312, 330: bits of a block lie eight in a byte, those of a union in its first one": (
         "FUNCTION_BLOCK FB VAR a, b, c, d, e, f, g, h, i : BIT; n : INT := -1; END_VAR\n"
         "VAR_OUTPUT at : UDINT; bits : WORD; END_VAR VAR p : POINTER TO WORD; END_VAR\n"

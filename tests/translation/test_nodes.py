@@ -58,7 +58,7 @@ EDGES = (0, 1, -1, 2, 7, -7, 127, 128, 255, 65535, 1 << 31, -(1 << 31), 1 << 62,
 
 
 def a_context() -> tuple[PlcContext, bytearray]:
-    """A context and its memory: data, a stack, and the bytes behind it."""
+    """A context and its memory: data, a stack, and the bytes after it."""
     memory = bytearray(FIRST + DATA + STACK + kinds.SLACK)
     return PlcContext(memory, FIRST + DATA, FIRST + DATA + STACK), memory
 

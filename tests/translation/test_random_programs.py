@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Random programs: compiled and plain to the byte, and against an evaluator of their own."""
+"""Random programs: compiled and plain to the byte, and against their own evaluator."""
 
 from __future__ import annotations
 

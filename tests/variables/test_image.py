@@ -109,7 +109,7 @@ def test_what_the_plc_writes_counts_from_the_next_tick_on() -> None:
 
 
 def test_texts_go_both_ways() -> None:
-    """A string is its characters in Windows-1252 and a zero byte; what stands behind is no text."""
+    """A string is its characters in Windows-1252 and a zero byte; the rest is no text."""
     controller, plc = attached()
     controller.write("V.E.TEXT", "Größe €")
     controller.step(1)
@@ -148,7 +148,7 @@ def test_only_what_the_plc_has_changed_counts() -> None:
 
 
 def test_a_cycle_sees_the_plcs_value_and_the_image_shows_the_cycles_value() -> None:
-    """In one tick: latched before the cycles, published behind them (RC-002)."""
+    """In one tick: latched before the cycles, published after them (RC-002)."""
     controller, plc = attached()
     program = "#RT CYCLE [SCOPE=PROG]\nV.E.VALUE2 = V.E.SYNC * 2\n#RT CYCLE END\n#TIME 1\nM30"
     controller.start(NcText("p.nc", program))
@@ -186,7 +186,7 @@ def test_what_is_neither_0_nor_1_is_true() -> None:
 
 @pytest.mark.parametrize("wrong", [float("nan"), float("inf"), float("-inf")])
 def test_numbers_that_are_not_finite_are_refused(wrong: float) -> None:
-    """RC-307: the variable keeps its value, the image gets it back; told once for a variable.
+    """RC-307: the variable keeps its value, the image gets it back; reported once for a variable.
 
     The controller has a number for infinite values and one for NaN.
     """

@@ -120,7 +120,7 @@ var[3].type UNS16
 
 
 def test_a_given_place_is_taken_as_it_is(tmp_path: Path) -> None:
-    """P-EXTV-00002: without regard to alignment; what has none stands behind the one before."""
+    """P-EXTV-00002: without regard to alignment; what has none is after the one before."""
     machine = machine_with(tmp_path, GIVEN)
     assert places(describe(machine, 1)) == {"A": 3, "B": 8, "C": 41, "D": 50}
     assert [(one.offset, one.size_bytes) for one in sections(machine)] == [(0, 0), (0, 52)]
@@ -128,7 +128,7 @@ def test_a_given_place_is_taken_as_it_is(tmp_path: Path) -> None:
 
 
 def test_global_and_channel_variables_have_sections_of_their_own() -> None:
-    """GLOBAL first, then each channel at the next multiple of 64; V.CH stands nowhere."""
+    """GLOBAL first, then each channel at the next multiple of 64; V.CH is nowhere."""
     machine = load_machine(None)
     assert [one.channel for one in sections(machine)] == [0, 1]
     assert sections(machine)[1].offset == 64

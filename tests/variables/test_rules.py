@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """RC-301 … RC-311: variables in programs and realtime cycles, each rule by its number.
 
-The expected values are worked out by hand from the rules; whole runs with traces stand in
+The expected values are worked out by hand from the rules; whole runs with traces are in
 ``tests/runs``.
 """
 
@@ -106,7 +106,7 @@ def ticks_of(m: Machine, line: str) -> int:
 @pytest.mark.parametrize("letter", FAMILIES)
 @pytest.mark.parametrize("later", [False, True])
 def test_rc_308_programs_write(every: Machine, letter: str, later: bool, kind: str) -> None:
-    """A write goes through the queue or at once; either way what is read behind it sees it."""
+    """A write goes through the queue or at once; either way what is read after it sees it."""
     text, name = path(letter, later, kind)
     run = every.run(
         f'P1 = 2\n{text} = 7\n{text} += 4\n{text} -= 1\nP2 = {text}\n#MSG ["%f", P2]\nM30'
@@ -144,7 +144,7 @@ def test_rc_308_a_write_waits_for_nothing(every: Machine, letter: str) -> None:
 
 @pytest.mark.parametrize("letter", FAMILIES)
 def test_rc_308_writes_take_their_place_in_the_queue(every: Machine, letter: str) -> None:
-    """A synchronous one behind the motion before it, an asynchronous one while it is decoded."""
+    """A synchronous one after the motion before it, an asynchronous one while it is decoded."""
     later, now = path(letter, False, "nested"), path(letter, True, "nested")
     text = f"P1 = 2\nG01 X1 F600\n{later[0]} = 5\n{now[0]} = 6\nG01 X2\nM30"
     every.controller.start(NcText("p.nc", text))
@@ -480,7 +480,7 @@ def test_rc_310_both_spellings_of_an_arrays_size(tmp_path: Path, spelling: str) 
 
 
 def test_rc_310_variables_beyond_the_number_do_not_exist(tmp_path: Path) -> None:
-    """P-EXTV-00010: highest index + 1 (900081 tells); V.CH does not count."""
+    """P-EXTV-00010: highest index + 1 (900081 shows); V.CH does not count."""
     lists = "number_used_variables 1\nvar[0].name A\nvar[1].name B\nvch[0].name C\n"
     loaded = load_machine(folder_with(tmp_path, lists))
     assert [one.id for one in loaded.diagnostics] == [900081]

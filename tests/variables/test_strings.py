@@ -143,7 +143,7 @@ def test_a_bare_text_variable_is_read_and_dropped(texts: Machine) -> None:
 
 
 def test_a_synchronous_text_is_written_in_its_tick() -> None:
-    """RC-308: behind the motion before it (with exact stop), in front of the one behind it."""
+    """RC-308: after the motion before it (with exact stop), before the one after it."""
     m = demo()
     m.controller.write("V.E.TEXT", "before")
     m.controller.step(1)
@@ -258,7 +258,7 @@ def test_texts_out_of_place_are_told_before_the_run(texts: Machine, line: str, n
     ],
 )
 def test_realtime_cycles_only_compare_and_assign_texts(texts: Machine, line: str) -> None:
-    """RC-208: 21981 for all else, wherever a text stands."""
+    """RC-208: 21981 for all else, wherever a text is at rest."""
     run = texts.run(f"#RT CYCLE [SCOPE=PROG]\n{line}\n#RT CYCLE END\nM30")
     assert set(errors(run)) == {21981}
 

@@ -163,7 +163,7 @@ def test_a_comparison_is_a_number(lists: Lists) -> None:
 
 
 def test_what_the_plc_leaves_behind_the_zero_does_not_count(lists: Lists) -> None:
-    """The bytes behind the first zero are no part of the text."""
+    """The bytes after the first zero are no part of the text."""
     with lists.controller.interface_image() as image:
         image.external[:10] = b"go\0rubbish"
         run = lists.controller.run(text_of('$IF V.E.A == "go"\nV.E.B = V.E.A\n$ENDIF'))
@@ -226,7 +226,7 @@ def test_elements_are_found_in_the_tick(lists: Lists) -> None:
 
 
 def test_asynchronous_texts_are_those_of_the_definition(lists: Lists) -> None:
-    """RC-302: V.P, V.L, V.S and V.CYC, and V.E without synchronisation; told as frozen."""
+    """RC-302: V.P, V.L, V.S and V.CYC, and V.E without synchronisation; reported as frozen."""
     before = 'V.P.NAME = "go"\nV.S.NAME = "b"\nV.E.LATER = "later"'
     body = "$IF ONCE V.E.A == V.P.NAME\nV.E.A = V.S.NAME\nV.E.B = V.E.LATER\n$ENDIF"
     at = [Stimulus("2 ms", "V.E.LATER", "new"), Stimulus("3 ms", "V.E.A", "go")]

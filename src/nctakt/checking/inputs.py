@@ -3,9 +3,9 @@
 
 In: paths. Out: start-up lists of machines, lists, programs, projects and objects of PLCs, each file
 once; a missing file is reported. A file is a list if its name ends with ``.lis`` or ``.xml``, part
-of a PLC by the suffixes of ``st/files``, else a program. A start-up list stands for its machine, a
-project for its files. A folder is searched with all its folders except hidden ones; each folder
-with a start-up list is a machine.
+of a PLC by the suffixes of ``st/files``, else a program. A start-up list represents its machine, a
+project its files. A folder is searched with all its folders except hidden ones; each folder with a
+start-up list is a machine.
 """
 
 from __future__ import annotations

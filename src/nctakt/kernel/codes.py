@@ -75,7 +75,7 @@ TIMER_START, TIMER_STOP, TIMER_READ, TIMER_CLEAR = range(1, 5)
 TIP_OF_COMMAND, TIP_OF_ACTUAL, TIP_OF_TARGET, TIPS = range(4)
 TIP_AXES = 12
 
-#: Sets of offsets as bits: bit k stands for kind k.
+#: Sets of offsets as bits: bit k means kind k.
 ALL_OFFSETS = (1 << OFFSET_KINDS) - 1
 OFFSETS_BUT_TOOL = ALL_OFFSETS - (1 << TOOL_OFFSET)
 

@@ -32,7 +32,7 @@ class Search:
     """What a browser looks for in a branch of a session.
 
     ``events``: all matches in the ticks from ``begin`` up to, but without, ``end``, in their order.
-    ``newer``: how many have come behind these since it began; ``is_newest``: further ones do.
+    ``newer``: how many have followed these since it began; ``is_newest``: further ones do.
     ``error``: why it has ended.
     """
 

@@ -102,7 +102,7 @@ _GIVEN_AT = re.compile(rf"(?P<assignment>.*=.*?)\s+at\s+(?P<time>{_TIME})", re.I
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Where a part of a comment stands, with the whole line."""
+    """The place of a part of a comment, with the whole line."""
 
     span: Span
     source_line: str
@@ -253,7 +253,7 @@ def _comments(
         later = _LATER.fullmatch(part)
         kind, words = (later["kind"].lower(), later["text"]) if later else (kind, part)
         misspelt = None if later else next(heads(f";{part}"), None)
-        if misspelt is not None:  # it has been told, with the keyword that is meant
+        if misspelt is not None:  # it has been reported, with the intended keyword
             kind = keyword_near(misspelt["word"])
             continue
         end = match.start("text") + begin + len(part.rstrip())

@@ -107,7 +107,7 @@ def _value_time(run: NcRun, expectation: Expectation) -> Time:
 
 
 def signal_of(run: NcRun, name: str) -> str:
-    """Return the signal of a name: an axis stands for its command position."""
+    """Return the signal of a name: an axis means its command position."""
     return f"{name}.ACS.ACT_POS" if run.has_axis(name) else name
 
 

@@ -114,7 +114,7 @@ def labels(typed: Typed, name: str, before: str, count: int = 1) -> list[str]:
 
 
 def typed_in(typed: Typed, name: str, after: str, text: str) -> list[str]:
-    """What is offered after a text that is put behind another one."""
+    """What is offered after a text that is put after another one."""
     whole = typed.documents[name].text()
     typed.put(name, whole.replace(after, after + text, 1))
     found = labels(typed, name, after + text)

@@ -3,7 +3,7 @@
 
 
 class Plc:
-    """Tells the job and acknowledges it three ticks later."""
+    """Report the job and acknowledges it three ticks later."""
 
     def cycle(self, hli):
         for job in hli.spindle_jobs():

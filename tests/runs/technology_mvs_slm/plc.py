@@ -3,7 +3,7 @@
 
 
 class Plc:
-    """Acknowledges each function 80 ticks behind its output."""
+    """Acknowledges each function 80 ticks after its output."""
 
     def cycle(self, hli):
         for function in hli.functions():

@@ -45,7 +45,7 @@ def run(served, work, language="en"):
 
 
 class Heard:
-    """Keeps what a subscription tells."""
+    """Keeps the notifications of a subscription."""
 
     def __init__(self):
         self.values = {}
@@ -64,7 +64,7 @@ class Heard:
 
 
 def restart(served, program="part.nc"):
-    """Let the program begin anew: RESET, select, START; the session pauses behind it."""
+    """Let the program begin anew: RESET, select, START; the session pauses after it."""
     served.session.pause()
     served.session.write({"HLI.RESET": 1, "V.E.FLAG": 0, "V.E.VALUE": 0, "HLI.FEED_HOLD": 0})
     served.session.step(200)
@@ -311,7 +311,7 @@ def test_messages_of_programs_are_events(served):
 
 
 def test_an_alarm_is_acknowledged_and_goes_with_reset(served):
-    """Number, remedy in the client's language, states; refresh tells it to who comes later."""
+    """Number, remedy in the client's language, states; refresh sends it to later subscribers."""
 
     async def work(client):
         heard = Heard()
@@ -356,7 +356,7 @@ def test_an_alarm_is_acknowledged_and_goes_with_reset(served):
 
 
 def test_the_past_of_a_signal_is_read(served):
-    """Between two times, at most so many values, backward; at certain times."""
+    """Between two times, at most this many values, backward; at certain times."""
     restart(served)
     served.session.step(300)
     first, latest = served.session.tick - 200, served.session.tick
@@ -402,7 +402,7 @@ def test_limits_are_told(served):
 
 
 def test_only_what_is_monitored_costs(served):
-    """The session tells a value while somebody monitors it, and no longer."""
+    """The session shows a value while somebody monitors it, and no longer."""
     served.session.pause()
     name = "A.OVERRIDE.VEL.TOTAL"
     store = served.host.store

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Macros: a text in quotes stands for NC text, or for a part of an expression.
+"""Macros: a text in quotes is replaced by NC text, or by a part of an expression.
 
 In: definitions ``"NAME" = "text"``, and blocks that use them. Out: the statements that the block
 then is. The text is read and checked when the block is decoded, since only then it is known. Upper

@@ -56,7 +56,7 @@ class AxisPlans:
             self.last_direction[axis] = 1.0
 
     def come_to_rest(self, axis: int) -> None:
-        """Note that an axis stands."""
+        """Note that an axis is at rest."""
         self.speed[axis] = 0.0
         self.acceleration[axis] = 0.0
 

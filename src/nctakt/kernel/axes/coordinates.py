@@ -44,7 +44,7 @@ class Offsets:
         return self.sum_of(axis, codes.OFFSETS_BUT_TOOL)
 
     def sum_of(self, axis: int, kinds: int) -> float:
-        """Sum of an axis' offsets of these kinds: bit k stands for kind k."""
+        """Sum of an axis' offsets of these kinds: bit k means kind k."""
         total = 0.0
         for kind in range(codes.OFFSET_KINDS):
             if kinds >> kind & 1:

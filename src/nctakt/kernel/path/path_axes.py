@@ -46,7 +46,7 @@ class PathAxes:
         self.direction = 1
 
     def set_axes(self, members: list[int]) -> None:
-        """Assign these axes to the path; ``axes.count`` stands for a place without one.
+        """Assign these axes to the path; ``axes.count`` marks a place without one.
 
         Raise ``ValueError`` for an unknown axis, or for too many.
         """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Messages about blocks of Structured Text that classes in Python stand in for."""
+"""Messages about blocks of Structured Text that are replaced by classes in Python."""
 
 from __future__ import annotations
 

@@ -268,7 +268,7 @@ class CycleLinter:
         return False
 
     def _block(self, block: Block, around: _Surrounding) -> None:
-        """Check the values of commands; the first function of a block stands for all."""
+        """Check the values of commands; the first function of a block represents all."""
         for word in block.words:
             if isinstance(word, BracketCommand) and is_axis_command(word):
                 self._axis_command(word, around)

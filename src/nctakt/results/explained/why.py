@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Why a reaction fired or did not: the report of a run (``Run.why``).
 
-In: the histories of the realtime cycles. Out: ``WhyReport``; ``select`` narrows it to a cycle or
-a line, ``render`` describes the whole run, ``render_at`` one tick. The data behind the text are in
+In: the histories of the realtime cycles. Out: ``WhyReport``; ``select`` narrows it to a cycle or a
+line, ``render`` describes the whole run, ``render_at`` one tick. The data for the text are in
 ``cycles`` (``histories.py``) and ``reasons.py``.
 """
 

@@ -22,7 +22,7 @@ def column_texts(
 ) -> list[list[str]]:
     """Return the texts of ``values`` (row after row, ``width`` numbers each), column by column.
 
-    ``missing`` stands for a value that is not finite. The texts are made by columns, since most
+    ``missing`` replaces a value that is not finite. The texts are made by columns, since most
     columns of a trace repeat their values, or those of another: such a number is formatted once.
     """
     texts: list[list[str]] = []

@@ -15,7 +15,7 @@ from nctakt.schedule.simulation.results import Event, EventKind, Job, Record, Se
 
 @dataclass(slots=True)
 class _Job:
-    """A job of the record: the times of its calls, and whether it waits behind another one."""
+    """A job of the record: the times of its calls, and whether it waits for another one."""
 
     due: int
     waits: bool

@@ -104,7 +104,7 @@ class StudyRunner:
         self.units = units_of(plan, lambda name: _unit(controller, name))
 
     def _signals(self, controller: Controller) -> tuple[str, ...]:
-        """Return the signals that measures read; an axis stands for its command position."""
+        """Return the signals that measures read; an axis means its command position."""
         axes = {axis.name for axis in controller.channel_axes}
         signals: list[str] = []
         found: list[Diagnostic] = []
@@ -410,7 +410,7 @@ class StudyRunner:
 
 
 def _signal_name(name: str, axes: Collection[str]) -> str:
-    """Return the signal of a name in a measure: an axis stands for its command position."""
+    """Return the signal of a name in a measure: an axis means its command position."""
     return f"{name}.ACS.ACT_POS" if name in axes else name
 
 

@@ -16,7 +16,7 @@ DEVIATION_MM = 1.0
 #: The largest part of a motion that a curve uses at one corner.
 MAX_PART = 0.499
 
-#: Stands for a distance of 0 where the curve has a given interim point, mm.
+#: Used in place of a distance of 0 if the curve has a given interim point, mm.
 NO_DISTANCE_MM = 1e-9
 
 

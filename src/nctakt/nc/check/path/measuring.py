@@ -38,7 +38,7 @@ from nctakt.nc.vocabulary.functions import (
     THREADS,
 )
 
-#: Second words of ``#MEAS`` that stand alone.
+#: Second words of ``#MEAS`` that are used alone.
 _ALONE = ("DEFAULT", "PREPARE")
 #: Sources and edges of the signal (P-AXIS-00516, P-AXIS-00518).
 _SIGNALS = (

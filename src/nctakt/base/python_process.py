@@ -42,7 +42,7 @@ def python_environment() -> dict[str, str]:
 
 
 def at_start() -> tuple[object, ...]:
-    """Return what decides how such a command begins: the interpreter, what is read at its start."""
+    """Return what decides how such a command starts: the interpreter, and files read then."""
     read = {name: value for name, value in os.environ.items() if name.startswith(_READ_AT_START)}
     return sys.executable, read
 

@@ -20,7 +20,7 @@ _LINE_BITS = 24
 _LINE_SHIFT = _COLUMN_BITS
 _FILE_SHIFT = _COLUMN_BITS + _LINE_BITS
 
-#: The last column and the last line with numbers of their own; later ones share them.
+#: The last column and the last line with separate numbers; later ones share them.
 LAST_COLUMN = (1 << _COLUMN_BITS) - 1
 LAST_LINE = (1 << _LINE_BITS) - 1
 

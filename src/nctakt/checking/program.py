@@ -64,7 +64,7 @@ def check_program(
     """Check a program with its local subprograms and return its links to others.
 
     ``access`` admits the files that may be read. ``poll`` is called at regular intervals.
-    ``memory``: what is kept of the program. Called files must exist, as well as those that the
+    ``memory``: the state kept of the program. Called files must exist, as well as those that the
     channel list runs with each main program.
     """
     if memory is not None:

@@ -139,7 +139,7 @@ class EventInLog:
 
 @dataclass(frozen=True, slots=True)
 class GivenTime:
-    """What is given of a log's time: where the run begins, in µs or by an event, and the drift.
+    """Given facts about a log's time: where the run begins, in µs or by an event, and the drift.
 
     Values that are ``None`` are to be found.
     """

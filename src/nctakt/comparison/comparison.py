@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run beside a machine's log: deviations, with the blocks and reactions where they arise."""
+"""A run compared with a machine's log: deviations, with the blocks and reactions involved."""
 
 from __future__ import annotations
 

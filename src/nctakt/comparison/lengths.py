@@ -273,7 +273,7 @@ class _Search:
         return Length(self.time_us, best.length_us, best.shift_us)
 
     def _is_as_good(self, fit: _Fit) -> bool:
-        """Return whether the misfits are those before the place, as far as their number tells."""
+        """Return whether the misfits are those before the place, as far as their number allows."""
         for one, square, size in zip(self._pieces, fit.squares, fit.sizes, strict=True):
             mean = square / len(one.times)
             noise = (one.noise + _FLOOR * one.span) ** 2

@@ -75,7 +75,7 @@ class Sources:
         return {"name": name, "sourceReference": number}
 
     def name_of(self, source: Arguments) -> str | None:
-        """Return the name of the text that a client means, ``None`` for none of this run."""
+        """Return the name of the text that a client means, ``None`` if it is not in this run."""
         number = source.number("sourceReference", 0)
         if 0 < number <= len(self._names):
             return self._names[number - 1]

@@ -2,8 +2,8 @@
 """Values of expressions and variables at the tick of a session, as a debugger shows them.
 
 In: names and expressions of the controller's language, of a channel. Out: texts; ``Failure`` for
-what is unknown. Those of the decoder (V.P, V.L, V.S, V.CYC, P1 …) are those known to it at this
-tick, ahead of the path.
+unknown names. Those of the decoder (V.P, V.L, V.S, V.CYC, P1 …) are those known to it at this tick,
+ahead of the path.
 """
 
 from __future__ import annotations

@@ -76,7 +76,7 @@ class CallHierarchy:
         return [CallHierarchyOutgoingCall(*entry) for entry in found.values()]
 
     def incoming(self, item: CallHierarchyItem) -> list[CallHierarchyIncomingCall]:
-        """Return which programs call one, those of its own file first."""
+        """Return the callers of a program, those in its own file first."""
         own = self._document(item.uri)
         if own is None:
             return []

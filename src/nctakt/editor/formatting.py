@@ -125,7 +125,7 @@ def _tree(lines: list[str]) -> Program | None:
 
 
 def _with_numbers(printed: str, code: str) -> str:
-    """Return the printed line with the numbers as they were written."""
+    """Return the printed line with the numbers as written."""
     numbers = [match[0] for match in _NUMBER.finditer(code)]
     places = list(_NUMBER.finditer(printed))
     if len(numbers) != len(places):

@@ -279,7 +279,7 @@ def _too_long(name: str | Path) -> Failure:
 
 
 def missing_file(path: Path) -> Diagnostic:
-    """Return what is wrong with a path that leads nowhere: with the name beside it that is meant.
+    """Return the mistake in a path that leads nowhere, with the similar name probably meant.
 
     Only a path that the user has written belongs here.
     """

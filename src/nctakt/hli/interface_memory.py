@@ -519,7 +519,7 @@ class Area:
     ) -> None:
         """Raise ``NotWritable`` for bytes that ``write`` would not take now.
 
-        ``stays``: they stay in the memory, for the check of what is written with them.
+        ``stays``: they stay in the memory, for the check of bytes written with them.
         """
         touched, data = self.shape.checked(offset, data)
         is_mode = any(slot.path.startswith(MODE) for slot in touched)

@@ -31,7 +31,7 @@ class Kept(Protocol):
         """Take the present ones."""
 
     def put_back(self) -> None:
-        """Put them back as they were when they were taken."""
+        """Restore them."""
 
 
 class KeptNumbers(Kept, Protocol):
@@ -77,7 +77,7 @@ class PlainObjectCopies:
                 kept[name] = _separate(getattr(part, name))
 
     def put_back(self) -> None:
-        """Put the numbers back as they were when they were taken."""
+        """Restore the numbers."""
         for part, kept, names in self._triples:
             for name in names:
                 setattr(part, name, _separate(kept[name]))
@@ -108,7 +108,7 @@ class PlainArrayCopies:
             kept[:] = live
 
     def put_back(self) -> None:
-        """Put the content back as it was when it was taken."""
+        """Restore the content."""
         for live, kept in self._pairs:
             live[:] = kept
 

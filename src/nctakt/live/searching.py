@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Searches over all events of the branch that is shown, one for each browser.
 
-In: a text, wishes for the previous or the next match. Out: the matches of some ticks in a row, up
-to a number of them, and where the next one is. A thread of its own runs the past again for them,
-some ticks for each browser in turn; whatever the session does meanwhile goes on.
+In: a text, requests for the previous or the next match. Out: the matches of some ticks in a row, up
+to a number of them, and where the next one is. A separate thread reruns the past for them, some
+ticks for each browser in turn; the session meanwhile continues.
 """
 
 from __future__ import annotations
@@ -149,7 +149,7 @@ class Search:
         self._asked = (self._before(tick) if is_back else self._after(tick)), answer
 
     def _before(self, tick: int) -> Iterator[int | None]:
-        """Look for the last match before a tick; ``None``: the search goes on."""
+        """Look for the last match before a tick; ``None``: the search continues."""
         end = tick
         if self.begin <= tick <= self.end:
             index = bisect.bisect_left(self.events, tick, key=lambda one: one.tick)
@@ -166,7 +166,7 @@ class Search:
             yield None
 
     def _after(self, tick: int) -> Iterator[int | None]:
-        """Look for the first match after a tick; ``None``: the search goes on."""
+        """Look for the first match after a tick; ``None``: the search continues."""
         first = tick + 1
         if self.begin <= first <= self.end:
             index = bisect.bisect_right(self.events, tick, key=lambda one: one.tick)

@@ -66,7 +66,7 @@ class RunSettings:
 
     ``machine`` ``None``: the demo machine, because none is named; ``machine_note`` says which
     setting names it. ``plcs`` in the order of a tick; empty: the built-in one, or one that is no
-    file. ``values``: those of variables before the first tick, beside those that the run sets
+    file. ``values``: those of variables before the first tick, besides those that the run sets
     itself.
     """
 

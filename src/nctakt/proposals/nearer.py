@@ -99,7 +99,7 @@ class Search:
         self._known: dict[tuple[Change, float], float] = {}
 
     def proposals(self, machine: Machine, override: float) -> Proposals:
-        """Return what brings the run nearer; ``override``: that of the run, in percent."""
+        """Return changes that bring the run nearer; ``override``: that of the run, in percent."""
         if self._before <= _EQUAL:
             return Proposals(self._before, 0, [])
         moving = [

@@ -172,7 +172,7 @@ def _of_system(name: str) -> Iterator[Fact]:
 
 
 def _members(entry: Entry) -> Iterator[str]:
-    """Yield the variables of a family that have articles of their own."""
+    """Yield the variables of a family that have their own articles."""
     if entry.kind is Kind.VARIABLE:
         beginning = f"{entry.name}."
         known = (*(name for name, _ in rows()), *_simulated_variables())

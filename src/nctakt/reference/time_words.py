@@ -152,5 +152,5 @@ def _words() -> Iterator[TimeWord]:
         )
 
 
-#: The words; rapid, feed, feed hold and waiting are subjects of their own.
+#: The words; rapid, feed, feed hold and waiting are separate subjects.
 TIME_WORDS = tuple(_words())

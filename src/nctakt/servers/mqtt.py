@@ -153,7 +153,7 @@ class MqttEndpoint:
                     client = await self._connected()
                     is_connected, begin_s = True, loop.time()
                 self._host.log.note("connected", endpoint=_DOOR, client=self._broker.host)
-                # in a task of its own: in Python before 3.13 a group that fails while it waits for
+                # in a separate task: in Python before 3.13 a group that fails while it waits for
                 # its tasks leaves the task around it cancelled
                 await asyncio.create_task(self._serve(client))
             except lost as error:

@@ -2,7 +2,7 @@
 """The future of a session without further inputs: a copy of its controller runs ahead.
 
 In: a copy at the end of its branch. Out: sampled signals and events of the ticks to come. The copy
-is discarded; its actions reach no one else.
+is discarded; its actions reach nobody else.
 """
 
 from __future__ import annotations

@@ -141,7 +141,7 @@ class Expectation:
     position: Place | None = field(default=None, compare=False)
 
     def placed(self, failure: Failure) -> Sequence[Diagnostic]:
-        """Return what is wrong with the expectation itself, at its position."""
+        """Return the mistakes in the expectation itself, at its position."""
         if self.position is None:
             return failure.diagnostics
         return [self.position.of(found) for found in failure.diagnostics]
@@ -171,7 +171,7 @@ class Script:
     givens: list[Given] = field(default_factory=list)
 
     def named(self, folder: Path) -> Named:
-        """Return what it names of the settings of its run; ``folder``: that of the program."""
+        """Return the settings of its run that it names; ``folder``: that of the program."""
         return Named(
             machine=self.machine,
             plcs=tuple(self.plcs),
@@ -181,7 +181,7 @@ class Script:
         )
 
     def placed(self, failure: Failure) -> Failure:
-        """Return a failure of the run; what is wrong with a name has the place of its comment."""
+        """Return a failure of the run; a mistake in a name has the place of its comment."""
         return Failure(*map(self._placed, failure.diagnostics))
 
     def _placed(self, found: Diagnostic) -> Diagnostic:
@@ -214,7 +214,7 @@ def _position(found: Diagnostic) -> tuple[int, int]:
 
 
 def is_script(line: str) -> bool:
-    """Return whether a line has an input or an expectation, or what looks like one."""
+    """Return whether a line has an input or an expectation, or something like one."""
     if ";" not in line:
         return False
     return _COMMENT.search(line) is not None or next(iter(heads(line)), None) is not None
@@ -271,7 +271,7 @@ def _comments(
             message = INVALID_GIVEN_INPUT if kind == "given" else INVALID_EXPECTATION
             diagnostics.append(diagnostic(message, position.span, line, text=words))
         except Failure as failure:
-            # Times and values are read wherever a user writes one: here they have a place.
+            # Times and values are read wherever a user writes them: here they have a place.
             diagnostics += [
                 replace(found, span=position.span, source_line=line)
                 for found in failure.diagnostics
@@ -282,7 +282,7 @@ def read_expectation(text: str) -> Expectation:
     """Return the expectation of a text that is in no program; raises ``Failure`` (900660)."""
     try:
         found = _expectation(text.strip(), 0, None)
-        if found.kind == "log":  # a log is that of one run
+        if found.kind == "log":  # a log belongs to one run
             raise _NotUnderstoodError
     except _NotUnderstoodError as error:
         raise Failure(diagnostic(INVALID_EXPECTATION, text=text)) from error
@@ -407,7 +407,7 @@ def _refuse_second(first: object, name: str) -> None:
 
 
 def _option(text: str) -> RunKeywords | None:
-    """Return the run option that a comment says, ``None`` for another text."""
+    """Return the run option in a comment, ``None`` for another text."""
     for option, pattern in _OPTIONS:
         match = pattern.fullmatch(text)
         if match is None or (match["words"] is None) != isinstance(option.kind, Flag):

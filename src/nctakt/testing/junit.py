@@ -27,14 +27,14 @@ class ReportName:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_terminal_summary(self, config: pytest.Config) -> None:
-        """Give the report, which is written by now, its name before pytest tells it."""
+        """Give the report, written by now, its name before pytest reports it."""
         for plugin in config.pluginmanager.get_plugins():
             if getattr(plugin, "logfile", None) == self._partial:
                 vars(plugin)["logfile"] = self._name
 
 
 def group_suites(report: Path) -> None:
-    """Give each suite of the PLC a ``testsuite`` of its own, and its tests their status."""
+    """Give each suite of the PLC its own ``testsuite``, and its tests their status."""
     tree = ElementTree.parse(report)
     root = tree.getroot()
     suites: dict[tuple[str, str], ElementTree.Element] = {}
@@ -75,7 +75,7 @@ def _take_suite(case: ElementTree.Element) -> str:
 
 
 def _count(suite: ElementTree.Element) -> None:
-    """Let a suite say how many tests it has, and what has become of them."""
+    """Set the number of a suite's tests, and their results."""
     found = Counter(_COUNTED.get(part.tag, "") for case in suite for part in case)
     suite.set("tests", str(len(suite.findall("testcase"))))
     for name in _COUNTED.values():

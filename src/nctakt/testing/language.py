@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The language in which tests tell what is wrong."""
+"""The language in which tests report failures."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Expectations that a signal stays near a machine's log: the comparison of ``nctakt compare``.
 
-In: a run with its trace, an expectation, the folder of its program. Out: what differs.
+In: a run with its trace, an expectation, the folder of its program. Out: the differences.
 """
 
 from __future__ import annotations

@@ -18,7 +18,7 @@ from nctakt.testing.expectations import Script
 def missing_files(script: Script, folder: Path, access: FileAccess) -> Iterator[Diagnostic]:
     """Yield 902940 for each PLC, machine, program and log that does not exist.
 
-    ``folder``: that of the program. What ``access`` does not admit is not looked at.
+    ``folder``: that of the program. Files that ``access`` does not admit are not opened.
     """
     named = [(one.kind, one.name, one.position) for one in script.givens if one.kind != "value"]
     logs = [one for one in script.expectations if one.kind == "log"]

@@ -84,7 +84,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_configure_node(node: Any) -> None:
-    """Tell a worker of pytest-xdist whether ``nctakt test`` trusts all projects."""
+    """Inform a worker of pytest-xdist whether ``nctakt test`` trusts all projects."""
     trust = sys.modules.get("nctakt.project.trust")
     node.workerinput[_TRUST] = trust is not None and trust.trusts_all()
 
@@ -129,7 +129,7 @@ def pytest_collection_finish(session: pytest.Session) -> None:
 def pytest_terminal_summary(
     terminalreporter: pytest.TerminalReporter, config: pytest.Config
 ) -> None:
-    """Tell which machines the tests had that no test and no entry of pytest's names."""
+    """Report the machines of tests that neither a test nor an entry of pytest names."""
     from nctakt.testing.settings_under_test import REPORTED_MACHINES  # noqa: PLC0415 - see above
 
     for text in config.stash.get(REPORTED_MACHINES, {}):
@@ -140,7 +140,7 @@ def pytest_terminal_summary(
 def pytest_runtest_makereport(
     item: pytest.Item, call: pytest.CallInfo[None]
 ) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Give a report what only nctakt knows.
+    """Add nctakt's data to a report.
 
     A suite's test has its time on the machine, which JUnit has then, too; a test that fails the
     errors of its runs as nctakt shows them elsewhere.
@@ -160,7 +160,7 @@ def pytest_runtest_makereport(
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
-    """Let a mistake in what a test asks of nctakt end at the test's line, unless --full-trace."""
+    """Show a test's wrong request to nctakt at the test's line, unless --full-trace."""
     try:
         return (yield)
     except Exception as error:
@@ -172,7 +172,7 @@ def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
 
 
 def _is_mistake_of_test(error: Exception) -> bool:
-    """Return whether nctakt has refused what a test asks for; it may not even be loaded."""
+    """Return whether nctakt has refused a test's request; it may not even be loaded."""
     for module, name in (
         ("nctakt.base.failure", "Failure"),
         ("nctakt.run.options", "UnknownOptionError"),
@@ -184,7 +184,7 @@ def _is_mistake_of_test(error: Exception) -> bool:
 
 
 def _end_outside_of_nctakt(error: Exception) -> None:
-    """Cut the end of a traceback that lies within nctakt, and what led to the error there."""
+    """Cut the end of a traceback within nctakt, and the causes of the error there."""
     error.__cause__, error.__suppress_context__ = None, True
     last, entry = None, error.__traceback__
     while entry is not None:

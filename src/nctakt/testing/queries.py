@@ -61,7 +61,7 @@ class RunNc(Protocol):
         limit_fails: bool | None = None,
         **options: Unpack[ProgramOptions],
     ) -> NcRun:
-        """Run a program: a file beside the test, or a text of several lines."""
+        """Run a program: a file next to the test, or a text of several lines."""
 
 
 class Runner:
@@ -107,11 +107,10 @@ def run_program(
     """Run a program: a file (relative to ``folder``), or a text of several lines.
 
     ``plc``: an object, its file, ``default`` for the built-in one, or a list of several;
-    ``signals`` are recorded
-    beside positions, path speed, override, block and active cycles; ``options`` are those of
-    ``Controller.run``. What is not named comes from the project around ``folder``, but
-    for the machine. A run that comes to its limit raises ``Failure`` (901016) if ``limit_fails``,
-    which is so unless a limit is named.
+    ``signals`` are recorded in addition to positions, path speed, override, block and active
+    cycles; ``options`` are those of ``Controller.run``. Other settings, except the machine, come
+    from the project around ``folder``. A run that comes to its limit raises ``Failure`` (901016) if
+    ``limit_fails``, which is so unless a limit is named.
     """
     check_keywords("run_nc", "test", options)
     until, ticks = options.get("until"), options.get("ticks")
@@ -403,7 +402,7 @@ class NcRun:
     def value_at(self, name: str, time: TimeLike) -> float:
         """Return the value of a signal at a time, as a realtime cycle reads it then.
 
-        The result of a tick counts from the begin of the next one on. Raises ``Failure`` for an
+        The result of a tick counts from the start of the next one on. Raises ``Failure`` for an
         invalid time.
         """
         __tracebackhide__ = True

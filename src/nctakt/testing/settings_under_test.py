@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The settings that a test of pytest runs with, and the notes on machines that no one named."""
+"""The settings of a pytest test, and the notes on machines that nobody named."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ REPORTED_MACHINES = pytest.StashKey[dict[str, None]]()
 
 
 def machine_of_configuration(config: pytest.Config) -> Path | None:
-    """Return the machine of ``nctakt_machine``; ``None`` without it, and beside NCTAKT_MACHINE."""
+    """Return the machine of ``nctakt_machine``; ``None`` without it, and with NCTAKT_MACHINE."""
     entry = config.getini("nctakt_machine")
     if not entry or machine_of_environment() is not None:
         return None
@@ -27,7 +27,7 @@ def machine_of_configuration(config: pytest.Config) -> Path | None:
 
 
 def settings_of_test(config: pytest.Config, test: Path, named: Named | None = None) -> RunSettings:
-    """Return the settings of a test or an NC file beside what it names itself.
+    """Return the settings of a test or an NC file besides those that it names itself.
 
     They are those with which ``nctakt run`` runs a program there; between ``NCTAKT_MACHINE`` and
     the machine of the project comes ``nctakt_machine`` (relative to the root of the tests). Raises

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Runs of suites in processes of their own, each a copy (``fork``) of one that has read them.
+"""Runs of suites in separate processes, each a copy (``fork``) of one that has read them.
 
-In: the files with suites of a session, and how many may run at a time. Out: what has become of
-their tests, when they are asked for it. Where there is no ``fork`` a file runs when it is asked.
+In: the files with suites of a session, and how many may run at a time. Out: the results of their
+tests, on request. Without ``fork`` a file runs on request.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ class _Copy:
         self._done: dict[SuiteFile, SuiteRunResult] = {}
 
     def result(self, file: SuiteFile) -> SuiteRunResult:
-        """Wait for what has become of a file; where the copy has died it runs here."""
+        """Wait for the results of a file; if the copy has died, it runs here."""
         while file not in self._done:
             try:
                 self._done[self._waiting[0]] = self._answers.recv()

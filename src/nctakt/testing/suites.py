@@ -42,7 +42,7 @@ _DISABLED = Text("disabled", "abgeschaltet")
 
 
 class SuiteRunResult(NamedTuple):
-    """What has become of the tests of a file, or why there was no run; what was counted."""
+    """The results of the tests of a file, or why there was no run; the counts."""
 
     found: SuiteResults | None
     coverage: Coverage | None = None
@@ -74,10 +74,10 @@ class SuiteFile(pytest.File):
         return load_suites(self.path, own), settings
 
     def results(self) -> SuiteResults:
-        """Return what has become of all tests; the first call runs them, and lets go of the PLC.
+        """Return the results of all tests; the first call runs them, and releases the PLC.
 
-        pytest looks for garbage several times at its end, in all that is still there. Raises
-        ``UnmetError`` with what the run cannot begin with.
+        pytest collects garbage several times at its end, among all remaining objects. Raises
+        ``UnmetError`` with the reason if the run cannot start.
         """
         if self._found is None:
             done = self.run() if self.ahead is None else self.ahead()
@@ -119,7 +119,7 @@ class SuiteNode(pytest.Collector):
 
 
 class SuiteItem(pytest.Item):
-    """One test of a suite; without ``test`` all those whose names the text does not say.
+    """One test of a suite; without ``test`` all those whose names are not in the text.
 
     ``funcargs``: it has no fixtures; plugins such as pytest-lsp look for them in each item.
     ``virtual_seconds``: how long the test takes on the machine, once it has run.
@@ -138,7 +138,7 @@ class SuiteItem(pytest.Item):
         return self.parent.suite
 
     def runtest(self) -> None:
-        """Look up what has become of the test; raises ``UnmetError`` with what is wrong."""
+        """Look up the result of the test; raises ``UnmetError`` with its failures."""
         assert self.parent is not None and isinstance(self.parent.parent, SuiteFile)
         results = self.parent.parent.results()
         outcomes = self._outcomes(results.outcomes.get(self._suite.path, {}))
@@ -159,7 +159,7 @@ class SuiteItem(pytest.Item):
         return [by_name[self._test.name]] if self._test.name in by_name else []
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return what is wrong without a traceback."""
+        """Return the failure without a traceback."""
         if isinstance(excinfo.value, UnmetError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)

@@ -33,8 +33,8 @@ def differences(
 ) -> Iterator[str]:
     """Yield a text for each unmet expectation and for each unexpected error.
 
-    One more where the run came to its limit (901016) and none was given (``is_limited``);
-    ``folder``: where logs lie that they name.
+    One more if the run reached its limit (901016) and none was given (``is_limited``); ``folder``:
+    where the logs are that they name.
     """
     for expectation in expectations:
         head = f"{file}:{expectation.line}: expect: {expectation.text}"
@@ -85,7 +85,7 @@ def _wrong_value(run: NcRun, expectation: Expectation) -> list[str]:
 
 
 def _expected_number(run: NcRun, expectation: Expectation) -> float:
-    """Return the expected number, that of an item of an enumeration where it is one.
+    """Return the expected number, for an item of an enumeration that of the item.
 
     Raises ``Failure`` (902631) for an item that the signal's type does not have.
     """

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Where the time of a run goes: by block, tool, program, kind and cause; what other limits save."""
+"""Where the time of a run goes: by block, tool, program, kind and cause; effect of other limits."""

@@ -96,7 +96,7 @@ class ChannelClock:
         return self._of_block(row, "rapid" if is_rapid else "feed", phase, limit)
 
     def _last_limit(self) -> Limit | None:
-        """Return what the path was braking for in the tick before, ``None`` if it was not."""
+        """Return the goal for which the path braked in the last tick, ``None`` if it did not."""
         last = self.intervals[-1].purpose if self.intervals else None
         return last.limit if last is not None and last.phase == "braking" else None
 

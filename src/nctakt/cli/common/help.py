@@ -67,7 +67,7 @@ _EXAMPLES = Text("Examples", "Beispiele")
 HELP_NAMES = ["-h", "--help"]
 _HELP = Text("Show this message and exit.", "Diese Hilfe zeigen.")
 
-#: The exit codes of commands without a text of their own.
+#: The exit codes of commands without their own text.
 DONE = Text("done", "erledigt")
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])

@@ -77,7 +77,7 @@ _ALIKE = Text(
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """Files by name; how many samples and replaced names; what of the run they do not give."""
+    """Files by name; numbers of samples and replaced names; parts of the run not reproduced."""
 
     files: Mapping[str, str]
     samples: int

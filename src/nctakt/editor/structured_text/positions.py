@@ -39,7 +39,7 @@ def _offset(piece: Piece, line: int, column: int) -> int | None:
         line_end = piece.text.find("\n", begin)
         limit = len(piece.text) if line_end < 0 else line_end
         return offset if offset <= max(limit, begin) else None
-    for _ in range(line - places[index][0]):  # empty lines, which have no place of their own
+    for _ in range(line - places[index][0]):  # empty lines, which have no place
         found = piece.text.find("\n", begin, max(end, begin + 1))
         if found < 0:
             return None

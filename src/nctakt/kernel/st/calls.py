@@ -20,7 +20,7 @@ class Callee:
     """Base of what can be called, and null object: nothing of that type has the method."""
 
     def invoke(self, context: PlcContext, frame: int, instance: int) -> int:
-        """Run with a frame that the caller has begun; return whether it goes on."""
+        """Run with a frame that the caller has begun; return whether the PLC keeps running."""
         context.fail(kinds.PLACE, instance, 0)
         return kinds.STOPS
 

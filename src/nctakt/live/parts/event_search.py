@@ -71,7 +71,7 @@ class SearchBar:
 
     @property
     def text(self) -> str:
-        """What is looked for, empty if nothing is."""
+        """The text searched for, empty if there is none."""
         return (self._field.value or "").strip()[:MAX_SOUGHT]
 
     def focus(self) -> None:
@@ -116,7 +116,7 @@ class SearchBar:
     def shown(self) -> tuple[Sequence[Event], bool]:
         """Return the matches of the page, in their order, and whether it is all by now.
 
-        What the search does is said beside its field.
+        The state of the search is shown next to its field.
         """
         search, texts = self._current(), self._texts
         if search is None:

@@ -198,7 +198,7 @@ class ProgramCard:
 
     @property
     def _lines(self) -> list[str]:
-        """The lines of the text that the browser shows; the same list as long as it is the same."""
+        """The lines of the browser's text; the same list as long as the text is the same."""
         text = self.text
         if text is self.document.text:
             return self.document.lines

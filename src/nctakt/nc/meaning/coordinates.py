@@ -207,7 +207,7 @@ class PlaneCommand:
 
     @property
     def shown(self) -> str:
-        """The command as it is written."""
+        """The command as written."""
         return f"#{self.name}"
 
 
@@ -271,7 +271,7 @@ class TransformationCommand:
 
     @property
     def shown(self) -> str:
-        """The command as it is written."""
+        """The command as written."""
         return f"#{self.name}"
 
 

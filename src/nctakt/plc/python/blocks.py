@@ -164,7 +164,7 @@ class PythonBlock:
         if instance is None:
             instance = self._instance = _Instance(self._program, self._path, self._pou, plc, {})
         try:
-            self._cycle(Block(instance), hli)  # type: ignore[misc] # a member that is not a method is reported, too
+            self._cycle(Block(instance), hli)  # type: ignore[misc] # others are reported, too
             for path, value in instance.take():
                 if not plc.holds(path, value):
                     write(path, value)

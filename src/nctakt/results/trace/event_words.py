@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Events as a person reads them, in English and German, and those in which a text is found.
 
-The names of events in traces are for programs and stay as they are; for a person they are words.
+The names of events in traces are for programs and are not translated; for a person they are words.
 """
 
 from __future__ import annotations

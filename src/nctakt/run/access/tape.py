@@ -120,7 +120,7 @@ def path_of(name: str) -> Path:
 
 
 def changed_files(tape: Tape, access: FileAccess) -> list[str]:
-    """Return the files of a tape that are not as they were when it was recorded.
+    """Return the files of a tape that have changed since it was recorded.
 
     Raises ``Failure`` (902024) if it names files that ``access`` does not admit: then none is
     opened. A file of another size than the tape states is not read.

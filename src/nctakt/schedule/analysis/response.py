@@ -46,7 +46,7 @@ class Response:
 
     ``can_overflow``: the task can be busy when it is due again. ``is_exact``: the first jobs of a
     simulation show this response. Exact needs a timer, constant times, different urgencies, no
-    switching costs, no overflow, a processor of its own, and no task that cannot be suspended
+    switching costs, no overflow, a separate processor, and no task that cannot be suspended
     reaching into Windows' time.
     """
 

@@ -42,7 +42,7 @@ ENTRY = np.dtype(
 )
 Entries = npt.NDArray[np.void]
 
-#: Entries of a job beside one for each call, and of the scheduler for one activation.
+#: Entries of a job besides one for each call, and of the scheduler for one activation.
 _ENTRIES_PER_JOB = 12
 #: Maximum number of entries of a log.
 MAX_ENTRIES = 4_000_000

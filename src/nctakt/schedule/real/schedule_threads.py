@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Threads of this process that work when a scheduling list says so: class, processor, overflow.
 
-In: the plan of a list, for each thread what one step of its job does. Out: jobs that begin at NC
-interrupts, overflows by the rule of the simulation (an activation that finds its thread busy is
-lost), numbers in the form of a simulation. A step of a job never runs beside the owner's own work:
-the owner opens the gate while it waits for an interrupt, and closes it before it goes on.
+In: the plan of a list, for each thread the action of one step of its job. Out: jobs that begin at
+NC interrupts, overflows by the rule of the simulation (an activation that finds its thread busy is
+lost), numbers in the form of a simulation. A step of a job never runs in parallel with the owner's
+work: the owner opens the gate while it waits for an interrupt, and closes it before it continues.
 """
 
 from __future__ import annotations
@@ -197,7 +197,7 @@ class ScheduleThreads:
         for task, semaphore in self._semaphores:
             if cycle % task.task.every == 0:
                 self._counters.due[task.number] += 1
-                if self._processes.post(semaphore):  # no one has taken the post before
+                if self._processes.post(semaphore):  # nobody has taken the post before
                     self._counters.overflow(task.number, due)
                 else:
                     self._taken[task.number] = self._taken.get(task.number, 0) + 1
@@ -205,7 +205,7 @@ class ScheduleThreads:
     # --- the threads ----------------------------------------------------------------------------
 
     def step(self, work: Step) -> bool:
-        """Make a step of a job beside the owner's work; return whether there is another one."""
+        """Make a step of a job during the owner's wait; return whether there is another one."""
         return self._gate.step(work)
 
     def count_job(self, number: int, woken: int, due: int, busy: int) -> None:
@@ -276,7 +276,7 @@ class _Worker:
         self._thread.start()
 
     def release(self, due: int) -> bool:
-        """Begin a job; return False, and lose it, while another one goes on."""
+        """Begin a job; return False, and lose it, while another one is running."""
         if self._is_busy:
             return False
         self._due, self._is_busy = due, True

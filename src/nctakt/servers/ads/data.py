@@ -177,7 +177,7 @@ class Readable(Protocol):
         """Return its bytes; raises ``KeyError`` where a value is missing."""
 
     def write(self, data: bytes) -> dict[str, Scalar]:
-        """Return the values in bytes; raises ``AdsError`` for what cannot be written."""
+        """Return the values in bytes; raises ``AdsError`` if one cannot be written."""
 
 
 def _same(values: Any) -> Any:

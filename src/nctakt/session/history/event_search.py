@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Searches all events of a branch for a text: its ticks are run again, beside the session.
+"""Searches all events of a branch for a text: its ticks are rerun, in parallel with the session.
 
-In: a text, a tick from which on the search goes back or forward. Out: what is found, stretch by
-stretch. The session is asked only for controllers, which takes milliseconds.
+In: a text, a tick from which the search goes back or forward. Out: the matches, stretch by stretch.
+The session is asked only for controllers, which takes milliseconds.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from nctakt.session.history.record import first_difference, past_differs, ticks_
 from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US, Timeline, next_part
 from nctakt.session.process.workshop import RemoteEngine
 
-#: What a search gives between two stretches: it goes on.
+#: Result of a search between two stretches: it continues.
 Step = FoundEvents | None
 
 
@@ -46,7 +46,7 @@ class EventSearch:
     def before(self, end: int, sought: SoughtEvents) -> Iterator[Step]:
         """Search the ticks before ``end``, from the latest stretch to the earliest.
 
-        ``None``: it goes on. Raises ``Failure`` where the past cannot be run again (901901).
+        ``None``: it continues. Raises ``Failure`` if the past cannot be rerun (901901).
         """
         stretch_us = SEARCHED_US / SEARCHED_GROWTH
         while end > 0:
@@ -101,7 +101,7 @@ class EventSearch:
     def _part(
         self, engine: RemoteEngine, end: int, sought: SoughtEvents, since: int
     ) -> FoundEvents:
-        """Search some ticks more; raises ``Failure`` (901901) where they are not as they were."""
+        """Search some ticks more; raises ``Failure`` (901901) if they are not as they were."""
         part, marks = self._ask(next_part, self._branch, engine.tick, end)
         found = engine.find_events(part, sought, ticks_of(marks), since)
         differs = first_difference(found.marks, marks)

@@ -319,7 +319,7 @@ class Timeline:
             return self._live.run(tick)
         is_front = self._can_copy and self.tick == self.branch.latest and self._fault is None
         if is_front and self._setup.plcs:
-            with contextlib.suppress(Failure):  # a controller that is gone is left behind
+            with contextlib.suppress(Failure):  # a controller that is gone is abandoned
                 self._park()  # whatever holds a file open shows now
         before_us, copies = self.branch.work_at(self.tick), self._workshop.copies
         self._confirmed.enter(target.number)
@@ -657,7 +657,7 @@ class Timeline:
         return self._woken(branch, parked), stretch_us
 
     def plan_on(self, engine: RemoteEngine, branch: Branch) -> int:
-        """Let a controller have the inputs of a branch as they are now; return up to where."""
+        """Give a controller the present inputs of a branch; return up to where."""
         engine.plan(self._planned(branch, engine.tick))
         return branch.latest
 

@@ -37,7 +37,7 @@ class ShownLine:
 
 
 def shown_lines(file: str, lines: Sequence[str]) -> list[ShownLine]:
-    """Return the lines of a file as its programmer knows them; none of a file without texts."""
+    """Return the lines of a file as its programmer sees them; none for a file without texts."""
     if file[file.rfind(".") :].lower() in TEXT_SUFFIXES:
         return [ShownLine(text, number, number, 1) for number, text in enumerate(lines, 1)]
     return [line for piece in pieces_of(file, "\n".join(lines)) for line in _of_piece(piece)]

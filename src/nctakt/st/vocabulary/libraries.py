@@ -79,7 +79,7 @@ _OPAQUE = re.compile(r"\b(?:MC|MCV|HLI|AXES|TRIGGER)_[A-Z_]+\b")
 
 
 def known(name: str) -> str:
-    """Return the library that a reference names, as it is called here; "" if it is unknown."""
+    """Return the library that a reference names, by its name here; "" if it is unknown."""
     lower = name.partition(",")[0].strip().lower()
     by_name = {text.lower(): text for text in (*_TEXTS, BASE_TYPES, CNC_INTERFACE, CNC_AXES)}
     return ALIASES.get(lower) or by_name.get(lower, "")

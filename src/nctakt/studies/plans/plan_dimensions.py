@@ -228,7 +228,7 @@ class DimensionReader:
         return tuple(self._value(kind, value, "values") for value in values)
 
     def _value(self, kind: Kind, value: Any, key: str) -> Value:
-        """Return a value of a dimension as it is stored; 0 after a mistake."""
+        """Return a value of a dimension as stored; 0 after a mistake."""
         if kind == "acknowledge" and isinstance(value, str) and not value[:1].isdigit():
             if value not in (NEVER, TWICE):
                 self._wrong(key, value, _ANSWER)

@@ -30,7 +30,7 @@ from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.user_modules import MAX_BYTES, UserModules, files_below
 from nctakt.studies.runs.plan_files import files_of
 
-#: Folders of a wheel whose content is installed beside its packages.
+#: Folders of a wheel whose content is installed next to its packages.
 _LIBRARIES = ("purelib", "platlib")
 
 

@@ -88,7 +88,7 @@ class StudyRunner:
             for file in structured_files(self._plc(RunInputs())):
                 access.note(Path(file))
         self._machines: OrderedDict[Parameters, Machine] = OrderedDict()
-        #: The program as it was checked for a machine.
+        #: The program as checked for a machine.
         self._loaded: dict[Parameters, LoadedProgram] = {}
         self._speaks_of_errors = plan.speaks_of_errors
         self._may_share = may_share(merged(plan.options, {}))

@@ -260,7 +260,7 @@ class _Search:
     def _swept(
         self, nearest: tuple[Coordinates, BranchDistance], sweep: int
     ) -> Generator[Coordinates, BranchDistance, tuple[Coordinates, BranchDistance] | None]:
-        """Return a better point beside the nearest one: in turn all numbers of each dimension.
+        """Return a better point next to the nearest one: in turn all numbers of each dimension.
 
         A time at which something has to happen in the very tick of another event has no distance.
         """

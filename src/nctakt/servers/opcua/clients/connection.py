@@ -143,7 +143,7 @@ class Processor(LibraryProcessor):
 
 
 class Connection(LibraryConnection):
-    """One connection; ``client``: its address as it is logged."""
+    """One connection; ``client``: its address as logged."""
 
     def __init__(self, own: Limits, log: ServerLog, **words: Any) -> None:
         super().__init__(**words)

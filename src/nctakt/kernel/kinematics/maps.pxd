@@ -108,3 +108,7 @@ cdef class KinematicMaps:
     cdef int turn_onto_direction(
         self, Py_ssize_t row, double[::1] near, double[::1] results
     ) noexcept nogil
+
+# The rows that are checked are lists.
+cpdef check_map(row, axis_count)
+cpdef check_column(row, column, low, high)

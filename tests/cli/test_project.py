@@ -276,9 +276,9 @@ def test_values_that_the_machine_does_not_take(told: Told, text: str, first_line
 
 
 def test_bytes_that_are_no_text(told: Told) -> None:
-    """901060; a byte order mark is none of them."""
-    Path("nctakt.toml").write_bytes(b'machine = "\xff"\n')
-    assert "error 901060: " in told("run", "programs/a.nc")[2]
+    """901060 at the first of them; a byte order mark is none of them."""
+    Path("nctakt.toml").write_bytes(b'language = "en"\nmachine = "\xff"\n')
+    assert "nctakt.toml:2:12: error 901060: " in told("run", "programs/a.nc")[2]
     Path("nctakt.toml").write_bytes(b'\xef\xbb\xbfmachine = "demo5"\n')
     assert told("run", "programs/a.nc")[0] == 0
 

@@ -78,6 +78,15 @@ def test_times_may_have_units() -> None:
     assert load.functions["task_rnd"] == Execution((1_000_000, 650_500, 500))
 
 
+def test_a_text_that_is_not_toml_is_told_at_its_place() -> None:
+    """900620 has line and column."""
+    collector = Collector()
+    read_load("load.toml", "[functions]\ntask_int 400", collector)
+    (found,) = collector.diagnostics
+    assert found.span is not None
+    assert (found.span.line, found.span.column, found.source_line) == (2, 10, "task_int 400")
+
+
 @pytest.mark.parametrize(
     ("text", "number"),
     [

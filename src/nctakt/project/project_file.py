@@ -45,6 +45,7 @@ from nctakt.base.diagnostics import NOTHING, Diagnostic, Language, Span, Text, w
 from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.files.access import FileAccess, is_file_or_folder
+from nctakt.files.toml_text import TomlError, read_toml
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
 from nctakt.messages import Collector
@@ -63,7 +64,6 @@ PYTHON_NAME = "pyproject.toml"
 _PLC_KEYS = ("file", "libraries", "axes", "instruction_time", "stubs")
 _FMU_KEYS = ("file", "every", "inputs", "outputs", "start", "isolate", "limit")
 _KEYS = (*(option.name for option in accepted_by("project")), "paths")
-_POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 _TABLE = re.compile(r"\s*\[\s*(.*?)\s*\]\s*(#.*)?")
 _TEXT = Text("a text", "ein Text")
 _TEXTS = Text("a list of texts", "eine Liste von Texten")
@@ -232,15 +232,16 @@ class _Reader:
 
     def entries(self, *, is_own: bool) -> dict[str, Any] | None:
         """Return the settings; ``None`` if there are none, or for a text that is not TOML."""
-        import tomllib  # noqa: PLC0415 - only where a project file is
-
         if not self._is_text:
-            self._invalid("the text is not UTF-8")
+            span, line = self._first_without_meaning()
+            reason = "the text is not UTF-8"
+            self._collector.report(INVALID_PROJECT_FILE, span, line, reason=reason)
             return None
         try:
-            tables = tomllib.loads(self._text)
-        except (tomllib.TOMLDecodeError, RecursionError) as error:
-            self._invalid(str(error))
+            tables = read_toml(self._name, self._text)
+        except TomlError as error:
+            reason = str(error)
+            self._collector.report(INVALID_PROJECT_FILE, error.span, error.line, reason=reason)
             return None
         if is_own:
             return tables
@@ -252,15 +253,12 @@ class _Reader:
         self._wrong("tool.nctakt", entries, _ON_TABLE, "[tool.nctakt]")
         return None
 
-    def _invalid(self, reason: str) -> None:
-        """Report a text that is not TOML, at the place that the reader of TOML names."""
-        found = _POSITION.search(reason)
-        span, line = whole_file(self._name), ""
-        if found is not None and int(found[1]) <= len(self._lines):
-            number, column = int(found[1]), int(found[2])
-            span, line = Span(self._name, number, column, column + 1), self._lines[number - 1]
-        reason = _POSITION.sub("", reason)
-        self._collector.report(INVALID_PROJECT_FILE, span, line, reason=reason)
+    def _first_without_meaning(self) -> Place:
+        """Return the place of the first character that is not UTF-8."""
+        for number, line in enumerate(self._lines, 1):
+            if found := re.search("[\0\ufffd]", line):
+                return Span(self._name, number, found.start() + 1, found.end() + 1), line
+        return whole_file(self._name), ""
 
     def project(self, entries: dict[str, Any]) -> Project:
         for key in entries:

@@ -41,6 +41,7 @@ from typing import Any
 
 from nctakt.base.dataclass import dataclass, field
 from nctakt.base.diagnostics import Text
+from nctakt.files.toml_text import TomlError, read_toml
 from nctakt.lists.format.times import nanoseconds
 from nctakt.messages import Collector
 from nctakt.messages.scheduling.load import (
@@ -143,12 +144,10 @@ ASSUMED_FUNCTION = _us(100)
 
 def read_load(file: str, text: str, collector: Collector) -> Load:
     """Read a load file; with errors in the collector the result is incomplete."""
-    import tomllib  # noqa: PLC0415 - only where a load is given
-
     try:
-        tables = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        collector.report(INVALID_LOAD_FILE, None, file=file, reason=str(error))
+        tables = read_toml(file, text)
+    except TomlError as error:
+        collector.report(INVALID_LOAD_FILE, error.span, error.line, reason=str(error))
         return Load()
     return load_of_tables(tables, collector)
 

@@ -7,10 +7,10 @@ from nctakt.messages.catalogue import error, note, warning
 
 INVALID_LOAD_FILE = error(
     900620,
-    en="{file} is not a load in TOML: {reason}",
-    de="{file} ist keine Last in TOML: {reason}",
-    remedy_en="Correct the text.",
-    remedy_de="Den Text berichtigen.",
+    en="the load is not valid TOML: {reason}",
+    de="die Last ist kein gültiges TOML: {reason}",
+    remedy_en="Correct the text; entries look like this: task_int = 400",
+    remedy_de="Den Text berichtigen; Einträge sehen so aus: task_int = 400",
     reason=("the error of the TOML reader", "der Fehler beim Lesen von TOML"),
 )
 LOAD_OF_UNUSED_FUNCTION = warning(

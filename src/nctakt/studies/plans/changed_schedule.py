@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import re
-import tomllib
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -20,6 +19,7 @@ from nctakt.base.failure import Failure
 from nctakt.base.misspelling import nearest
 from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess
+from nctakt.files.toml_text import TomlError, read_toml
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.declared.schemas import RTCONF
 from nctakt.lists.format.parameter import Parameter
@@ -126,9 +126,9 @@ def _tables(path: Path, access: FileAccess) -> dict[str, Any]:
     from nctakt.messages.scheduling.load import INVALID_LOAD_FILE  # noqa: PLC0415 - few loads are invalid
 
     try:
-        return tomllib.loads(decode_text(access.read_bytes(path)).text)
-    except (ValueError, RecursionError) as error:
-        found = diagnostic(INVALID_LOAD_FILE, file=path.as_posix(), reason=str(error))
+        return read_toml(path.as_posix(), decode_text(access.read_bytes(path)).text)
+    except TomlError as error:
+        found = diagnostic(INVALID_LOAD_FILE, error.span, error.line, reason=str(error))
         raise Failure(found) from error
 
 

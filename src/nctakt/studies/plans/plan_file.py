@@ -8,17 +8,16 @@ itself. Each mistake has its line; all are reported at once.
 from __future__ import annotations
 
 import contextlib
-import re
-import tomllib
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nctakt.base.diagnostics import Diagnostic, Span, Text, whole_file
+from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
 from nctakt.base.text import decode_text
 from nctakt.files.access import FileAccess, is_file_or_folder
+from nctakt.files.toml_text import TomlError, read_toml
 from nctakt.lists.declared.rtconf import RtconfConfiguration
 from nctakt.lists.format.times import Time, read_time
 from nctakt.lists.machine.files import machine_folder
@@ -86,7 +85,6 @@ _DESIGN = Text(
 )
 _TWO_OBJECTIVES = Text("two different measures or more", "zwei verschiedene Messgrößen oder mehr")
 _WITH_PROGRAM = Text("left out without a program", "ohne Programm weggelassen")
-_POSITION = re.compile(r" ?\(at line (\d+), column (\d+)\)")
 
 
 def read_plan(path: Path, default_machine: Path | None = None) -> Plan:
@@ -101,9 +99,10 @@ def read_plan(path: Path, default_machine: Path | None = None) -> Plan:
     """
     text = decode_text(FileAccess().read_bytes(path)).text
     try:
-        tables = tomllib.loads(text)
-    except (ValueError, RecursionError) as error:  # not TOML; an impossible date; too deep
-        raise Failure(_invalid(path, text, str(error))) from error
+        tables = read_toml(path.as_posix(), text)
+    except TomlError as error:
+        found = diagnostic(INVALID_PLAN, error.span, error.line, reason=str(error))
+        raise Failure(found) from error
     lines = text.splitlines()
     plan = read_tables(tables, path.parent, path.as_posix(), lines, default_machine)
     return replace(plan, source=text)
@@ -127,15 +126,6 @@ def read_tables(
 
 def _line_of(found: Diagnostic) -> int:
     return 0 if found.span is None else found.span.line
-
-
-def _invalid(path: Path, text: str, reason: str) -> Diagnostic:
-    found, lines = _POSITION.search(reason), text.splitlines()
-    span, line = whole_file(path.as_posix()), ""
-    if found is not None and int(found[1]) <= len(lines):
-        number, column = int(found[1]), int(found[2])
-        span, line = Span(path.as_posix(), number, column, column + 1), lines[number - 1]
-    return diagnostic(INVALID_PLAN, span, line, reason=_POSITION.sub("", reason))
 
 
 _DRAWN = Text(

@@ -79,6 +79,23 @@ def test_results_and_report_are_two_files(plan: Path, capsys: Captured) -> None:
     assert "would overwrite" in capsys.readouterr().err
 
 
+def test_rows_are_written_in_a_known_format_only(plan: Path, capsys: Captured) -> None:
+    """Another suffix is refused before any run, instead of JSON lines under a wrong name."""
+    assert main(["study", str(plan), "--out", str(plan.with_name("rows.xls")), "--quiet"]) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "a file of --out must end in .parquet, .csv or .jsonl" in captured.err
+    assert not list(plan.parent.glob("rows*"))
+
+
+def test_one_run_is_counted_as_one(plan: Path, capsys: Captured) -> None:
+    """A program without a plan is one run."""
+    assert main(["study", str(plan.with_name("part.nc")), "--quiet"]) == 0
+    assert "part.nc: 1 run: 1 passed" in capsys.readouterr().out
+    assert main(["study", str(plan.with_name("part.nc")), "--quiet", "--lang", "de"]) == 0
+    assert "part.nc: 1 Lauf: 1 bestanden" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize("content", [None, b"\xff", b'{"run":'])
 def test_results_that_cannot_be_read(plan: Path, capsys: Captured, content: bytes | None) -> None:
     """A missing or damaged file of results: a message with the file's name, exit code 2."""

@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 
 _T = TypeVar("_T")
 
-#: Endings of files with rows.
-SUFFIXES = (".parquet", ".csv", ".jsonl")
-
 #: Ending of the file with the rows while they are made, after the name of the results.
 ROWS = ".rows"
 
@@ -343,6 +340,7 @@ def _part(words: dict[str, Any]) -> Part | None:
     if words["part"] is None:
         return None
     from nctakt.studies.rows.parts import parse_part  # noqa: PLC0415 - as above
+    from nctakt.studies.rows.results import SUFFIXES  # noqa: PLC0415
 
     part = parse_part(words["part"])
     if part is None:

@@ -53,6 +53,7 @@ _MAX_TEXT = 44
 #: Smallest part of the width in which the name of a block is written, for each character.
 _CHARACTER = 0.0075
 
+_DRAWINGS = Text(".svg or .png", ".svg oder .png")
 _TIME = Text("time in s", "Zeit in s")
 _MORE = Text("{count} more lanes", "{count} weitere Zeilen")
 _MORE_MARKS = Text(
@@ -85,7 +86,7 @@ def has_matplotlib() -> bool:
 def check_drawing(path: str) -> None:
     """Raise ``Failure`` for another suffix than a drawing's (901090) and without matplotlib."""
     if Path(path).suffix.lower() not in (".svg", ".png"):
-        raise Failure(diagnostic(WRONG_SUFFIX, file=path, option="--plot", suffix=".svg / .png"))
+        raise Failure(diagnostic(WRONG_SUFFIX, file=path, option="--plot", suffix=_DRAWINGS))
     check_picture(path)
 
 

@@ -21,8 +21,8 @@ from nctakt.studies.study import Study, StudyResult
 MAX_SHOWN = 10
 
 _TEXTS = {
-    "en": ("runs", "minimum", "maximum", "without a value", "more failed runs"),
-    "de": ("Läufe", "Minimum", "Maximum", "ohne Wert", "weitere nicht bestandene Läufe"),
+    "en": ("run", "runs", "minimum", "maximum", "without a value", "more failed runs"),
+    "de": ("Lauf", "Läufe", "Minimum", "Maximum", "ohne Wert", "weitere nicht bestandene Läufe"),
 }
 _VERDICTS = {
     "en": {word: word for word in (PASSED, FAILED, REFUSED, CRASHED)},
@@ -46,11 +46,11 @@ def summary(
 
     ``file``: the plan or program as the user named it, ``command`` shows a run by its number.
     """
-    runs, minimum, maximum, without, more = _TEXTS[language]
+    *_, minimum, maximum, without, more = _TEXTS[language]
     names = _VERDICTS[language]
     verdicts = result.counts
     counts = ", ".join(f"{count} {names[name]}" for name, count in verdicts.items() if count)
-    yield f"{file}: {len(result)} {runs}: {counts}"
+    yield f"{file}: {_runs(len(result), language)}: {counts}"
     if len(result) and study.plan.method in ("random", "latin", "sobol"):
         yield f"  {names[PASSED]}: {share_text(verdicts[PASSED], len(result))}"
     for name, span in spans_of(result).items():
@@ -77,6 +77,11 @@ def summary(
     left = len(result) - verdicts[PASSED] - MAX_SHOWN
     if left > 0:
         yield f"… {left} {more}"
+
+
+def _runs(count: int, language: Language) -> str:
+    one, several, *_ = _TEXTS[language]
+    return f"{count} {one if count == 1 else several}"
 
 
 @dataclass(slots=True)
@@ -111,8 +116,7 @@ def answer_lines(
 
     ``file``: the plan as the user named it. Raises ``Failure`` for files that cannot be written.
     """
-    runs = _TEXTS[language][0]
-    yield f"{answer.goal.word} {answer.goal.measure} ({answer.runs} {runs})"
+    yield f"{answer.goal.word} {answer.goal.measure} ({_runs(answer.runs, language)})"
     for number, (row, point) in enumerate(zip(answer.rows, answer.points, strict=True)):
         yield f"  {_values(study, row, language)}"
         command = study.command(point)
@@ -127,9 +131,8 @@ def shrunk_lines(study: Study, result: StudyResult, language: Language) -> Itera
     number = result.first_broken(1)[0]["run"]
     assert isinstance(number, int)
     answer = study.shrink(number)
-    runs = _TEXTS[language][0]
     values = _values(study, answer.rows[0], language)
-    yield f"{_SHRUNK[language]} {number} ({answer.runs} {runs}): {values}"
+    yield f"{_SHRUNK[language]} {number} ({_runs(answer.runs, language)}): {values}"
 
 
 _SHRUNK = {"en": "smallest change of run", "de": "kleinste Änderung von Lauf"}

@@ -65,8 +65,9 @@ UNREADABLE_VALUE = error(
     900512,
     en="{name}: '{value}' is not a valid value",
     de="{name}: '{value}' ist kein gültiger Wert",
-    remedy_en="Write a number, TRUE, FALSE, an item as E_Gate.Open, or a text in double quotes.",
-    remedy_de="Eine Zahl, TRUE, FALSE, einen Wert wie E_Gate.Open oder einen Text in "
+    remedy_en="Write a number such as 1.5, TRUE, FALSE, an item such as E_Gate.Open, or a text in "
+    "double quotes.",
+    remedy_de="Eine Zahl wie 1.5, TRUE, FALSE, einen Wert wie E_Gate.Open oder einen Text in "
     "Anführungszeichen schreiben.",
 )
 UNKNOWN_MACHINE_VARIABLE = error(

@@ -9,8 +9,8 @@ WRONG_SUFFIX = error(
     901090,
     en="{file}: a file of {option} must end in {suffix}",
     de="{file}: eine Datei von {option} muss auf {suffix} enden",
-    remedy_en="Choose this suffix.",
-    remedy_de="Diese Endung wählen.",
+    remedy_en="Change the suffix.",
+    remedy_de="Die Endung ändern.",
     suffix=("the suffix", "die Endung"),
 )
 RUN_NOT_RECORDED = error(

@@ -30,8 +30,8 @@ INVALID_PLAN_VALUE = error(
 )
 PLAN_ENTRY_MISSING = error(
     901303,
-    en='the plan has no entry "{key}" in {table}',
-    de='dem Plan fehlt der Eintrag "{key}" in {table}',
+    en="an entry is missing in {table}: {key}",
+    de="in {table} fehlt ein Eintrag: {key}",
     remedy_en="Add it; docs/studies.md lists all entries.",
     remedy_de="Den Eintrag ergänzen; alle Einträge stehen in docs/studies.md.",
     table=("the table of the plan", "die Tabelle des Plans"),

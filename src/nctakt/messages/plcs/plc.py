@@ -7,11 +7,11 @@ from nctakt.messages.catalogue import error, note, warning
 
 PLC_CLASS_MISSING = error(
     900520,
-    en="{file} has no class with a method cycle(self, hli)",
-    de="{file} hat keine Klasse mit einer Methode cycle(self, hli)",
-    remedy_en="Define one class with a method cycle, which is called after each tick.",
-    remedy_de="Eine Klasse mit einer Methode cycle definieren, die nach jedem Takt aufgerufen "
-    "wird.",
+    en="{file} has no class derived from nctakt.Plc and none with a method cycle(self, hli)",
+    de="{file} hat weder eine von nctakt.Plc abgeleitete Klasse noch eine mit einer Methode "
+    "cycle(self, hli)",
+    remedy_en="Derive a class from nctakt.Plc; docs/plc.md has examples of both.",
+    remedy_de="Eine Klasse von nctakt.Plc ableiten; Beispiele für beides stehen in docs/plc.md.",
     file=("the file of the PLC", "die Datei der SPS"),
 )
 PLC_CLASS_AMBIGUOUS = error(

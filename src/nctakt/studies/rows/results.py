@@ -17,10 +17,12 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import IO, TYPE_CHECKING, Any, overload
 
+from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile
 from nctakt.messages import diagnostic
+from nctakt.messages.commands.pictures import WRONG_SUFFIX
 from nctakt.messages.files import FILE_NOT_READABLE, NOT_A_REGULAR_FILE
 from nctakt.results.trace.arrow import field, load_pyarrow
 from nctakt.studies.plans.plan import Plan
@@ -32,6 +34,10 @@ if TYPE_CHECKING:
 #: No column has a unit.
 NO_UNITS: Mapping[str, str] = MappingProxyType({})
 
+#: The suffixes of files with rows.
+SUFFIXES = (".parquet", ".csv", ".jsonl")
+_SUFFIXES_SHOWN = Text(".parquet, .csv or .jsonl", ".parquet, .csv oder .jsonl")
+
 #: The columns that are always whole numbers.
 _COUNTS = ("run", "ticks", "seed")
 
@@ -40,7 +46,10 @@ GROUP, READ_GROUP = 50_000, 5_000
 
 
 def check_target(path: Path) -> None:
-    """Raise ``Failure`` (901311) if rows cannot be written to a file of this ending."""
+    """Raise ``Failure`` for another suffix than those of rows (901090) or no pyarrow (901311)."""
+    if path.suffix not in SUFFIXES:
+        name = path.as_posix()
+        raise Failure(diagnostic(WRONG_SUFFIX, file=name, option="--out", suffix=_SUFFIXES_SHOWN))
     if path.suffix == ".parquet":
         load_pyarrow()
 

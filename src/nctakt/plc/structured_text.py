@@ -108,6 +108,8 @@ _SYSTEM = "TwinCAT_SystemInfoVarList"
 _REPORTED, _MAX_MESSAGES = "__Messages", 16
 #: Counters of a task in the list of tasks.
 _COUNTED = ("CycleCount", "FirstCycle", "LastExecTime", "CycleTimeExceeded")
+#: Paths that are kept found; there are as many spellings of them as one likes.
+_MAX_FOUND = 10_000
 #: Where a part of a path begins.
 _PART_BEGINS = re.compile(r"[.\[]")
 #: Elementary instructions per µs of a task's cycle (ST-830).
@@ -248,6 +250,8 @@ class StructuredPlc(RealtimePlc):
         self.instruction_ns = 0
         #: The blocks that Python carries out, if there are any.
         self.blocks: PythonBlocks | None = None
+        #: The variables that were found by their paths.
+        self._found: dict[str, PlacedVariable] = {}
         self._block_calls: Sequence[PythonBlock] | None = None
         self._overrun_tasks: set[int] = set()
         self._findings = findings
@@ -586,9 +590,18 @@ class StructuredPlc(RealtimePlc):
 
     # --- variables by their paths
 
+    def find(self, name: str) -> PlacedVariable | None:
+        """Return the variable of a path; ``None`` if there is none."""
+        found = self._found.get(name)
+        if found is None:
+            found = find_variable(self.program, name)
+            if found is not None and len(self._found) < _MAX_FOUND:
+                self._found[name] = found
+        return found
+
     def knows(self, name: str) -> bool:
         """Return whether a name is the path of a variable."""
-        return find_variable(self.program, name) is not None
+        return self.find(name) is not None
 
     def mistake(self, name: str) -> Diagnostic | None:
         """Return the mistake in a missing element or member, or in one that is not a signal."""
@@ -618,7 +631,7 @@ class StructuredPlc(RealtimePlc):
 
     def read(self, name: str) -> float | bool | str:
         """Return the value of a variable; raises ``KeyError`` for an unknown one."""
-        variable = find_variable(self.program, name)
+        variable = self.find(name)
         if variable is None:
             raise KeyError(name)
         return self._value(variable)
@@ -650,7 +663,7 @@ class StructuredPlc(RealtimePlc):
 
     def check(self, name: str, value: float | bool | str) -> bytes:
         """Return the bytes of a value; raises ``Failure`` where the variable cannot hold it."""
-        variable = find_variable(self.program, name)
+        variable = self.find(name)
         if variable is None:
             raise KeyError(name)
         if variable.is_constant:
@@ -699,15 +712,15 @@ class StructuredPlc(RealtimePlc):
             raise Failure(refused)
         return literal.value
 
-    def holds(self, name: str, value: float | bool | str) -> bool:
-        """Return whether a variable has a value; raises as ``check``."""
-        data, variable = self.check(name, value), find_variable(self.program, name)
+    def holds(self, name: str, data: bytes) -> bool:
+        """Return whether a variable has the bytes of a value, as ``check`` gives them."""
+        variable = self.find(name)
         return variable is not None and self.context.peek(variable.address, len(data)) == data
 
     def write(self, name: str, value: float | bool | str) -> None:
         """Set a variable from the next cycle on."""
         data = self.check(name, value)
-        variable, tasks = find_variable(self.program, name), self._tasks
+        variable, tasks = self.find(name), self._tasks
         if variable is None or tasks is None or self._machine is None:
             return
         if self._machine.kernel.tick == self._first_tick:  # it has not run: no bound on how much

@@ -37,7 +37,6 @@ from nctakt.st.types import Callable as CalledUnit
 from nctakt.translation.layout import kind_of
 from nctakt.translation.variables import (
     PlacedVariable,
-    find_variable,
     instances_in,
     instances_of,
 )
@@ -53,29 +52,31 @@ WriteVariable: TypeAlias = Callable[[str, Value], None]
 class BlockVariables(Protocol):
     """The variables of a PLC by their paths."""
 
+    def find(self, name: str) -> PlacedVariable | None:
+        """Return a variable; ``None`` if there is none."""
+
     def read(self, name: str) -> Value:
         """Return a value."""
 
     def check(self, name: str, value: Value) -> bytes:
-        """Raise ``Failure`` for a value that the variable cannot hold."""
+        """Return the bytes of a value; raise ``Failure`` where the variable cannot hold it."""
 
-    def holds(self, name: str, value: Value) -> bool:
-        """Return whether a variable has a value."""
+    def holds(self, name: str, data: bytes) -> bool:
+        """Return whether a variable has the bytes of a value."""
 
 
 @dataclass(slots=True, eq=False)
 class _Instance:
     """An instance of a block: its variables, and the values set by its object."""
 
-    program: Program
     path: str
     pou: Pou
     plc: BlockVariables
-    pending: dict[str, tuple[str, Value]]
+    pending: dict[str, tuple[str, Value, bytes]]
 
     def find(self, name: str) -> PlacedVariable:
         """Return a variable; raises ``AttributeError`` for an unknown one."""
-        found = find_variable(self.program, f"{self.path}.{name}") if name else None
+        found = self.plc.find(f"{self.path}.{name}") if name else None
         if found is None:
             near = nearest(name, (one.name for one in self.pou.members.values()))
             also = f"; did you mean {near}?" if near and near != name else ""
@@ -110,11 +111,10 @@ class _Instance:
         if plain is None:
             kind = found.type.name
             raise Failure(diagnostic(PLC_VALUE_REFUSED, name=path, type=kind, value=shown))
-        self.plc.check(path, plain)
-        self.pending[name.lower()] = path, plain
+        self.pending[name.lower()] = path, plain, self.plc.check(path, plain)
 
-    def take(self) -> list[tuple[str, Value]]:
-        """Return paths and values that were set since the last time."""
+    def take(self) -> list[tuple[str, Value, bytes]]:
+        """Return paths and values that were set since the last time, with their bytes."""
         found = list(self.pending.values())
         self.pending.clear()
         return found
@@ -150,10 +150,9 @@ class Block:
 class PythonBlock:
     """An instance of a block with its object."""
 
-    def __init__(self, own: object, file: Path, program: Program, path: str, pou: Pou) -> None:
+    def __init__(self, own: object, file: Path, path: str, pou: Pou) -> None:
         self._cycle = getattr(own, "cycle", None)
         self._file = file
-        self._program = program
         self._path = path
         self._pou = pou
         self._instance: _Instance | None = None
@@ -162,11 +161,11 @@ class PythonBlock:
         """Call the object; its exceptions become ``PlcError`` (902978)."""
         instance = self._instance
         if instance is None:
-            instance = self._instance = _Instance(self._program, self._path, self._pou, plc, {})
+            instance = self._instance = _Instance(self._path, self._pou, plc, {})
         try:
             self._cycle(Block(instance), hli)  # type: ignore[misc] # others are reported, too
-            for path, value in instance.take():
-                if not plc.holds(path, value):
+            for path, value, data in instance.take():
+                if not plc.holds(path, data):
                     write(path, value)
         except (Exception, SystemExit) as error:  # the user's code may raise what it likes
             reason, text = reason_and_traceback(error, self._file)
@@ -198,7 +197,7 @@ class PythonBlocks:
                 modules[stub.file], _ = load_module(stub.file, None)
             for path, _, kind in instances:
                 own = _object(stub, modules[stub.file])
-                found.append(PythonBlock(own, stub.file, self.program, path, kind))
+                found.append(PythonBlock(own, stub.file, path, kind))
         return found
 
 

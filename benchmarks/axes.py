@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """``python -m benchmarks.axes``: what independent motion costs.
 
-A realtime part with nothing but axes: ns per tick of standing and moving axes, and of a new target
-in each tick, which plans anew from the state of now. Beside it, in the same run and through Python
-as well, ruckig where it is installed. The best of several repetitions is taken.
+A realtime part with nothing but axes: ns per tick of resting and moving axes, and of a new target
+in each tick, which is planned from the present state. For comparison, in the same run and also
+through Python, ruckig if it is installed. The best of several repetitions is taken.
 """
 
 from __future__ import annotations

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """``python -m benchmarks.branches``: how many branches ``study --cover`` reaches.
 
-Thirty programs with branches of known difficulty: beside each stands the share of all inputs that
-reach its hardest branch. Measured: the share of the hard branches that are reached within 2,000
-runs of each program, by guided search, by points drawn at random, and by Hypothesis, whose
-``target`` gets the same distances. Goal: 90 % where random points reach at most 30 %.
-``python -m benchmarks.branches 500 3`` allows 500 runs and takes every third program.
+Thirty programs with branches of known difficulty: each with the share of all inputs that reach its
+hardest branch. Measured: the share of the hard branches that are reached within 2,000 runs of each
+program, by guided search, by points drawn at random, and by Hypothesis, whose ``target`` gets the
+same distances. Goal: 90 % where random points reach at most 30 %. ``python -m benchmarks.branches
+500 3`` allows 500 runs and takes every third program.
 """
 
 from __future__ import annotations

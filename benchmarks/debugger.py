@@ -61,7 +61,7 @@ class Client:
                 return message
 
     def travel(self, tick: int) -> None:
-        """Let the session stand before a tick."""
+        """Take the session to before a tick."""
         self.send("evaluate", expression=f"tick {tick}", context="repl")
         self.await_("stopped")
 
@@ -89,7 +89,7 @@ def waited_ms(client: Client, command: str, **arguments: Any) -> float:
 
 
 def show(what: str, times_ms: list[float], limit_ms: float) -> None:
-    """Print median and maximum beside what they must reach."""
+    """Print median and maximum with their goals."""
     median, worst = statistics.median(times_ms), max(times_ms)
     print(f"{what:<44}{median:8.1f} ms, at most {worst:.1f} ms (limit {limit_ms:.0f} ms)")
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What OPC UA costs beside a session: 200 monitored items at 50 ms, 20 clients.
+"""The cost of OPC UA in addition to a session: 200 monitored items at 50 ms, 20 clients.
 
 The server and the session have their own processes, the clients another one. Counted is the
 processor time of the server's process, less that without any client.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``python -m benchmarks.endpoints [SECONDS]``: what the servers reach beside a session of 1 ms.
+"""``python -m benchmarks.endpoints [SECONDS]``: the performance of servers with a session of 1 ms.
 
 Server and clients are processes of this machine, loopback between them; ``--pace tick``, so each
 tick has its own time on the wall clock.
@@ -8,7 +8,7 @@ tick has its own time on the wall clock.
   percentile of a read at most 2 ms.
 - 100 connections with 1,000 notifications at 10 ms: none lost.
 - A write -> the reaction of a realtime cycle -> the notification: at most 3 ticks + 5 ms.
-- OPC UA: 200 monitored items at 50 ms for 20 clients: at most 20 % of a core beside the session.
+- OPC UA: 200 monitored items at 50 ms for 20 clients: at most 20 % of a core more.
 - A soak at 100 times the clock: memory stays flat.
 """
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: MIT
 """``python -m benchmarks.fmu``: what a step of co-simulation costs, on both sides of FMI.
 
-FMU in: a small model in C beside a run, in this process and in one of its own, over the same run
-without it. FMU out: a cell in FMPy, ticks of 1 ms, over the same ticks of a run; and the small
-model in FMPy, whose step does nothing: that is FMPy's own share. The best of many short rounds
-counts, since other work on the machine only ever adds time.
-``--hour``: 3,600 s of co-simulation in FMPy, with the memory of the process each ten minutes.
+FMU in: a small model in C coupled to a run, in this process and in a separate one, compared with
+the same run without it. FMU out: a cell in FMPy, ticks of 1 ms, over the same ticks of a run; and
+the small model in FMPy, whose step does nothing: that is FMPy's own share. The best of many short
+rounds counts, since other work on the machine only ever adds time. ``--hour``: 3,600 s of
+co-simulation in FMPy, with the memory of the process each ten minutes.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from nctakt.cli import main as nctakt
 from nctakt.fmu import Fmu
 from nctakt.run.controller import Controller, NcText
 
-#: To and fro forever.
+#: To and fro endlessly.
 PROGRAM = "$FOR P1 = 1, 100000, 1\nG01 X100 Y20 F6000\nG01 X0 Y0\n$ENDFOR\nM30\n"
 STEPS, ROUNDS, TICK_S = 50, 400, 0.001
 TEN_MINUTES = 600_000

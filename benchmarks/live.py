@@ -49,7 +49,7 @@ def oscillating(blocks: int, feed: int = 6000) -> NcText:
 
 
 def measure_speed() -> None:
-    """Print the speed of sessions beside that of runs."""
+    """Print the speed of sessions compared with that of runs."""
     program = oscillating(12_000)
     runs, sessions = [], []
     for _ in range(REPEATS):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``python -m benchmarks.plc``: what a PLC in Python adds to a run, beside the run without one.
+"""``python -m benchmarks.plc``: the cost of a PLC in Python, compared with the run without one.
 
 Three axes move and two realtime cycles run; everything is measured in one run of this module, in
 slices of a few milliseconds that take turns, and the best slice of each counts, since wall-clock
@@ -171,7 +171,7 @@ def runs_per_second(plc: Path | None, folder: Path, count: int = 200) -> tuple[f
 
 
 def main() -> None:
-    """Print all figures beside their goals."""
+    """Print all figures with their goals."""
     form = "compiled" if is_compiled() else "plain"
     print(f"Python {platform.python_version()}, {platform.machine()}, {form}\n")
     with tempfile.TemporaryDirectory() as name:

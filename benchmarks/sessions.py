@@ -11,8 +11,8 @@ For programs of 2,000, 20,000, 200,000 and 1,000,000 lines, each lived through t
 - a search backward in the record, for events, writes and recorded signals: at least 20 million
   ticks a second.
 
-Beside the time that passes is that of the processor, of all processes together: what other work on
-the machine takes away is not in it, so comparisons are made with it (Linux).
+Besides the elapsed time there is the processor time of all processes together: it does not include
+other work on the machine, so comparisons use it (Linux).
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """``python -m benchmarks.st_cycle``: what the cycle of a PLC in Structured Text costs.
 
-Everything is measured in one run, beside the same loops in C compiled with -O2 with the same checks
-(bounds of arrays, a bound on instructions), since wall-clock figures differ from machine to machine
-and hour to hour: the ratios count. Other work on the machine only ever adds time, so both sides run
-in slices and the best slice is taken.
+Everything is measured in one run, together with the same loops in C compiled with -O2 with the same
+checks (bounds of arrays, a bound on instructions), since wall-clock figures differ from machine to
+machine and hour to hour: the ratios count. Other work on the machine only ever adds time, so both
+sides run in slices and the best slice is taken.
 
 ``--ticks N --only WORD`` runs N ticks of the one program whose name has WORD, nothing else: under
 ``valgrind --tool=callgrind`` the difference of two runs is what a cycle costs in instructions,
@@ -89,7 +89,7 @@ int main(int argc, char **argv) {{
 
 
 def started(plc_text: str | None, part: str = "G04 100000\nM30") -> Controller:
-    """A controller that runs this PLC, or none, beside a program."""
+    """A controller that runs this PLC, or none, together with a program."""
     controller = Controller()
     plc = None
     with tempfile.TemporaryDirectory() as folder:

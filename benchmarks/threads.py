@@ -2,10 +2,9 @@
 """``python -m benchmarks.threads``: two controllers in two threads against one.
 
 Ticks release the interpreter, all else holds it: building a controller, decoding, events, results.
-Measured: the runs of two threads beside those of one in the same time, with a controller that is
-built for each run, and with one that is put back; and the share of the ticks of a short program,
-which bounds the gain.
-Goal: 1.6 times the runs of one thread.
+Measured: the runs of two threads compared with those of one in the same time, with a controller
+built for each run, and with one that is restored; and the share of the ticks of a short program,
+which bounds the gain. Goal: 1.6 times the runs of one thread.
 """
 
 from __future__ import annotations

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 """``python -m benchmarks.tick``: what a tick and an elementary instruction cost.
 
-Everything is measured in one run, beside the same arithmetic as a C loop compiled with -O2, since
-wall-clock figures differ from machine to machine and hour to hour: the ratios count. The cycles
-are control laws: chains in which each statement needs what the one before has written, closed over
-the ticks, as in a filter or a controller.
+Everything is measured in one run, together with the same arithmetic as a C loop compiled with -O2,
+since wall-clock figures differ from machine to machine and hour to hour: the ratios count. The
+cycles are control laws: chains in which each statement needs what the one before has written,
+closed over the ticks, as in a filter or a controller.
 
 Other work on the machine only ever adds time. So both sides run in slices of less than a
 millisecond, after the start-up, and the best slice is taken.
@@ -174,7 +174,7 @@ def c_ns_per_tick(law: Law, folder: Path, cycles: int, ticks: int) -> float | No
 
 
 def instructions() -> None:
-    """ns per elementary instruction, for 1, 2 and 50 cycles, beside C."""
+    """ns per elementary instruction, for 1, 2 and 50 cycles, compared with C."""
     dwell = "#TIME 100000"
     idle, _ = ns_per_tick(dwell + "\nM30\n", 5_000)
     print(f"idle tick: {idle:.1f} ns\n")

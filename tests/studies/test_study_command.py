@@ -48,6 +48,35 @@ def test_the_summary_names_the_broken_runs(plan: Path, capsys: Captured) -> None
     assert main(["study", str(plan), "--only", "2", "--quiet"]) == 0
 
 
+def test_the_summary_fits_a_screen(plan: Path, capsys: Captured) -> None:
+    """Of many measures, expectations and blocks it shows the first ones, and counts the others."""
+    count = 60
+    measures = "".join(f'm{number} = "X at {number} ms"\n' for number in range(1, count + 1))
+    expected = [f"m{number} < 0" for number in range(1, count + 1)]
+    text = PLAN.replace('["X at end < 4.5"]', str(expected)).replace('end = "X at end"', measures)
+    plan.write_text(text)
+    assert main(["study", str(plan), "--quiet"]) == 1
+    lines = capsys.readouterr().out.splitlines()
+    assert (len(lines), lines[11]) == (24, "  … 50 more measures")
+    assert max(map(len, lines[12::2])) < 300
+    program = plan.with_name("part.nc")
+    program.write_text("".join(f"G01 X{number} F60000\n" for number in range(1, 41)) + "M30\n")
+    words = ["--each-tick", "V.E.VALUE=1", "--expect", "X < 20 within 1 ms", "--quiet"]
+    assert main(["study", str(program), *words]) == 1
+    shown = capsys.readouterr().out.splitlines()
+    assert len(shown) < 40
+    blocks = [line.split()[0] for line in shown if " G01 X" in line]
+    assert (len(blocks), blocks[0]) == (6, "21")
+    assert "… 35 more blocks, 15 of them with failed runs" in shown
+
+
+def test_a_part_without_runs_says_so(plan: Path, capsys: Captured) -> None:
+    """There may be more parts than runs; no measures stand there without values."""
+    words = ["study", str(plan), "--part", "1/9", "--out", str(plan.with_name("parts")), "--quiet"]
+    assert main(words) == 0
+    assert capsys.readouterr().out == f"{plan}: 0 runs\n"
+
+
 def test_a_run_that_the_study_does_not_have(plan: Path, capsys: Captured) -> None:
     """Exit code 2 instead of a run with the values of another number."""
     assert main(["study", str(plan), "--only", "6", "--quiet"]) == 2

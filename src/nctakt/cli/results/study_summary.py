@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 import shlex
 from collections.abc import Callable, Iterator
@@ -20,10 +21,19 @@ from nctakt.studies.study import Study, StudyResult
 #: Failed runs that are shown.
 MAX_SHOWN = 10
 
+#: Measures that are shown, characters of a failed run's values and of what it did not meet.
+MAX_MEASURES, MAX_LENGTH = 10, 200
+
 _TEXTS = {
-    "en": ("run", "runs", "minimum", "maximum", "without a value", "more failed runs"),
-    "de": ("Lauf", "Läufe", "Minimum", "Maximum", "ohne Wert", "weitere nicht bestandene Läufe"),
-}
+    "en": (
+        "run", "runs", "minimum", "maximum", "without a value", "more failed runs",
+        "more measures",
+    ),
+    "de": (
+        "Lauf", "Läufe", "Minimum", "Maximum", "ohne Wert", "weitere nicht bestandene Läufe",
+        "weitere Messgrößen",
+    ),
+}  # fmt: skip
 _VERDICTS = {
     "en": {word: word for word in (PASSED, FAILED, REFUSED, CRASHED)},
     "de": {
@@ -46,14 +56,17 @@ def summary(
 
     ``file``: the plan or program as the user named it, ``command`` shows a run by its number.
     """
-    *_, minimum, maximum, without, more = _TEXTS[language]
+    *_, minimum, maximum, without, more, measures = _TEXTS[language]
     names = _VERDICTS[language]
     verdicts = result.counts
     counts = ", ".join(f"{count} {names[name]}" for name, count in verdicts.items() if count)
-    yield f"{file}: {_runs(len(result), language)}: {counts}"
-    if len(result) and study.plan.method in ("random", "latin", "sobol"):
+    yield f"{file}: {_runs(len(result), language)}{counts and ': '}{counts}"
+    if not len(result):
+        return
+    if study.plan.method in ("random", "latin", "sobol"):
         yield f"  {names[PASSED]}: {share_text(verdicts[PASSED], len(result))}"
-    for name, span in spans_of(result).items():
+    spans = spans_of(result)
+    for name, span in itertools.islice(spans.items(), MAX_MEASURES):
         line = f"  {name}"
         if span.low is not None and span.high is not None:
             line += f"  {minimum} {as_text(span.low)}  {maximum} {as_text(span.high)}"
@@ -62,6 +75,8 @@ def summary(
             reason = study.reason(name, span.first_missing)
             line += f" ({span.first_missing}: {reason})" if reason else ""
         yield line
+    if len(spans) > MAX_MEASURES:
+        yield f"  … {len(spans) - MAX_MEASURES} {measures}"
     if study.nominal is not None:
         name = next(one.name for one in study.plan.dimensions if one.is_each_tick)
         yield from strip(result.rows, study.nominal, name, language)
@@ -70,7 +85,7 @@ def summary(
             f"{one.name} = {as_text(row[one.name])}" for one in study.plan.dimensions
         )
         verdict = names[str(row["verdict"])]
-        yield f"{row['run']}: {values_of}: {verdict}: {row['broken']}"
+        yield f"{row['run']}: {_cut(values_of)}: {verdict}: {_cut(str(row['broken']))}"
         number = row["run"]
         assert isinstance(number, int)
         yield f"    {command(number)}"
@@ -82,6 +97,11 @@ def summary(
 def _runs(count: int, language: Language) -> str:
     one, several, *_ = _TEXTS[language]
     return f"{count} {one if count == 1 else several}"
+
+
+def _cut(text: str) -> str:
+    """Return the beginning of a text that is too long for a summary."""
+    return text if len(text) <= MAX_LENGTH else f"{text[: MAX_LENGTH - 1]}…"
 
 
 @dataclass(slots=True)

@@ -34,8 +34,13 @@ _HEADS = {
     "de": " Zeile  von           bis           bestanden längste Reaktion",
 }
 
-#: Characters of a strip.
-WIDTH = 60
+_REST = {
+    "en": "… {blocks} more blocks, {failed} of them with failed runs",
+    "de": "… {blocks} weitere Blöcke, {failed} davon mit nicht bestandenen Läufen",
+}
+
+#: Characters of a strip, blocks that have one.
+WIDTH, MAX_BLOCKS = 60, 6
 
 
 def injection_table(text: str) -> dict[str, object]:
@@ -93,7 +98,10 @@ def with_span(plan: Plan, nominal: Nominal) -> Plan:
 def strip(
     rows: Sequence[Row], nominal: Nominal, name: str, language: Language = "en"
 ) -> Iterator[str]:
-    """Yield the lines of the strip; ``name``: the column with the time of the injection."""
+    """Yield the lines of the strip; ``name``: the column with the time of the injection.
+
+    Of many blocks those with failed runs come first; a last line counts the others.
+    """
     starts = [start for start, _, _ in nominal.blocks]
     ends = [*starts[1:], nominal.ticks]
     blocks = [_Block() for _ in starts]
@@ -102,15 +110,20 @@ def strip(
         number = bisect.bisect_right(starts, tick) - 1
         if number >= 0 and tick < ends[number]:
             blocks[number].add(row)
+    tried = [number for number, own in enumerate(blocks) if own.held]
+    failed = [number for number in tried if not all(blocks[number].held)]
+    shown = sorted(sorted(tried, key=lambda number: all(blocks[number].held))[:MAX_BLOCKS])
     yield _HEADS[language]
-    for own, (start, line, text), end in zip(blocks, nominal.blocks, ends, strict=True):
-        if not own.held:
-            continue
+    for number in shown:
+        own, (start, line, text), end = blocks[number], nominal.blocks[number], ends[number]
         longest = "–" if own.longest_s is None else f"{own.longest_s:.6f} s"
         first_s, last_s = (tick * nominal.cycle_time_us / 1e6 for tick in (start, end - 1))
         span = f"{first_s:.6f} s … {last_s:.6f} s"
         yield f"{line:6}  {span}  {sum(own.held)}/{len(own.held)}  {longest}  {text.strip()}"
         yield f"        {marks(own.held)}"
+    if len(tried) > len(shown):
+        left = len(failed) - len({*failed} & {*shown})
+        yield _REST[language].format(blocks=len(tried) - len(shown), failed=left)
 
 
 class _Block:

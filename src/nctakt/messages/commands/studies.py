@@ -308,6 +308,15 @@ FOLDER_HAS_RESULTS = error(
     remedy_de="Mit --resume weitermachen, wenn der Plan derselbe ist; sonst einen anderen Ordner "
     "angeben.",
 )
+ROWS_NOT_SHARED = error(
+    902982,
+    en="{missing} runs are not in {folder}: the processes that made them write to another place",
+    de="{missing} Läufe sind nicht in {folder}: Ihre Prozesse schreiben an einen anderen Ort",
+    remedy_en="Name a folder that all workers and this command share, or object storage.",
+    remedy_de="Einen Ordner angeben, den alle Worker und dieser Befehl gemeinsam haben, oder einen "
+    "Objektspeicher.",
+    missing=("how many runs", "wie viele Läufe"),
+)
 PARTS_MISSING = warning(
     902535,
     en="the study in {folder} lacks these parts: {names}; the report covers only the others",

@@ -11,6 +11,9 @@ import contextlib
 import os
 from pathlib import Path
 
+from nctakt.base.failure import Failure
+from nctakt.messages import diagnostic
+from nctakt.messages.commands.studies import ROWS_NOT_SHARED
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.rows.part_folder import PartFolder, RowsOfFolder
 from nctakt.studies.rows.row_store import RunNumbers, fingerprint, lock, open_stores
@@ -82,9 +85,13 @@ class FolderStore:
         self.folder.written(RowBlock(sorted(rows, key=lambda row: int(row["run"] or 0))))
 
     def rows(self) -> RowsOfFolder:
-        """Return the rows so far."""
+        """Return the rows so far; raises ``Failure`` if workers wrote some elsewhere (902982)."""
         self._write()
-        return RowsOfFolder(self.folder)
+        rows = RowsOfFolder(self.folder)
+        missing = len(self.done) - len(rows)
+        if missing > 0:
+            raise Failure(diagnostic(ROWS_NOT_SHARED, folder=self.name, missing=missing))
+        return rows
 
     def close(self) -> None:
         """Write the remaining rows; then another study may use the folder."""

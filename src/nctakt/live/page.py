@@ -227,7 +227,7 @@ class Page:
         self._program.follow()
         self._show_pen()
         self._show_bar(snapshot)
-        self._lists.show_matches(self._program)
+        self._lists.follow(self._program)
         if snapshot.number == self._shown:
             return
         self._shown = snapshot.number

@@ -13,6 +13,7 @@ import threading
 from collections import deque
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future
+from typing import Protocol
 
 from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
@@ -201,17 +202,31 @@ class Search:
             self._asked = None
 
 
+class PastWork(Protocol):
+    """What reruns the past of a session, some ticks in turn with others; it may end by itself."""
+
+    @property
+    def is_ended(self) -> bool:
+        """Whether it reruns no more."""
+
+    def advance(self) -> bool:
+        """Rerun some ticks; return whether there were any."""
+
+    def close(self) -> None:
+        """Give its controllers back."""
+
+
 class Searches:
-    """The searches of all browsers, and their thread, which begins with the first one."""
+    """What reruns the past for browsers, and its thread, which begins with the first one."""
 
     def __init__(self) -> None:
-        self._searches: list[Search] = []
+        self._searches: list[PastWork] = []
         self._changed = threading.Condition()
         self._thread: threading.Thread | None = None
         self._is_closed = False
 
-    def begin(self, search: Search) -> None:
-        """Let a search begin."""
+    def begin(self, search: PastWork) -> None:
+        """Let a search, or an account, begin."""
         with self._changed:
             self._searches.append(search)
             if self._thread is None:

@@ -27,6 +27,7 @@ from nctakt.live.plc_files import PlcFiles
 from nctakt.live.plc_words import PlcWords
 from nctakt.live.run_log import RunLog
 from nctakt.live.searching import Searches
+from nctakt.live.time_account import TimeAccounting, TimesShown
 from nctakt.live.track import Entry, Growing, Shown, Track, blocks_of, marks_of
 from nctakt.live.view import LogRow, Snapshot, VariableRow
 from nctakt.session.listening import Frame, Listener
@@ -118,6 +119,7 @@ class SharedSession:
         self.explainer = Explainer(self._look_now)
         self.ahead = Ahead()
         self.searches = Searches()
+        self._accounting: TimeAccounting | None = None
         self._start(self._opened())
         self._thread = threading.Thread(target=self._watch, name="nctakt live", daemon=True)
         self._thread.start()
@@ -298,6 +300,17 @@ class SharedSession:
             "ticks": ticks,
             "columns": columns,
         }
+
+    def times(self, language: Language) -> TimesShown:
+        """Return where the time of the branch went that is shown, as far as it is known."""
+        with self.lock:
+            work, session = self._accounting, self.session
+            if work is None or work.session is not session or work.branch != session.branch:
+                if work is not None:
+                    work.end_it()
+                self._accounting = work = TimeAccounting(session)
+                self.searches.begin(work)
+        return work.shown(language)
 
     def name_branch(self, number: int, name: str) -> None:
         """Give a branch of the tape a name, for all browsers."""

@@ -116,6 +116,15 @@ WORDS: dict[str, tuple[str, str]] = {
     "why": ("Why", "Warum"),
     "stops": ("Stops", "Haltepunkte"),
     "branches": ("Branches", "Zweige"),
+    "time": ("Time", "Zeit"),
+    "times": (
+        "Where the {latest} ticks of this branch went",
+        "Wo die {latest} Takte dieses Zweigs blieben",
+    ),
+    "times_so_far": (
+        "Where {tick} of {latest} ticks of this branch went, so far …",
+        "Wo {tick} von {latest} Takten dieses Zweigs blieben, bisher …",
+    ),
     "branch_name": ("Name", "Name"),
     "branch_origin": ("leaves {branch} at tick {tick}", "verlässt {branch} in Takt {tick}"),
     "branch_end": ("up to tick {tick}", "bis Takt {tick}"),
@@ -368,6 +377,7 @@ WORDS: dict[str, tuple[str, str]] = {
     "tab_why": ("Why", "Warum"),
     "tab_stops": ("Stops", "Haltepunkte"),
     "tab_branches": ("Branches", "Zweige"),
+    "tab_time": ("Time", "Zeit"),
     "too_many": (
         "503: too many browsers look at this page already ({count}). Close one of them.",
         "503: zu viele Browser zeigen diese Seite schon ({count}). Einen davon schließen.",

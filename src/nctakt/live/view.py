@@ -344,7 +344,7 @@ def finding_rows(
 
     ``plc``: the files of the PLC, which can be shown, too. Lines of other files are named only.
     """
-    rows = [(-one.severity, *_location(one.span, file, plc), one) for one in found]
+    rows = [(-one.severity, *location_of(one.span, file, plc), one) for one in found]
     rows.sort(key=lambda row: (row[0], row[3], row[1], row[4].id))
     return [
         LogRow(
@@ -359,7 +359,7 @@ def finding_rows(
     ]
 
 
-def _location(span: Span | None, file: str, plc: Collection[str]) -> tuple[int, str, str]:
+def location_of(span: Span | None, file: str, plc: Collection[str]) -> tuple[int, str, str]:
     """Return the line of a span, 0 where it cannot be shown; its file of the PLC; file and line.
 
     The last is empty in the program that is shown.
@@ -383,7 +383,7 @@ def event_row(
     event: Event, language: Language, file: str = "", plc: Collection[str] = ()
 ) -> LogRow:
     """Return an event as a row, with its line, and its file if that is another."""
-    line, of_plc, outside = _location(event.span, file, plc)
+    line, of_plc, outside = location_of(event.span, file, plc)
     return LogRow(event.kind, line, event_text(event, language), file=of_plc, outside=outside)
 
 

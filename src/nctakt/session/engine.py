@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from nctakt.base.dataclass import dataclass, field, write_initialisers
-from nctakt.base.diagnostics import Diagnostic, Span, Text
+from nctakt.base.diagnostics import Diagnostic, Language, Span, Text
 from nctakt.base.failure import Failure
 from nctakt.decoder.cycles.builder import CycleBranch, CycleDefinition
 from nctakt.decoder.state.call_stack import OpenCall
@@ -59,6 +59,8 @@ from nctakt.session.setup import Description, Inventory, Setup
 from nctakt.session.statements import PlcPlace
 from nctakt.session.stops import EventFilter, StopAt, StopBuilder, read_stop
 from nctakt.session.tick_log import MAX_EVENTS, SignalRows, TickLog
+from nctakt.timing.account import BlockSink, RunningAccount
+from nctakt.timing.table import TitledTables, time_tables
 
 #: Ticks whose rows are held at once if only some of them are kept.
 OUTLINED_AT = 20_000
@@ -80,6 +82,9 @@ class FoundEvents:
     left_out: int
     marks: tuple[Mark, ...] = ()
 
+
+#: What ``Engine.account`` has come to: a tick, its marks.
+Accounted = tuple[int, tuple[Mark, ...]]
 
 #: The events at which a stop holds, ``None`` if others decide; conditions necessary for it.
 Evidence = tuple[tuple[EventFilter, ...] | None, Necessary | None]
@@ -224,6 +229,7 @@ class Engine:
         self._differs: int | None = None
         self._stop_builder = StopBuilder(machine)
         self._matcher: EventMatcher | None = None
+        self._account: RunningAccount | None = None
         self._cycles: dict[int, tuple[str, CycleDefinition]] = {}
         self._newest: dict[Span, int] = {}
         self._stops: Sequence[StopAt] = ()
@@ -443,15 +449,25 @@ class Engine:
             if is_there:
                 return is_stopped
 
-    def _repeat(self, end: int, marks: Sequence[int], found: list[Mark]) -> bool:
-        """Rerun ticks, with these marks on the way; return as ``advance``."""
+    def _repeat(
+        self,
+        end: int,
+        marks: Sequence[int],
+        found: list[Mark],
+        advance: Callable[[int], bool] | None = None,
+    ) -> bool:
+        """Rerun ticks, with these marks on the way; return as ``ProgramRun.advance``.
+
+        ``advance``: runs up to a tick, by default that.
+        """
+        advance = advance or self._run.advance
         for tick in marks:
-            is_stopped = self._run.state is None and self._run.advance(tick)
+            is_stopped = self._run.state is None and advance(tick)
             if not is_stopped or self.tick == tick:
                 found.append(self._mark())
             if is_stopped:
                 return True
-        return self._run.advance(end)
+        return advance(end)
 
     def _mark(self) -> Mark:
         return self._trail.mark(self.tick, is_over=self._run.state is not None)
@@ -490,6 +506,43 @@ class Engine:
         self._repeat(end, marks, found)
         events, left_out = self._matcher.take()
         return FoundEvents(max(first, since), self.tick, events, left_out, tuple(found))
+
+    # --- where the time goes --------------------------------------------------------------------
+
+    def account(self, end: int, marks: Sequence[int]) -> Accounted:
+        """Run from the first tick on, or from the last call on, past all stops to tick ``end``.
+
+        Each tick is accounted for. Return where it is, and the marks of these ticks.
+        """
+        if self._account is None:
+            self._watch(())
+            self._stop_builder.watch_pauses(None)
+            self._select(())
+            blocks = BlockSink()
+            self._account = RunningAccount(self._machine, self._loop.channels, blocks)
+            self._loop.recording.reduce_to(self._trail)
+            self._loop.recording.add(blocks)
+        self._trail.keeps = False
+        found = list[Mark]()
+        self._repeat(end, marks, found, self._account_to)
+        return self.tick, tuple(found)
+
+    def _account_to(self, end: int) -> bool:
+        """Run each tick up to ``end`` by itself; no stop ends it."""
+        assert self._account is not None
+        tick = self.tick
+        while self._run.state is None and tick < end:
+            self._run.advance(tick + 1)
+            if self.tick > tick:
+                self._account.end_tick(tick)
+                tick = self.tick
+        return False
+
+    def time_tables(self, language: Language) -> TitledTables:
+        """Return where the time of the ticks went that are accounted for."""
+        if self._account is None:
+            return []
+        return time_tables(self._account.times(self.tick), language)
 
     # --- within a tick --------------------------------------------------------------------------
 

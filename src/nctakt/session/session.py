@@ -37,6 +37,7 @@ from nctakt.session.decoders import DecoderState
 from nctakt.session.engine import CycleState, StateView, StepResult, joined
 from nctakt.session.history.comparing import BranchDifference
 from nctakt.session.history.event_search import EventSearch
+from nctakt.session.history.past_account import PastAccount
 from nctakt.session.history.past_runs import PastRuns
 from nctakt.session.listening import Listener
 from nctakt.session.process.thread import SessionThread
@@ -561,6 +562,14 @@ class Session:
         """
         timeline = self._core.timeline
         return EventSearch(self._ask, timeline, timeline.reached(0, branch))
+
+    def time_account(self, branch: int | None = None) -> PastAccount:
+        """Return an account of a branch's time, by default this one's, beside the session.
+
+        Raises ``Failure`` (901157) for a branch that there is not.
+        """
+        timeline = self._core.timeline
+        return PastAccount(self._ask, timeline, timeline.reached(0, branch))
 
     def happened(self, first: int, end: int) -> StepResult:
         """Return the results of the ticks from ``first`` up to, but without, ``end``.

@@ -12,12 +12,13 @@ from nctakt.kernel import rows
 from nctakt.results.trace.chunks import EventChunk, of_kinds
 from nctakt.results.trace.events import Event
 from nctakt.results.trace.sinks import TraceHeader
+from nctakt.run.channel_run import ChannelRun
 from nctakt.run.controller import Controller
 from nctakt.run.program_loader import AnyProgram
 from nctakt.run.program_run import ProgramRun
 from nctakt.run.realtime.assembly import AssembledMachine
 from nctakt.timing.clock import ChannelClock, TickPurpose
-from nctakt.timing.entries import NOTHING, Purpose, Stretch, TimeAccount
+from nctakt.timing.entries import NOTHING, Purpose, Stretch, TimeAccount, Times
 
 if TYPE_CHECKING:
     from typing import Unpack
@@ -36,7 +37,7 @@ class _Begun:
     calls: int
 
 
-class _Blocks:
+class BlockSink:
     """A sink that keeps which blocks have begun, by channel."""
 
     def __init__(self) -> None:
@@ -59,6 +60,41 @@ class _Blocks:
                     self.begun.setdefault(max(event.channel, 1), []).append(one)
 
 
+class RunningAccount:
+    """The clocks of the channels of a run, from before its first tick on.
+
+    ``blocks``: a sink of the same run.
+    """
+
+    def __init__(
+        self, machine: AssembledMachine, channels: Sequence[ChannelRun], blocks: BlockSink
+    ) -> None:
+        self._blocks = blocks
+        self._machine = machine
+        self._clocks = [
+            ChannelClock(machine, index, channel, lambda source: _line(machine, source))
+            for index, channel in enumerate(channels)
+        ]
+
+    def end_tick(self, tick: int) -> None:
+        """Note the purpose of a tick that has just ended, in each channel."""
+        for clock in self._clocks:
+            clock.end_tick(tick)
+
+    def times(self, ticks: int) -> Times:
+        """Return the times so far; ``ticks``: how many there have been."""
+        machine, begun = self._machine, self._blocks.begun
+        stretches = [
+            stretch
+            for number, clock in enumerate(self._clocks, 1)
+            for stretch in _stretches(machine, number, clock, begun.get(number, []))
+        ]
+        spans = dict.fromkeys(one.purpose.span for one in stretches)
+        lines = {span: machine.files.line_at(span).strip() for span in spans if span is not None}
+        cycle_us = machine.configuration.cycle_time_us
+        return Times(ticks, cycle_us, len(self._clocks), tuple(stretches), lines)
+
+
 def account_for(
     controller: Controller,
     programs: Mapping[int, Sequence[AnyProgram]],
@@ -69,7 +105,7 @@ def account_for(
     ``options`` and ``Failure`` are those of ``Controller.run``. Each tick is run by itself, which
     changes nothing in the run.
     """
-    blocks = _Blocks()
+    blocks = BlockSink()
     recorded: RunKeywords = {
         **options,
         "blocks": True,
@@ -77,36 +113,28 @@ def account_for(
         "sinks": (*options.get("sinks", ()), blocks),
     }
     run = controller.begin(programs, **recorded)
-    clocks = [
-        ChannelClock(run.machine, index, channel, lambda source: _line(run.machine, source))
-        for index, channel in enumerate(run.channel_runs)
-    ]
+    account = RunningAccount(run.machine, run.channel_runs, blocks)
     try:
-        _tick_by_tick(controller, run, clocks)
+        _tick_by_tick(controller, run, account)
     except KeyboardInterrupt:
         run.interrupt()
     finally:
         run.close()
     result = run.result()
-    stretches = [
-        stretch
-        for number, clock in enumerate(clocks, 1)
-        for stretch in _stretches(run.machine, number, clock, blocks.begun.get(number, []))
-    ]
-    spans = dict.fromkeys(one.purpose.span for one in stretches)
-    lines = {span: run.machine.files.line_at(span).strip() for span in spans if span is not None}
-    return TimeAccount(result, len(clocks), tuple(stretches), lines)
+    times = account.times(result.ticks)
+    return TimeAccount(
+        times.ticks, times.cycle_time_us, times.channels, times.stretches, times.lines, result
+    )
 
 
-def _tick_by_tick(controller: Controller, run: ProgramRun, clocks: Sequence[ChannelClock]) -> None:
-    """Run to the end, and let the clocks look after each tick."""
+def _tick_by_tick(controller: Controller, run: ProgramRun, account: RunningAccount) -> None:
+    """Run to the end, and account for each tick."""
     run.load()
     tick = controller.tick
     while run.state is None:
         run.advance(tick + 1)
         if controller.tick > tick:
-            for clock in clocks:
-                clock.end_tick(tick)
+            account.end_tick(tick)
             tick = controller.tick
 
 

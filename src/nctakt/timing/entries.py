@@ -92,13 +92,14 @@ class Stretch:
 
 
 @dataclass(frozen=True, slots=True)
-class TimeAccount:
-    """A run and its stretches, by channel, then in the order of time.
+class Times:
+    """The stretches of the first ``ticks`` ticks of a run, by channel, then in the order of time.
 
     ``lines``: the source lines of the blocks by their spans.
     """
 
-    run: Run
+    ticks: int
+    cycle_time_us: int
     channels: int
     stretches: tuple[Stretch, ...]
     lines: dict[Span, str]
@@ -114,4 +115,11 @@ class TimeAccount:
 
     def us(self, ticks: int) -> int:
         """Return the length of ticks in microseconds."""
-        return ticks * self.run.cycle_time_us
+        return ticks * self.cycle_time_us
+
+
+@dataclass(frozen=True, slots=True)
+class TimeAccount(Times):
+    """A run and its times."""
+
+    run: Run

@@ -7,10 +7,11 @@ from collections import defaultdict
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import TypeVar
 
-from nctakt.base.diagnostics import Language, Text
+from nctakt.base.dataclass import dataclass
+from nctakt.base.diagnostics import Language, Span, Text
 from nctakt.lists.format.times import Time
 from nctakt.results.summary import Table, plain_table, state_text
-from nctakt.timing.entries import Purpose, TimeAccount
+from nctakt.timing.entries import Purpose, Times
 from nctakt.timing.what_if import Variant
 from nctakt.timing.words import KINDS, general_text, limit_text
 
@@ -40,17 +41,33 @@ _SAVED = Text("saved", "gespart")
 _STATE = Text("end", "Ende")
 
 
-def time_text(account: TimeAccount, language: Language) -> str:
+@dataclass(frozen=True, slots=True)
+class TimeTable(Table):
+    """A table of times; ``spans``: the blocks of its first rows, if it is one of blocks."""
+
+    spans: tuple[Span, ...] = ()
+
+
+#: For each channel its title, empty if it is the only one, and its tables.
+TitledTables = list[tuple[str, list[TimeTable]]]
+
+
+def time_tables(times: Times, language: Language) -> TitledTables:
+    """Return the tables of each channel that has a program, with its title if there are more."""
+    found = []
+    for channel in range(1, times.channels + 1):
+        if set(times.by(lambda one: one.kind, channel)) - {"idle"}:
+            title = _CHANNEL.get(language).format(number=channel) if times.channels > 1 else ""
+            found.append((title, list(_ChannelTables(times, channel, language))))
+    return found
+
+
+def time_text(times: Times, language: Language) -> str:
     """Return all tables of a run, those of each channel by themselves."""
     parts: list[str] = []
-    for channel in range(1, account.channels + 1):
-        if not set(account.by(lambda one: one.kind, channel)) - {"idle"}:
-            continue
-        if account.channels > 1:
-            parts.append(_CHANNEL.get(language).format(number=channel))
-        parts += [
-            "\n".join(plain_table(table)) for table in _ChannelTables(account, channel, language)
-        ]
+    for title, tables in time_tables(times, language):
+        parts += [title] if title else []
+        parts += ["\n".join(plain_table(table)) for table in tables]
     return "\n\n".join(parts) + "\n"
 
 
@@ -77,13 +94,13 @@ def what_if_text(variants: Sequence[Variant], language: Language) -> str:
 class _ChannelTables:
     """The tables of one channel, in the order in which they are shown."""
 
-    def __init__(self, account: TimeAccount, channel: int, language: Language) -> None:
+    def __init__(self, account: Times, channel: int, language: Language) -> None:
         self._account = account
         self._channel = channel
         self._language = language
-        self._total = account.run.ticks
+        self._total = account.ticks
 
-    def __iter__(self) -> Iterator[Table]:
+    def __iter__(self) -> Iterator[TimeTable]:
         yield self._kinds()
         yield self._grouped(_LIMIT, self._cause)
         tools = self._grouped(_TOOL, lambda one: str(one.tool or _WITHOUT.get(self._language)))
@@ -98,7 +115,7 @@ class _ChannelTables:
         text = general_text(purpose.limit, self._language)
         return text or KINDS[purpose.kind].get(self._language)
 
-    def _kinds(self) -> Table:
+    def _kinds(self) -> TimeTable:
         language, account = self._language, self._account
         ticks = account.by(lambda one: (one.kind, one.phase), self._channel)
         rows = []
@@ -113,12 +130,12 @@ class _ChannelTables:
         heads = (_KIND, _TIME, _SHARE, _SPEEDING, _BRAKING)
         return self._with_sum(heads, rows, sum(ticks.values()))
 
-    def _grouped(self, head: Text, key: Callable[[Purpose], str]) -> Table:
+    def _grouped(self, head: Text, key: Callable[[Purpose], str]) -> TimeTable:
         ticks = self._account.by(key, self._channel)
         rows = [(name, *self._amount(count)) for name, count in _largest(ticks)]
         return self._with_sum((head, _TIME, _SHARE), rows, sum(ticks.values()))
 
-    def _blocks(self) -> Table:
+    def _blocks(self) -> TimeTable:
         language, account = self._language, self._account
         ticks = account.by(lambda one: one.span, self._channel)
         causes: dict[object, dict[str, int]] = defaultdict(dict)
@@ -135,7 +152,9 @@ class _ChannelTables:
             more = _MORE.get(language).format(count=len(found[MAX_BLOCKS:]))
             name = more if len(found) > MAX_BLOCKS else "-"
             rows.append((name, *self._amount(left), ""))
-        return self._with_sum((_BLOCK, _TIME, _SHARE, _MAIN_LIMIT), rows, sum(ticks.values()))
+        spans = tuple(span for span, _ in found[:MAX_BLOCKS])
+        heads = (_BLOCK, _TIME, _SHARE, _MAIN_LIMIT)
+        return self._with_sum(heads, rows, sum(ticks.values()), spans)
 
     def _span_and_cause(self, purpose: Purpose) -> tuple[object, str]:
         text = limit_text(purpose.limit, self._language)
@@ -145,12 +164,17 @@ class _ChannelTables:
         return _time(self._account.us(ticks)), f"{100.0 * ticks / self._total:.1f} %"
 
     def _with_sum(
-        self, heads: tuple[Text, ...], rows: Sequence[tuple[str, ...]], ticks: int
-    ) -> Table:
+        self,
+        heads: tuple[Text, ...],
+        rows: Sequence[tuple[str, ...]],
+        ticks: int,
+        spans: tuple[Span, ...] = (),
+    ) -> TimeTable:
         """Return a table that ends with the sum of its ticks."""
         rest = ("",) * (len(heads) - 3)
         rows = [*rows, (_SUM.get(self._language), *self._amount(ticks), *rest)]
-        return Table(tuple(head.get(self._language) for head in heads), tuple(rows))
+        titles = tuple(head.get(self._language) for head in heads)
+        return TimeTable(titles, tuple(rows), spans)
 
 
 def _largest(ticks: dict[_Key, int]) -> list[tuple[_Key, int]]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The lists below the program: findings, messages, events, why, stops, branches.
+"""The lists below the program: findings, messages, events, why, stops, branches, times.
 
 In: rows. Out: tabs of NiceGUI; a click on a row shows its line.
 """
@@ -24,12 +24,13 @@ from nctakt.live.parts.event_search import SearchBar
 from nctakt.live.parts.explaining import Moment
 from nctakt.live.parts.naming import card, explained, named
 from nctakt.live.parts.program_card import ProgramCard
+from nctakt.live.parts.time_tables import TimeTables
 from nctakt.live.plc_view import places_in
 from nctakt.live.run_log import MAX_LOG
 from nctakt.live.view import LogRow
 from nctakt.results.trace.events import Event
 
-NAMES = ("findings", "messages", "events", "why", "stops", "branches")
+NAMES = ("findings", "messages", "events", "why", "stops", "branches", "time")
 
 #: Rows of a list that are shown: the newest.
 _MAX_SHOWN = 80
@@ -97,6 +98,9 @@ class Lists:
         if name == "branches":
             with self._list_of[name]:
                 self._branches = BranchList(self._commander)
+        if name == "time":
+            with self._list_of[name]:
+                self._times = TimeTables(self._commander, self._reveal)
         if name == "why":
             with self._list_of[name]:
                 self._earlier = ui.label(self._texts["earlier_answer"]).classes("nc-soft")
@@ -142,7 +146,14 @@ class Lists:
         file, plc = program.document.file, self._shared.session.description.plc_texts
         return [view.event_row(one, self._texts.language, file, plc) for one in events]
 
-    def show_matches(self, program: ProgramCard) -> None:
+    def follow(self, program: ProgramCard) -> None:
+        """Show by now what the past has been searched for, or what its time went into."""
+        if self._tabs.value == "time":
+            self._times.show(program.document.file)
+        else:
+            self._show_matches(program)
+
+    def _show_matches(self, program: ProgramCard) -> None:
         """Show what the search has found by now, if it is open."""
         if self._tabs.value != "events" or not self.search.text:
             return

@@ -7,41 +7,22 @@ The session is asked only for controllers, which takes milliseconds.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from typing import Any
+from collections.abc import Iterator
 
 from nctakt.results.trace.event_words import SoughtEvents
 from nctakt.results.trace.events import Event
 from nctakt.session.engine import FoundEvents
-from nctakt.session.history.branch import Branch
-from nctakt.session.history.record import first_difference, past_differs, ticks_of
-from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US, Timeline, next_part
+from nctakt.session.history.record import ticks_of
+from nctakt.session.history.rerun import PastRerun
+from nctakt.session.history.timeline import SEARCHED_GROWTH, SEARCHED_US
 from nctakt.session.process.workshop import RemoteEngine
 
 #: Result of a search between two stretches: it continues.
 Step = FoundEvents | None
 
 
-class EventSearch:
-    """Events of a branch that are sought; one thread asks it, any one.
-
-    ``ask`` calls a method in the thread of the session; raises ``Failure`` once that is closed.
-    """
-
-    def __init__(self, ask: Callable[..., Any], timeline: Timeline, branch: Branch) -> None:
-        self._ask = ask
-        self._timeline = timeline
-        self._branch = branch
-
-    @property
-    def branch(self) -> int:
-        """The number of the branch."""
-        return self._branch.number
-
-    @property
-    def latest(self) -> int:
-        """The tick that the branch has reached."""
-        return self._branch.latest
+class EventSearch(PastRerun):
+    """Events of a branch that are sought."""
 
     def before(self, end: int, sought: SoughtEvents) -> Iterator[Step]:
         """Search the ticks before ``end``, from the latest stretch to the earliest.
@@ -51,7 +32,7 @@ class EventSearch:
         stretch_us = SEARCHED_US / SEARCHED_GROWTH
         while end > 0:
             work_us = SEARCHED_GROWTH * stretch_us
-            engine, stretch_us = self._ask(self._controller, end, work_us)
+            engine, stretch_us = self._controller(end, work_us)
             first, count = engine.tick, 0
             events: tuple[Event, ...] = ()
             try:
@@ -81,9 +62,9 @@ class EventSearch:
                     yield FoundEvents(first, first, (), 0)
                     continue
                 if engine is None:
-                    engine = self._ask(self._controller, first + 1, 0.0)[0]
+                    engine = self._controller(first + 1, 0.0)[0]
                 if engine.tick >= end:
-                    end = self._ask(self._timeline.plan_on, engine, self._branch)
+                    end = self._plan_on(engine)
                 tick = engine.tick
                 found = self._part(engine, end, sought, first)
                 first = max(first, engine.tick)
@@ -92,19 +73,11 @@ class EventSearch:
             if engine is not None:
                 engine.close()
 
-    def _controller(self, end: int, work_us: float) -> tuple[RemoteEngine, float]:
-        """Return a controller before a stretch, which this search alone asks."""
-        engine, stretch_us = self._timeline.before(self._branch, end, work_us)
-        engine.is_apart = True
-        return engine, stretch_us
-
     def _part(
         self, engine: RemoteEngine, end: int, sought: SoughtEvents, since: int
     ) -> FoundEvents:
         """Search some ticks more; raises ``Failure`` (901901) if they are not as they were."""
-        part, marks = self._ask(next_part, self._branch, engine.tick, end)
+        part, marks = self._next_part(engine.tick, end)
         found = engine.find_events(part, sought, ticks_of(marks), since)
-        differs = first_difference(found.marks, marks)
-        if differs is not None and not self._timeline.setup.plcs:
-            raise past_differs(differs)
+        self._compare(found.marks, marks)
         return found

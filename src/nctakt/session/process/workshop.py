@@ -22,16 +22,18 @@ from multiprocessing.connection import Client, Connection, Listener
 from typing import Any, cast
 
 from nctakt.base import interrupts
+from nctakt.base.diagnostics import Language
 from nctakt.base.failure import Failure
 from nctakt.base.python_process import at_start, python_command, python_environment
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import CONTROLLER_LOST
 from nctakt.results.trace.event_words import SoughtEvents
 from nctakt.run.access.inputs import Input
-from nctakt.session.engine import CycleState, Found, FoundEvents, StepResult
+from nctakt.session.engine import Accounted, CycleState, Found, FoundEvents, StepResult
 from nctakt.session.process.worker import BROKEN, KEY_SIZE, REFUSED, can_fork, receive, send
 from nctakt.session.setup import Description, Setup
 from nctakt.session.stops import StopAt
+from nctakt.timing.table import TitledTables
 
 #: How long a new process may take to report, in seconds.
 START_S = 60.0
@@ -177,6 +179,16 @@ class RemoteEngine:
         found = cast("FoundEvents", self.ask("find_events", end, sought, marks, since))
         self.tick = found.end
         return found
+
+    def account(self, end: int, marks: Sequence[int]) -> Accounted:
+        """Account for ticks as ``Engine.account``."""
+        done = cast("Accounted", self.ask("account", end, marks))
+        self.tick = done[0]
+        return done
+
+    def time_tables(self, language: Language) -> TitledTables:
+        """Return tables as ``Engine.time_tables``."""
+        return cast("TitledTables", self.ask("time_tables", language))
 
     def plan(self, inputs: Sequence[Input]) -> None:
         """Plan as ``Engine.plan``."""

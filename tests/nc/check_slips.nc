@@ -93,8 +93,8 @@ V,E.COUNT = 3 ; error 20797 "V,E.COUNT is not a variable"
 G01 X10mm F100 ; error 20797 "values have no unit"
 G01 F500mm/min ; error 20797 "values have no unit"
 HLI.OVERRIDE = 50 ; error 20797 "name of the interface to the PLC"
-gpCh[0]^.cycle_data.cycletime = 1 ; error 20797 "name of the interface to the PLC"
-V.E.SPEED = HLI.OVERRIDE ; error 20797 "name of the interface to the PLC"
+gpCh[0]^.cycle_data.cycletime = 1 ; error 900101 "name of the interface to the PLC"
+V.E.COUNT = HLI.OVERRIDE ; error 20392 "name of the interface to the PLC"
 G01 X1
 M30
 ; --- values

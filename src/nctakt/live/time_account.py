@@ -47,14 +47,14 @@ class TimeAccounting:
         self.branch = self._account.branch
         self._error: Failure | RuntimeError | None = None
         self._seen_s: dict[Language, float] = {}
-        self._made: dict[Language, tuple[int, TitledTables]] = {}
+        self._tables: dict[Language, tuple[int, TitledTables]] = {}
         self._due_s = 0.0
         self._is_ended = False
 
     def shown(self, language: Language) -> TimesShown:
         """Return the newest tables; any thread may ask."""
         self._seen_s[language] = time.monotonic()
-        tick, tables = self._made.get(language, (0, []))
+        tick, tables = self._tables.get(language, (0, []))
         return TimesShown(tables, tick, self._account.latest, self._error)
 
     def end_it(self) -> None:
@@ -83,11 +83,11 @@ class TimeAccounting:
             return False
         has_advanced = self._account.advance(_TICKS)
         tick = self._account.tick
-        old = [one for one in seen if self._made.get(one, (0,))[0] != tick]
+        old = [one for one in seen if self._tables.get(one, (0,))[0] != tick]
         begin_s = time.monotonic()
         if old and (begin_s >= self._due_s or not has_advanced):
             for language in old:
-                self._made[language] = tick, self._account.tables(language)
+                self._tables[language] = tick, self._account.tables(language)
             end_s = time.monotonic()
             self._due_s = end_s + max(_DISTANCE_S, _TIMES_LONGER * (end_s - begin_s))
         return has_advanced

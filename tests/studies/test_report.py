@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import os
 import re
 from importlib.metadata import entry_points
@@ -72,6 +73,54 @@ def test_the_page_stands_alone(plan: Path) -> None:
     again = plan.with_name("again.html")
     assert main(["study", "report", str(plan), str(rows), "--report", str(again)]) == 0
     assert again.read_text("utf-8").count("<svg") == text.count("<svg")
+
+
+def test_the_page_has_pictures_of_extreme_runs(plan: Path) -> None:
+    """One of each run with a least or greatest value; the same from the rows of a file.
+
+    With ``--record``, there are tapes of these, too: ``test_tapes_of_extreme_runs``.
+    """
+    pytest.importorskip("matplotlib")
+    page, rows = plan.with_name("page.html"), plan.with_name("rows.csv")
+    words = ["study", str(plan), "--out", str(rows), "--report", str(page), "--quiet", "-j", "1"]
+    assert main(words) == 1
+    text = page.read_text("utf-8")
+    pictures = re.findall(r'<img alt="([^"]*)" src="data:image/png;base64,([^"]*)">', text)
+    # 18: V.E.VALUE is 1 and the override 100; 0: it is 40. M100 never comes.
+    assert [alt for alt, _ in pictures] == ["run 18: least time", "run 0: greatest time"]
+    study = Study(plan)
+    for (_, data), number in zip(pictures, (18, 0), strict=True):
+        assert base64.b64decode(data) == study.picture(number)
+    again = plan.with_name("again.html")
+    assert main(["study", "report", str(plan), str(rows), "--report", str(again)]) == 0
+    assert again.read_text("utf-8") == text
+
+
+def test_tapes_of_extreme_runs(plan: Path) -> None:
+    """``--record`` with a report: the run with the least time has passed and has its tape."""
+    page, tapes = plan.with_name("page.html"), plan.with_name("tapes")
+    words = ["study", str(plan), "--report", str(page), "--record", str(tapes), "--quiet"]
+    assert main([*words, "-j", "1"]) == 1
+    assert {tape.name for tape in tapes.iterdir()} >= {"run-0.tape", "run-18.tape"}
+    assert f"<code>nctakt replay {tapes / 'run-18.tape'}" in page.read_text("utf-8")
+
+
+def test_page_of_a_search_names_its_runs_by_their_values(plan: Path) -> None:
+    """A run of a search has no number in the plan: its row says what it was."""
+    text = PLAN.partition("[[vary]]")[0]
+    plan.write_text(
+        f'{text}[[vary]]\nvariable = "HLI.OVERRIDE"\nfrom = 40\nto = 100\n'
+        '[[find]]\nboundary = "HLI.OVERRIDE"\n'
+    )
+    page, rows = plan.with_name("page.html"), plan.with_name("rows.csv")
+    words = ["study", str(plan), "--out", str(rows), "--report", str(page), "--quiet", "-j", "1"]
+    assert main(words) == 0
+    again = plan.with_name("again.html")
+    assert main(["study", "report", str(plan), str(rows), "--report", str(again)]) == 0
+    pages = page.read_text("utf-8"), again.read_text("utf-8")
+    commands = [re.findall(r"<code>(.*?)</code>", text) for text in pages]
+    assert commands[0] == commands[1]
+    assert "--set HLI.OVERRIDE=40 " in commands[0][1]
 
 
 def test_shares_have_wilsons_interval() -> None:

@@ -286,14 +286,15 @@ def _show(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -
 
     Raises ``Failure`` for files that cannot be written.
     """
-    from nctakt.cli.results.study_commands import commands_of  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_commands import commands_of, picture_of  # noqa: PLC0415 - as above
     from nctakt.cli.results.study_summary import shrunk_lines, summary  # noqa: PLC0415 - as above
 
     commands = commands_of(study, result, file, words)
     if words["report"] is not None:
         from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
 
-        write_file(words["report"], result.report(words["language"], commands))
+        page = result.report(words["language"], commands, picture_of(study, words))
+        write_file(words["report"], page)
     for line in summary(study, result, file, commands, words["language"]):
         click.echo(line)
     _tell_without_effect(result.without_effect, words)
@@ -419,7 +420,7 @@ def _is_plan(file: str) -> bool:
 
 def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     """Write the report of runs that are finished."""
-    from nctakt.cli.results.study_commands import commands_of  # noqa: PLC0415 - as above
+    from nctakt.cli.results.study_commands import shown_rows  # noqa: PLC0415 - as above
     from nctakt.files.output import write_file  # noqa: PLC0415
     from nctakt.messages import diagnostic  # noqa: PLC0415
     from nctakt.messages.commands.studies import OTHER_PLAN  # noqa: PLC0415
@@ -442,8 +443,8 @@ def _report(plan: str, results: str, words: dict[str, Any]) -> int:
     target = words["report"] or str(Path(results.rpartition("://")[2]).with_suffix(".html"))
     _check_outputs(study, [plan, results], {"report": target})
     result = StudyResult(study.plan, rows, study.nominal, study.runner.units)
-    page = result.report(words["language"], commands_of(study, result, plan, words))
-    write_file(target, page)
+    shown = shown_rows(study, result, plan, words)
+    write_file(target, result.report(words["language"], shown.command, shown.picture))
     return EXIT_RAN
 
 

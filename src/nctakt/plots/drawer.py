@@ -65,9 +65,11 @@ class Drawer:
 
         return figure_of(self._scene(run, signals, language), language)
 
-    def png(self, run: Run) -> bytes | None:
+    def png(self, run: Run, language: Language = "en") -> bytes | None:
         """Return a picture as the bytes of a file; ``None`` without matplotlib."""
-        return png_of(self._scene(run, None, "en"), "en") if has_matplotlib() else None
+        if not has_matplotlib():
+            return None
+        return png_of(self._scene(run, None, language), language)
 
     def _scene(self, run: Run, signals: Sequence[str] | None, language: Language) -> Scene:
         return scene_of(

@@ -216,7 +216,7 @@ class RunDrawer(Protocol):
     def figure(self, run: Run, signals: Sequence[str] | None, language: Language) -> Figure:
         """Return a picture as a figure of matplotlib."""
 
-    def png(self, run: Run) -> bytes | None:
+    def png(self, run: Run, language: Language = "en") -> bytes | None:
         """Return a picture as the bytes of a file; ``None`` without matplotlib."""
 
     def write_vcd(self, run: Run, path: Path) -> None:

@@ -160,6 +160,15 @@ class Controller:
         return self._machine.channel_axes
 
     @property
+    def motion_signals(self) -> tuple[str, ...]:
+        """The signals that a picture of these axes needs."""
+        from nctakt.plots import motion  # noqa: PLC0415 - loads numpy
+
+        steps = self.machine.channels[0].parameters.transformations.steps
+        names = [axis.name for axis in self.channel_axes]
+        return motion.signals(names, has_transformations=any(steps))
+
+    @property
     def has_limited_jerk(self) -> bool:
         """Whether any block of the first channel so far had the jerk-limited slope."""
         return self._machine.channels[0].queue.look_ahead.limits.has_jerk_limit

@@ -8,12 +8,14 @@ sensitivities, the failed runs with the commands that show them.
 
 from __future__ import annotations
 
+import base64
 import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from html import escape
 from typing import Any
 
+from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Language
 from nctakt.base.version import __version__
 from nctakt.messages import diagnostic
@@ -29,6 +31,9 @@ from nctakt.studies.runs.study_runner import PASSED, Row
 
 #: Failed runs in the table of the report, pictures of one kind.
 MAX_ROWS, MAX_PICTURES = 200, 24
+
+#: Runs of which the page has a picture each.
+MAX_DRAWN_RUNS = 6
 
 #: The same in a notebook.
 MAX_SHOWN_ROWS, MAX_SHOWN_PICTURES = 10, 6
@@ -46,7 +51,7 @@ figcaption { font-size: 13px; color: #52606d }
 svg text { font: 11px system-ui, sans-serif; fill: #333 }
 table { border-collapse: collapse; font-size: 13px } td, th { padding: 3px 10px; text-align: left;
   border-bottom: 1px solid #e3e8ee } .failed { color: #c0392b } code { font-size: 12px }
-.passed { color: #2f6f9f }
+.passed { color: #2f6f9f } img { max-width: 600px }
 """
 
 
@@ -67,6 +72,7 @@ _TEXTS = {
         "run": "run", "reason": "not met", "command": "shown by",
         "verdict_map": "passed (blue) and failed (red) over {} and {}",
         "verdict_maps": "Passed and failed over two inputs",
+        "no_pictures": "No pictures of runs: the extra plot is not installed.",
         "extremes": "Least and greatest values", "least": "least {}", "greatest": "greatest {}",
         "which": "which", "verdict": "verdict", "plan": "Plan",
         "PAWN, median": "PAWN, median", "rank correlation": "rank correlation",
@@ -84,6 +90,7 @@ _TEXTS = {
         "run": "Lauf", "reason": "nicht erfüllt", "command": "zu sehen mit",
         "verdict_map": "bestanden (blau) und nicht (rot) über {} und {}",
         "verdict_maps": "Bestanden und nicht bestanden über zwei Eingängen",
+        "no_pictures": "Keine Bilder von Läufen: das Extra plot ist nicht installiert.",
         "extremes": "Kleinste und größte Werte", "least": "kleinstes {}",
         "greatest": "größtes {}", "which": "welches", "verdict": "Urteil", "plan": "Plan",
         "PAWN, median": "PAWN, Median", "rank correlation": "Rangkorrelation",
@@ -91,19 +98,36 @@ _TEXTS = {
 }  # fmt: skip
 
 
+@dataclass(frozen=True, slots=True)
+class ShownRuns:
+    """What a page says of single runs, by their numbers.
+
+    ``command`` shows a run; ``picture`` returns a PNG file, ``None`` if there can be none.
+    """
+
+    command: Callable[[int], str] | None = None
+    picture: Callable[[int], bytes | None] | None = None
+
+
 def report(
     plan: Plan,
     rows: Sequence[Row],
     units: Mapping[str, str],
-    language: Language = "en",
-    command: Callable[[int], str] | None = None,
-    nominal: Nominal | None = None,
+    language: Language,
+    shown: ShownRuns,
+    nominal: Nominal | None,
 ) -> str:
-    """Return the page; ``units``: those of the columns; ``command`` shows a run by its number.
+    """Return the page; ``units``: those of the columns; ``shown``: what it says of single runs.
 
     ``nominal``: the unchanged run of an each-tick study, whose blocks the strip has.
     """
-    return _Report(plan, rows, units, language, nominal).page(command)
+    return _Report(plan, rows, units, language, nominal).page(shown)
+
+
+def extreme_runs(plan: Plan, rows: Sequence[Row]) -> list[int]:
+    """Return the runs with the least and the greatest value of each measure, each once."""
+    found = _Report(plan, rows, {}, "en", None).extremes()
+    return list(dict.fromkeys(int(row["run"] or 0) for _, row in found))
 
 
 def shown_result(
@@ -156,7 +180,7 @@ class _Report:
     def _text(self, key: str, *words: object) -> str:
         return self._texts[key].format(*words)
 
-    def page(self, command: Callable[[int], str] | None) -> str:
+    def page(self, shown: ShownRuns) -> str:
         """Return the page."""
         title = self._text("title", self._plan.program.name)
         parts = [f"<h1>{escape(title)}</h1>", self._verdicts()]
@@ -168,11 +192,11 @@ class _Report:
             ("pairs", self._heat_maps()),
             ("sensitivities", self._tornadoes()),
         ):
-            shown = list(itertools.islice(pictures, MAX_PICTURES))
-            if shown:
+            drawn = list(itertools.islice(pictures, MAX_PICTURES))
+            if drawn:
                 heading = self._text(key)
-                parts.append(f'<h2>{heading}</h2><div class="charts">{"".join(shown)}</div>')
-        parts += [self._extremes(command), self._table(command), self._source()]
+                parts.append(f'<h2>{heading}</h2><div class="charts">{"".join(drawn)}</div>')
+        parts += [self._extremes(shown), self._table(shown.command), self._source()]
         head = f'<meta charset="utf-8"><title>{escape(title)}</title><style>{_STYLE}</style>'
         return (
             f'<!doctype html><html lang="{self._language}"><head>{head}</head>'
@@ -184,7 +208,7 @@ class _Report:
         pictures = itertools.islice(self._histograms(), MAX_SHOWN_PICTURES)
         del self._broken[MAX_SHOWN_ROWS:]
         charts_ = f'<div style="display: flex; flex-wrap: wrap">{"".join(pictures)}</div>'
-        return self._verdicts() + charts_ + self._extremes(None) + self._table(None)
+        return self._verdicts() + charts_ + self._extremes(ShownRuns()) + self._table(None)
 
     def _verdicts(self) -> str:
         expected = "".join(f"<li>{escape(one.text)}</li>" for one in self._plan.expectations)
@@ -281,18 +305,42 @@ class _Report:
             picture = charts.bars(pairs, self._text(method))
             yield _figure(picture, self._text("depends", measure))
 
-    def _extremes(self, command: Callable[[int], str] | None) -> str:
-        """Return the table of the runs with the least and the greatest value of each measure."""
-        rows = []
+    def extremes(self) -> list[tuple[str, Row]]:
+        """Return the runs with the least and the greatest value of each measure, with words."""
+        rows: list[tuple[str, Row]] = []
         for name in self._names:
             own = self._numbers(name)
             if own:
                 values = _column(own, name)
                 for key, value in (("least", min(values)), ("greatest", max(values))):
                     rows.append((self._text(key, name), own[values.index(value)]))
+        return rows
+
+    def _extremes(self, shown: ShownRuns) -> str:
+        """Return the table of these runs, and their pictures."""
+        rows = self.extremes()
         if not rows:
             return ""
-        return self._rows_of("extremes", rows, "verdict", command, "")
+        pictures = "" if shown.picture is None else self._pictures(rows, shown.picture)
+        return self._rows_of("extremes", rows, "verdict", shown.command, pictures)
+
+    def _pictures(
+        self, rows: Sequence[tuple[str, Row]], picture: Callable[[int], bytes | None]
+    ) -> str:
+        """Return a picture of each of these runs, up to a number of them."""
+        words: dict[int, list[str]] = {}
+        for word, row in rows:
+            words.setdefault(int(row["run"] or 0), []).append(word)
+        figures = []
+        for number in itertools.islice(words, MAX_DRAWN_RUNS):
+            data = picture(number)
+            if data is None:
+                return f"<p>{self._text('no_pictures')}</p>"
+            caption = f"{self._text('run')} {number}: {', '.join(words[number])}"
+            source = f"data:image/png;base64,{base64.b64encode(data).decode()}"
+            image = f'<img alt="{escape(caption)}" src="{source}">'
+            figures.append(_figure(image, caption))
+        return f'<div class="charts">{"".join(figures)}</div>'
 
     def _table(self, command: Callable[[int], str] | None) -> str:
         """Return the table of the runs that did not hold."""

@@ -23,13 +23,13 @@ from nctakt.studies.plans.dimension import Value
 from nctakt.studies.plans.inputs import command_of, inputs_of
 from nctakt.studies.plans.plan import Plan
 from nctakt.studies.plans.plan_file import read_plan, read_tables
-from nctakt.studies.report import report, shown_result
+from nctakt.studies.report import ShownRuns, extreme_runs, report, shown_result
 from nctakt.studies.rows.folder_store import FolderStore
 from nctakt.studies.rows.results import arrow_table, text_columns, write_rows
 from nctakt.studies.rows.row_store import RowStore
 from nctakt.studies.runs.each_tick import Nominal, nominal_run, with_span
 from nctakt.studies.runs.effects import without_effect, without_shown_effect
-from nctakt.studies.runs.recording import record_run
+from nctakt.studies.runs.recording import picture_of_run, record_run
 from nctakt.studies.runs.row_block import RowBlock
 from nctakt.studies.runs.schedule_runner import runner_of
 from nctakt.studies.runs.shared_beginning import is_copied
@@ -156,12 +156,24 @@ class StudyResult:
 
         return polars.DataFrame(self.to_arrow())
 
-    def report(self, language: Language = "en", command: Callable[[int], str] | None = None) -> str:
+    def report(
+        self,
+        language: Language = "en",
+        command: Callable[[int], str] | None = None,
+        picture: Callable[[int], bytes | None] | None = None,
+    ) -> str:
         """Return the report: an HTML page that needs no network.
 
-        ``command``: shows a run by its number, as ``Study.command`` does.
+        ``command`` shows a run by its number, as ``Study.command`` does; ``picture`` draws it, as
+        ``Study.picture`` does.
         """
-        return report(self.plan, self.rows, self.units, language, command, self.nominal)
+        shown = ShownRuns(command, picture)
+        return report(self.plan, self.rows, self.units, language, shown, self.nominal)
+
+    @property
+    def extreme_runs(self) -> list[int]:
+        """The runs with the least and the greatest value of each measure, each once."""
+        return extreme_runs(self.plan, self.rows)
 
     def save(self, path: str | Path, *, is_part: bool = False) -> None:
         """Write the rows to a .parquet, .csv or .jsonl file; raises ``Failure``.
@@ -346,6 +358,13 @@ class Study:
         for files that cannot be written.
         """
         return record_run(self.runner, self._point(run), Path(path))
+
+    def picture(self, run: int | Sequence[Value], language: Language = "en") -> bytes | None:
+        """Return a picture of a run, by its number or its values, as the bytes of a PNG file.
+
+        ``None`` for a schedule, and without matplotlib. Raises ``Failure`` as the run.
+        """
+        return picture_of_run(self.runner, self._point(run), language)
 
     def command(self, run: int | Sequence[Value]) -> str | None:
         """Return the command that makes a run alone, by its number or its values.

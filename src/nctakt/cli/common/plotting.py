@@ -48,7 +48,6 @@ class Drawings:
         if not paths:
             return
         # numpy and matplotlib are loaded only for a picture
-        from nctakt.plots import motion  # noqa: PLC0415
         from nctakt.plots.drawer import check_file  # noqa: PLC0415
 
         for kind, path in paths.items():
@@ -58,10 +57,7 @@ class Drawings:
             assert file is not None
             self._files[kind] = file
         self._default_signals = controller.default_signals
-        steps = controller.machine.channels[0].parameters.transformations.steps
-        self._signals = motion.signals(
-            [axis.name for axis in controller.channel_axes], has_transformations=any(steps)
-        )
+        self._signals = controller.motion_signals
 
     @property
     def are_wanted(self) -> bool:

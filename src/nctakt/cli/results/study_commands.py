@@ -2,19 +2,21 @@
 """The command that shows a run of a study: ``nctakt run``, a replay, or ``nctakt study`` itself.
 
 In: a study and its rows. Out: a command for each number of a run; with ``--record`` the tapes of
-the failed runs.
+the failed runs, and of those that a report shows.
 """
 
 from __future__ import annotations
 
 import itertools
 import shlex
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from nctakt.run.options import accepted_by, command_words
-from nctakt.studies.runs.study_runner import FAILED
+from nctakt.studies.plans.dimension import Value
+from nctakt.studies.report import MAX_ROWS, ShownRuns
+from nctakt.studies.runs.study_runner import FAILED, PASSED
 from nctakt.studies.study import Study, StudyResult
 
 #: The most tapes of one study.
@@ -34,7 +36,7 @@ def commands_of(
     recorded: dict[int, str] = {}
     if words["record"] is not None:
         folder = Path(words["record"])
-        for number in _numbers(result):
+        for number in _numbers(result, has_report=words["report"] is not None):
             recorded[number] = study.record(number, folder / f"run-{number}.tape")
 
     def command(number: int) -> str:
@@ -43,10 +45,57 @@ def commands_of(
     return command
 
 
-def _numbers(result: StudyResult) -> Iterator[int]:
-    """Yield the numbers of the runs that have a tape."""
-    broken = (int(row["run"] or 0) for row in result.rows if row["verdict"] == FAILED)
-    return itertools.islice(broken, MAX_TAPES)
+def _numbers(result: StudyResult, *, has_report: bool) -> Iterator[int]:
+    """Yield the numbers of the runs that have a tape: extreme ones of a report, failed ones."""
+    extreme = result.extreme_runs if has_report else ()
+    failed = (int(row["run"] or 0) for row in result.rows if row["verdict"] == FAILED)
+    others = (number for number in failed if number not in extreme)
+    return itertools.islice(itertools.chain(extreme, others), MAX_TAPES)
+
+
+def picture_of(study: Study, words: dict[str, Any]) -> Callable[[int], bytes | None] | None:
+    """Return what draws a run of a study for its report; ``None`` for a schedule."""
+    if study.plan.is_schedule:
+        return None
+    return lambda number: study.picture(number, words["language"])
+
+
+def shown_rows(study: Study, result: StudyResult, file: str, words: dict[str, Any]) -> ShownRuns:
+    """Return what a page says of runs of which only the rows are known, as ``commands_of``.
+
+    The runs of a search have no number in the plan: their values say which they are.
+    """
+    commands = commands_of(study, result, file, words)
+    points = _points(study, result)
+
+    def command(number: int) -> str:
+        point = points[number]
+        if number < len(study) and tuple(study.plan.point(number)) == point:
+            return commands(number)
+        return study.command(point) or named_values(study, point)
+
+    draws = not study.plan.is_schedule
+    picture = (lambda number: study.picture(points[number], words["language"])) if draws else None
+    return ShownRuns(command, picture)
+
+
+def _points(study: Study, result: StudyResult) -> dict[int, tuple[Value, ...]]:
+    """Return the values of the runs that a page shows, by their numbers."""
+    extreme, failed = frozenset(result.extreme_runs), 0
+    found: dict[int, tuple[Value, ...]] = {}
+    for row in result.rows:
+        number = int(row["run"] or 0)
+        has_failed = row["verdict"] != PASSED and failed < MAX_ROWS
+        failed += has_failed
+        if has_failed or number in extreme:
+            found[number] = tuple(one.of_shown(row[one.name] or 0) for one in study.plan.dimensions)
+    return found
+
+
+def named_values(study: Study, point: Sequence[Value]) -> str:
+    """Return the values of a run that no command makes."""
+    pairs = zip(study.plan.dimensions, point, strict=True)
+    return ", ".join(f"{one.name} = {one.shown(value)}" for one, value in pairs)
 
 
 def _again(file: str, words: dict[str, Any], number: int) -> str:

@@ -4,10 +4,12 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, TypeVar
 
+from nctakt.cli.results.study_commands import named_values
+from nctakt.studies.plans.dimension import Value
 from nctakt.studies.rows.folder_store import FolderStore
 from nctakt.studies.rows.row_store import RowStore
 from nctakt.studies.searching.search_runs import SearchRuns
@@ -43,16 +45,15 @@ def search_with_rows(
     if words["report"] is not None:
         from nctakt.files.output import write_file  # noqa: PLC0415 - few studies have one
 
-        page = result.report(words["language"], lambda number: _command(study, searched, number))
+        page = result.report(
+            words["language"],
+            lambda number: _command(study, searched.points[number]),
+            lambda number: study.picture(searched.points[number], words["language"]),
+        )
         write_file(words["report"], page)
     return found
 
 
-def _command(study: Study, searched: SearchRuns, number: int) -> str:
+def _command(study: Study, point: Sequence[Value]) -> str:
     """Return the command of a run of the search, else its values: it has no number in the plan."""
-    point = searched.points[number]
-    dimensions = study.plan.dimensions
-    named = (
-        f"{one.name} = {one.shown(value)}" for one, value in zip(dimensions, point, strict=True)
-    )
-    return study.command(point) or ", ".join(named)
+    return study.command(point) or named_values(study, point)

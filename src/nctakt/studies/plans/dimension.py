@@ -155,6 +155,10 @@ class Dimension:
         """Return a value as results show it: times in seconds."""
         return int(value) / 1e6 if self.is_time and not isinstance(value, str) else value
 
+    def of_shown(self, shown: Value) -> Value:
+        """Return the value that results show in this way."""
+        return round(shown * 1e6) if self.is_time and not isinstance(shown, str) else shown
+
 
 def chance(seed: int, *numbers: int) -> float:
     """Return a number from 0 up to 1 that belongs to a seed and further numbers.

@@ -13,6 +13,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from nctakt.base.diagnostics import Language
 from nctakt.files.access import FileAccess
 from nctakt.files.output import OutputFile, write_file
 from nctakt.project.project_file import OWN_NAME, PYTHON_NAME
@@ -53,6 +54,18 @@ def record_run(runner: StudyRunner, point: Sequence[Value], path: Path) -> str:
         run = runner.begin(inputs, tape=tape).finish().outcome.run
         tape.finish(run.state, run.ticks, _files(runner))
     return shlex.join(["nctakt", "replay", str(path), *_roots(path, _files(runner))])
+
+
+def picture_of_run(runner: StudyRunner, point: Sequence[Value], language: Language) -> bytes | None:
+    """Return a picture of a run as the bytes of a PNG file; raises ``Failure`` like the run.
+
+    ``None`` for a schedule, and without matplotlib.
+    """
+    if isinstance(runner, ScheduleRunner):
+        return None
+    inputs = inputs_of(runner.plan, point, runner.cycle_time_us)
+    run = runner.begin(inputs, blocks=True, why=True, draws=True).finish().outcome.run
+    return None if run.drawer is None else run.drawer().png(run, language)
 
 
 def _roots(tape: Path, files: Mapping[str, Path]) -> list[str]:

@@ -257,12 +257,13 @@ class StudyRunner:
         *,
         blocks: bool = False,
         why: bool = False,
+        draws: bool = False,
         tape: TapeWriter | None = None,
     ) -> BegunRun:
         """Begin a run with these inputs.
 
         ``blocks``: with the events of its blocks; ``why``: with the histories of its conditions;
-        ``tape``: records it.
+        ``draws``: with the signals of a picture; ``tape``: records it.
         """
         if not (blocks or why or tape):
             again = self._begun_again(inputs)
@@ -275,11 +276,12 @@ class StudyRunner:
         controller = Controller(machine, schedule, self.access, part)
         program = self.program_of(inputs, controller)
         digest = Digest()
+        drawn = controller.motion_signals if draws else ()
         further: RunKeywords = {
             "set": inputs.assignments,
             "at": inputs.stimuli,
             "plc": self._plc(inputs),
-            "signals": self.signals,
+            "signals": (*dict.fromkeys((*self.signals, *drawn)),),
             "sinks": (digest,) if tape is None else (digest, tape),
             "blocks": blocks,
             "why": why,

@@ -56,7 +56,7 @@ def cells_of_run(
 def wait_for_state(page: Any, text: str) -> None:
     """Wait until all ticks are accounted for."""
     page.wait_for_function(
-        "text => document.querySelector('[data-testid=time-state]').textContent === text", arg=text
+        "text => document.querySelector('[data-testid=time-state]')?.textContent === text", arg=text
     )
 
 

@@ -96,6 +96,12 @@ def test_the_page_has_pictures_of_extreme_runs(plan: Path) -> None:
     assert again.read_text("utf-8") == text
 
 
+def test_extreme_runs_are_those_of_all_rows(plan: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pictures of many runs show a selection; least and greatest values are those of all runs."""
+    monkeypatch.setattr("nctakt.studies.report.MAX_RUNS", 5)
+    assert Study(plan).run().extreme_runs == [18, 0]
+
+
 def test_tapes_of_extreme_runs(plan: Path) -> None:
     """``--record`` with a report: the run with the least time has passed and has its tape."""
     page, tapes = plan.with_name("page.html"), plan.with_name("tapes")

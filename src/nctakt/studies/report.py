@@ -165,15 +165,18 @@ class _Report:
         self._held = 0
         self._broken: list[Row] = []
         self._rows: list[Row] = []
+        names = [measure.name for measure in plan.measures]
+        extremes: dict[tuple[str, str], Row] = {}
         step = -(-len(rows) // MAX_RUNS)
         for number, row in enumerate(rows):
+            _note_extremes(extremes, (*names, REACTION), row)
             is_held = row["verdict"] == PASSED
             self._held += is_held
             if not is_held and len(self._broken) < MAX_ROWS:
                 self._broken.append(row)
             if number % step == 0:
                 self._rows.append(row)
-        names = [measure.name for measure in plan.measures]
+        self._extreme_rows = extremes
         has_reaction = self._rows and REACTION in self._rows[0]
         self._names = [*names, REACTION] if has_reaction else names
 
@@ -307,14 +310,12 @@ class _Report:
 
     def extremes(self) -> list[tuple[str, Row]]:
         """Return the runs with the least and the greatest value of each measure, with words."""
-        rows: list[tuple[str, Row]] = []
-        for name in self._names:
-            own = self._numbers(name)
-            if own:
-                values = _column(own, name)
-                for key, value in (("least", min(values)), ("greatest", max(values))):
-                    rows.append((self._text(key, name), own[values.index(value)]))
-        return rows
+        return [
+            (self._text(key, name), self._extreme_rows[key, name])
+            for name in self._names
+            for key in ("least", "greatest")
+            if (key, name) in self._extreme_rows
+        ]
 
     def _extremes(self, shown: ShownRuns) -> str:
         """Return the table of these runs, and their pictures."""
@@ -376,6 +377,18 @@ class _Report:
         head = "".join(f"<th>{escape(name)}</th>" for name in heads)
         table = f"<table><tr>{head}</tr>{''.join(lines)}</table>"
         return f"<h2>{self._text(heading)}</h2>{table}{rest}"
+
+
+def _note_extremes(extremes: dict[tuple[str, str], Row], names: Sequence[str], row: Row) -> None:
+    """Note a row that has the least or the greatest value of a column so far."""
+    for name in names:
+        value = row.get(name)
+        if not _is_number(value):
+            continue
+        for key, sign in (("least", -1.0), ("greatest", 1.0)):
+            known = extremes.get((key, name))
+            if known is None or sign * float(value or 0.0) > sign * float(known[name] or 0.0):
+                extremes[key, name] = row
 
 
 def _is_number(value: object) -> bool:

@@ -85,7 +85,7 @@ class TimeAccounting:
         tick = self._account.tick
         old = [one for one in seen if self._tables.get(one, (0,))[0] != tick]
         begin_s = time.monotonic()
-        if old and (begin_s >= self._due_s or not has_advanced):
+        if old and begin_s >= self._due_s:
             for language in old:
                 self._tables[language] = tick, self._account.tables(language)
             end_s = time.monotonic()

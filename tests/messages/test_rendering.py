@@ -49,7 +49,7 @@ def test_a_remedy_does_not_ask_for_nothing() -> None:
     found = diagnostic(UNKNOWN_VARIABLE, name="V.G.Q", nearest=NOTHING, declared=NOTHING)
     assert found.remedy("de") == "Groß- und Kleinschreibung zählt."
     found = diagnostic(UNKNOWN_COMMAND, word="#Q", nearest=NOTHING)
-    assert found.remedy("en") == "Check the spelling; no similar name is known."
+    assert found.remedy("en") == "Check the spelling; no known name is clearly meant."
     assert diagnostic(UNKNOWN_COMMAND, word="#Q", nearest="#P").remedy("en") == "Did you mean #P?"
 
 

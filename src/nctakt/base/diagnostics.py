@@ -87,8 +87,8 @@ class Text:
 
 
 _NOTHING_SIMILAR = Text(
-    "Check the spelling; no similar name is known.",
-    "Die Schreibweise prüfen; es ist nichts Ähnliches bekannt.",
+    "Check the spelling; no known name is clearly meant.",
+    "Die Schreibweise prüfen; kein bekannter Name ist eindeutig gemeint.",
 )
 
 

@@ -187,7 +187,7 @@ class LongText(Sequence[str]):
                 with self._opened() as file:
                     self._lines = self._read(file, group)
             except TextChanged:
-                return ""  # it is shown with a message, and nobody knows it any more
+                return ""  # only shown with a message; it is no longer known
             self._group = group
         return self._lines[index % LINES_PER_GROUP]
 

@@ -80,7 +80,7 @@ def _first_message(visitor: Visitor, server: Server) -> Message | None:
     try:
         message = MessageReader(visitor.reading, is_strict=True).read()
     except Failure:
-        return None  # not the protocol, and nobody to notify
+        return None  # not the protocol: there is no client to notify
     if message is None:
         return None
     parameters = message.get("params")

@@ -105,7 +105,7 @@ class Server(LanguageServer):
         self.start_io(cast("BinaryIO", incoming), outgoing)
 
     def shutdown(self) -> None:
-        """End: nobody waits for the editor any more."""
+        """End; the editor no longer waits for answers."""
         if self._incoming is not None:
             self._incoming.end()
         super().shutdown()  # type: ignore[no-untyped-call]

@@ -22,7 +22,7 @@ from __future__ import annotations
     FURTHER,  # the columns below begin
 ) = range(10)
 
-#: Values of ``SHAPE``; ``NOTHING``: there is no piece.
+#: Values of ``SHAPE``; ``NOTHING`` means that there is no piece.
 (
     NOTHING,
     LINE,

@@ -29,7 +29,7 @@ from nctakt.editor.structures import Structure, every, structures
 _KEY = re.compile(r"^\s*(?P<key>[A-Za-z_][\w.\[\]]*)\s+(?P<value>\S+)")
 _COMMENT_LINE = re.compile(r"^\s*(?:;|\(.*\)\s*$|#\s)")
 _START = re.compile(r"^\s*%\s*(?P<local>L\s+)?(?P<name>[^\s;(]*)", re.IGNORECASE)
-#: Maximum number of symbols of a list or program; a longer outline helps nobody.
+#: Maximum number of symbols of a list or program; a longer outline is of no use.
 MAX_SYMBOLS = 5000
 
 _KINDS = {

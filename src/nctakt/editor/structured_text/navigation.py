@@ -42,7 +42,7 @@ from nctakt.st.types import Kind, Node
 
 #: The language of code in explanations.
 CODE = "iecst"
-#: Maximum number of symbols of a file; a longer outline helps nobody.
+#: Maximum number of symbols of a file; a longer outline is of no use.
 MAX_SYMBOLS = 5000
 
 

@@ -116,6 +116,14 @@ def test_a_condition_of_a_cycle_reads_first_what_changes() -> None:
     assert "EDGE" not in labels(CYCLE + "  $IF EDGE ")
 
 
+def test_a_statement_of_a_cycle_begins_with_what_it_writes() -> None:
+    """Variables before functions and axes, and first those in use in the program."""
+    order = labels(CYCLE + "  V.E.TRIGGER = 1\n  ")
+    assert order[0] == "V.E.TRIGGER"
+    assert order.index("V.E.COUNT") < order.index("M100") < order.index("X")
+    assert labels("")[0] == "G00"
+
+
 def test_commands_and_control_words_by_context() -> None:
     """A cycle has $IF, #TIMER with SYN and #ERROR (RC-201 … RC-208); others say how they go on."""
     timers = [f"#TIMER {action} SYN" for action in ("START", "STOP", "READ", "CLEAR")]

@@ -60,6 +60,42 @@ def test_words_show_what_the_lists_say(line: int, word: str, expected: tuple[str
         assert part in shown(line, word)
 
 
+@pytest.mark.parametrize(
+    ("text", "index", "first", "area"),
+    [
+        ("G01 X10 F1000", 5, "**X**", (4, 7)),
+        ("G01 X10 F1000", 6, "**X**", (4, 7)),
+        ("G01 X10 F1000", 7, "**X**", (4, 7)),
+        ("G01 X10 F1000", 10, "**F**", (8, 13)),
+        ("G01 X-2.5 Y3", 5, "**X**", (4, 9)),
+        ("G01 X-2.5 Y3", 7, "**X**", (4, 9)),
+        ("G01 X10 T12", 10, "**T**", (8, 11)),
+    ],
+)
+def test_the_value_of_a_word_shows_the_word(
+    text: str, index: int, first: str, area: tuple[int, int]
+) -> None:
+    """The pointer is on the digits more often than on the letter."""
+    document = Document("untitled:1", None, "1", "nctakt", 0, [text, "M30", ""])
+    machine = WORK.machine_of(document).machine
+    found = hover(document, Position(0, index), machine, (), "en")
+    assert found is not None
+    assert isinstance(found.contents, MarkupContent)
+    assert found.contents.value.startswith(first)
+    assert found.range is not None
+    assert (found.range.start.character, found.range.end.character) == area
+
+
+@pytest.mark.parametrize(
+    ("text", "index"), [("P1 = 10", 6), ("$IF 10 > P1", 5), ("G01 X[3+10]", 9)]
+)
+def test_other_numbers_show_nothing(text: str, index: int) -> None:
+    """A number in an expression is not the value of a word."""
+    document = Document("untitled:1", None, "1", "nctakt", 0, [text, "M30", ""])
+    machine = WORK.machine_of(document).machine
+    assert hover(document, Position(0, index), machine, (), "en") is None
+
+
 def test_frozen_variables_of_the_program_show_their_value() -> None:
     """A cycle sees a V.P variable as it is when the cycle is defined (RC-302)."""
     document = Document("untitled:1", None, "1", "nctakt", 0, PROGRAM.split("\n"))

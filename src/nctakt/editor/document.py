@@ -21,7 +21,7 @@ from lsprotocol.types import (
 
 from nctakt.base.dataclass import dataclass
 from nctakt.base.diagnostics import Span
-from nctakt.st.files.suffixes import SOURCE_SUFFIXES
+from nctakt.st.files.suffixes import SOURCE_SUFFIXES, TEXT_SUFFIXES
 
 #: The language of lists among the languages of editors; any other document is a program.
 LIST_LANGUAGE = "nctakt-list"
@@ -180,16 +180,18 @@ def path_of(uri: str) -> Path | None:
     return Path(path)
 
 
-def name_of(uri: str, folders: Sequence[Path]) -> str:
+def name_of(uri: str, folders: Sequence[Path], language: str = "") -> str:
     """Return a document's name in findings: its file, or where a text without one would be.
 
     That is the first folder of the editor, so that its project, its machine and the programs in it
-    are those of the text.
+    are those of the text. New Structured Text is plain text, not an object in XML.
     """
     path = path_of(uri)
     if path is not None:
         return path.as_posix()
     label = unquote(urlsplit(uri).path).rpartition("/")[2] or uri
+    if language == STRUCTURED_LANGUAGE and Path(label).suffix.casefold() not in SOURCE_SUFFIXES:
+        label += TEXT_SUFFIXES[0]
     return (folders[0] / label).as_posix() if folders else label
 
 

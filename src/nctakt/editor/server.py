@@ -120,7 +120,7 @@ class Server(LanguageServer):
         document = Document(
             item.uri,
             path,
-            name_of(item.uri, self.folders),
+            name_of(item.uri, self.folders, item.language_id),
             item.language_id,
             item.version,
             split_text(item.text),

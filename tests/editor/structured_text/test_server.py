@@ -109,6 +109,25 @@ def test_a_text_without_a_file_is_checked(in_editor: Callable[..., None]) -> Non
     in_editor(script)
 
 
+def test_a_new_text_without_a_name_is_checked(in_editor: Callable[..., None]) -> None:
+    """VS Code calls it ``untitled:Untitled-1``: only its language says what it is."""
+
+    async def script(editor: Editor) -> None:
+        uri = "untitled:Untitled-1"
+        text = "PROGRAM MAIN\nVAR\n    n : INT;\nEND_VAR\nx := n;\nEND_PROGRAM\n"
+        editor.client.text_document_did_open(
+            types.DidOpenTextDocumentParams(types.TextDocumentItem(uri, "nctakt-st", 0, text))
+        )
+        (found,) = await editor.settled(uri, 0)
+        assert "x is not declared" in found.message
+        (target,) = await editor.client.text_document_definition_async(
+            types.DefinitionParams(**editor.at(uri, 4, 5))
+        )
+        assert (target.uri, target.range.start) == (uri, types.Position(2, 4))
+
+    in_editor(script)
+
+
 @pytest.mark.slow
 @pytest.mark.skipif(NEOVIM is None, reason="Neovim is not installed")
 def test_neovim_shows_findings_and_formats(tmp_path: Path) -> None:

@@ -229,7 +229,10 @@ def _keywords_of(command: str) -> Iterable[str]:
 
 
 def words(cursor: Cursor) -> Iterator[CompletionItem]:
-    """Yield the words of a block; after G, M, H, F or S those of the letter only."""
+    """Yield the words of a block; after G, M, H, F or S those of the letter only.
+
+    A cycle writes variables above all, so that they come first there.
+    """
     match = _WORD.search(cursor.before)
     typed = "" if match is None else match[0].upper()
     if cursor.around.part == "target":
@@ -244,6 +247,8 @@ def words(cursor: Cursor) -> Iterator[CompletionItem]:
     if _NUMBERED.fullmatch(typed):
         yield from _of_letter(cursor, typed[0], len(typed))
         return
+    if cursor.around.in_cycle and cursor.around.part == "block":
+        yield from targets(cursor, len(typed))
     for letter in "GMH":
         yield from _of_letter(cursor, letter, len(typed))
     variable = CompletionItemKind.Variable
@@ -259,7 +264,7 @@ def words(cursor: Cursor) -> Iterator[CompletionItem]:
             yield cursor.item(
                 word, CompletionItemKind.Field, len(typed), WORDS[word].meaning.get(cursor.language)
             )
-    if cursor.around.part == "block":
+    if cursor.around.part == "block" and not cursor.around.in_cycle:
         yield from targets(cursor, len(typed))
 
 

@@ -13,7 +13,7 @@ from functools import lru_cache
 from lsprotocol.types import Hover, MarkupContent, MarkupKind, Position
 
 from nctakt.base.diagnostics import Diagnostic, Language, Text
-from nctakt.editor.display.line_tokens import Token, token_at
+from nctakt.editor.display.line_tokens import Token, word_at
 from nctakt.editor.document import Document
 from nctakt.editor.names import Occurrence, occurrences, section_of, symbol_at
 from nctakt.messages.programs.lints import ASYNCHRONOUS_CONDITION, ASYNCHRONOUS_VALUE
@@ -56,7 +56,7 @@ def hover(
         return _of_pattern(_INTERFACE, document, position, line, index, language)
     if document.is_list:
         return _of_pattern(_KEY, document, position, line, index, language)
-    token = token_at(line, index)
+    token = word_at(line, index)
     if token is None:
         return None
     symbol = symbol_at(document.lines, position.line, index)

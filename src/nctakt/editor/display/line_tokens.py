@@ -38,6 +38,9 @@ _TOKEN = re.compile(
     re.IGNORECASE | re.VERBOSE,
 )
 
+#: The value of a word, after its letter.
+_VALUE = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)")
+
 
 class Token(NamedTuple):
     """A token: its kind (a group of the pattern, or ``comment``), its place in the line, text."""
@@ -82,3 +85,18 @@ def token_at(line: str, index: int) -> Token | None:
     """Return the token at an index or, if none begins there, the one that ends there."""
     touching = [item for item in tokens(line) if item.start <= index <= item.end]
     return next((item for item in touching if index < item.end), touching[0] if touching else None)
+
+
+def word_at(line: str, index: int) -> Token | None:
+    """Return the token at an index; in the value of a word, as in ``X-2.5``, the whole word.
+
+    The text of that token is its letter.
+    """
+    found = token_at(line, index)
+    if found is None or found.kind not in ("number", "operator"):
+        return found
+    for item in tokens(line):
+        value = _VALUE.match(line, item.end) if item.kind == "axisword" else None
+        if value is not None and item.end <= index <= value.end():
+            return item._replace(end=value.end())
+    return found

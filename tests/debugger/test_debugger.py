@@ -307,6 +307,8 @@ def test_scopes_show_axes_variables_cycles_and_what_waits(client: DebugClient, f
     assert values["VALUE"]["evaluateName"] == "V.E.VALUE"
     assert values["LIST"]["indexedVariables"] == 10
     assert client.unfolded(values["LIST"]["variablesReference"])["[3]"]["value"] == "0"
+    assert values["LIST"]["value"] == "[10] 0, 0, 0, …"
+    assert values["LEVEL_1_A"]["value"].startswith("[3] [0].BOOLEAN 0, [0].SGN08 0, ")
     assert values["TEXT"]["type"] == "STRING"
     assert client.scope("HLI")["OVERRIDE"]["value"] == "100"
     cycles = client.scope("Realtime cycles")
@@ -348,6 +350,23 @@ def test_a_value_that_is_set_holds_from_the_next_tick_on(client: DebugClient, fi
     assert client.console("V.E.COUNT") == "40"
     with pytest.raises(Refused, match="value"):
         client.ask("setExpression", expression="V.E.COUNT", value="many")
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "stored"),
+    [("V.E.COUNT", "3.5", "4"), ("V.E.FLAG", "7", "1"), ("V.E.VALUE1", "3.5", "3.5")],
+)
+def test_the_value_that_its_type_makes_is_answered(
+    client: DebugClient, file: str, name: str, value: str, stored: str
+) -> None:
+    """A whole number is rounded, a truth value is 0 or 1 (RC-307): the answer says it at once."""
+    set_at(client, file, X30)
+    client.go()
+    answer = client.ask("setExpression", expression=name, value=value)
+    assert answer["value"] == stored
+    assert client.console(name).endswith(f"→ {stored}")
+    client.go("next", granularity="instruction")
+    assert client.console(name) == stored
 
 
 # --- the console ----------------------------------------------------------------------------------

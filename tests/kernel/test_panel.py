@@ -193,3 +193,11 @@ def test_tick_by_tick_with_start_and_reset() -> None:
     controller.step(60)
     assert controller.state == "ready"
     assert controller.read("V.RTA.ACS.ACT_POS.X") == pytest.approx(10.0)
+
+
+def test_an_array_as_a_whole_is_refused_with_its_first_element() -> None:
+    """Only single values are written; the nearest name is not another variable (900541)."""
+    with pytest.raises(Failure) as raised:
+        Controller(DEMO).write("V.E.LIST", 3)
+    assert raised.value.diagnostics[0].id == 900541
+    assert "V.E.LIST[0]" in raised.value.diagnostics[0].remedy("en")

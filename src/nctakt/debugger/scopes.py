@@ -592,10 +592,11 @@ def _preview(node: Node, values: Mapping[str, Value]) -> str:
     leaves = _leaves(node)
     shown = [shown_value(values[leaf]) for leaf in leaves[:_PREVIEWED]]
     more = ", …" if len(leaves) > _PREVIEWED else ""
-    if node.is_array:
-        return f"[{len(node.children)}] {', '.join(shown)}{more}"
-    names = [_below(node, leaf) for leaf in leaves]
-    return ", ".join(f"{name} {text}" for name, text in zip(names, shown, strict=False)) + more
+    count = f"[{len(node.children)}] " if node.is_array else ""
+    if not node.is_array or any(child.children for child in node.children.values()):
+        names = [_below(node, leaf) for leaf in leaves]
+        shown = [f"{name} {text}" for name, text in zip(names, shown, strict=False)]
+    return count + ", ".join(shown) + more
 
 
 def _below(node: Node, leaf: str) -> str:

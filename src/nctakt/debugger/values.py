@@ -15,6 +15,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from nctakt.base.diagnostics import Text
 from nctakt.base.failure import Failure
 from nctakt.debugger.names import pieces_of
+from nctakt.hli.checked_values import number_of
+from nctakt.lists.declared.variables import SCALARS
 from nctakt.messages import diagnostic
 from nctakt.messages.connections.debugger import DECODER_VARIABLE, NO_VALUE, UNREADABLE_VALUE_TEXT
 from nctakt.results.trace.events import value_text
@@ -92,9 +94,16 @@ class Values:
         """Let a variable or a value of the HLI have another value from the next tick on."""
         if _DECODER.match(name):
             raise Failure(diagnostic(DECODER_VARIABLE, name=name))
-        value = read_value(text)
+        value = self._stored(name, read_value(text), channel)
         self.write_value(self.prefixed(name, channel), value, DEBUGGER)
         return value
+
+    def _stored(self, name: str, value: Value, channel: int) -> Value:
+        """Return a value as the type of a variable makes it: 3.5 is 4 in a whole number."""
+        type_ = self.inventory.variables.get(channel, {}).get(name, "")
+        if isinstance(value, str) or type_ not in SCALARS:
+            return value
+        return number_of(name, type_, float(value))
 
     def write_value(self, name: str, value: Value, source: str) -> None:
         """Let a variable by its full name have a value from the next tick on."""

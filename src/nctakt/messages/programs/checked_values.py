@@ -31,8 +31,8 @@ WRONG_INDEX_COUNT = error(
     cases=by_counts(few=21216, many=20974, none=21768),
     en="wrong number of indices for {name}: {expected} expected, {given} given",
     de="falsche Anzahl von Indizes bei {name}: {expected} erwartet, {given} angegeben",
-    remedy_en="Write {expected} indices in brackets.",
-    remedy_de="{expected} Indizes in Klammern schreiben.",
+    remedy_en="Indices needed in brackets: {expected}.",
+    remedy_de="Benötigte Indizes in Klammern: {expected}.",
     expected=("the number of declared indices", "die Anzahl der deklarierten Indizes"),
     given=("the number of indices as written", "die Anzahl der angegebenen Indizes"),
 )

@@ -95,7 +95,9 @@ class VariableAccess:
         names = self._names[self._index(number)]
         location = names.resolve_text(path)
         if isinstance(location, NotFound):
-            near = location.nearest or nearest(path, (other for other, _, _ in names.values()))
+            known = [other for other, _, _ in names.values()]
+            element = next((other for other in known if other.startswith(f"{path}[")), "")
+            near = location.nearest or element or nearest(path, known)
             meant = f"{prefix}{near}" if near else self._nearest_named(name)
             mistake = None if self.named is None else self.named.mistake(name)
             if mistake is not None:

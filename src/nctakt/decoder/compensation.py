@@ -121,6 +121,9 @@ class Compensation:
                 except DecodeError:
                     yield from self._stop()
                     raise
+                if not self._motions and not isinstance(command, Segment):
+                    answer = yield command
+                    continue
                 try:
                     answer = yield from self._take(command)
                 except DecodeError:

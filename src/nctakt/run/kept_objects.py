@@ -32,12 +32,13 @@ _LEFT_OUT = tuple(
     f"nctakt.{name}."
     for name in ("files", "hli", "kernel", "lists", "messages", "nc.tree", "nc.vocabulary")
 )
-#: Objects shared by runs: programs and cycles.
+#: Objects shared by runs: programs and cycles, and how expressions are evaluated.
 _SHARED = (
     "Diagnostic",
     "KeptTrees",
     "MachineNames",
     "Message",
+    "Plans",
     "ProgramText",
     "RealtimePart",
     "Section",

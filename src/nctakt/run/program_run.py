@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from nctakt.base.diagnostics import Diagnostic, Text
 from nctakt.base.failure import Failure
@@ -22,7 +22,7 @@ from nctakt.messages import diagnostic
 from nctakt.messages.connections.session import PROGRAM_NOT_SELECTED
 from nctakt.nc import tree
 from nctakt.nc.outline import ProgramText
-from nctakt.results.run import CycleResult, ExplainedRun, RecordedRun, Run, RunDrawer, RunState
+from nctakt.results.run import ExplainedRun, RecordedRun, Run, RunDrawer, RunState
 from nctakt.results.run_statistics import RunStatistics
 from nctakt.results.trace.recorded import MemorySink
 from nctakt.results.trace.sinks import Sink
@@ -362,7 +362,7 @@ class ProgramRun:
         """Let each channel begin the program that is due; return whether any is still at work."""
         for channel in channels:
             channel.proceed()
-        return any(channel.result is None for channel in channels)
+        return None in [channel.result for channel in channels]
 
     # --- the result -----------------------------------------------------------------------------
 
@@ -387,15 +387,25 @@ class ProgramRun:
         self._machine.poll = do_nothing
         self._loop.couple(None)
 
-    def _cycles(self) -> tuple[CycleResult, ...]:
-        """Return the realtime cycles with their and their branches' run-throughs in this run."""
+    def _counts(self) -> dict[str, Any]:
+        """Return the counts of the result by their names, none in a run without them.
+
+        Among them are the realtime cycles, with their and their branches' run-throughs in this run.
+        """
         if not self._with_statistics:
-            return ()
-        registry = self._machine.registry
+            return {}
+        registry, statistics = self._machine.registry, self._statistics
         runs, bodies = registry.runs(), registry.bodies()
         runs.subtract(self._runs_before)
         bodies.subtract(self._bodies_before)
-        return self._statistics.cycles(runs, bodies)
+        return {
+            "cycles": statistics.cycles(runs, bodies),
+            "outputs": statistics.outputs(),
+            "motions": statistics.motions(),
+            "spindle_jobs": statistics.spindle_jobs(),
+            "starved": statistics.schedule.starved(self._loop.tick),
+            "overflows": statistics.schedule.overflows(),
+        }
 
     def _drawer(self) -> Callable[[], RunDrawer]:
         """Return the maker of this run's drawer; the machine may run again before it is called."""
@@ -422,7 +432,6 @@ class ProgramRun:
                 coverage = coverage.plus(counted)
             if report is not None:
                 report = report.with_plc(one.changes())
-        statistics = self._statistics
         kind: type[Run] = Run
         if self._memory is not None:
             kind = RecordedRun if report is None or coverage is None else ExplainedRun
@@ -439,13 +448,8 @@ class ProgramRun:
             trace=None if self._memory is None else self._memory.trace,
             diagnostics=tuple(self._diagnostics[self._first_diagnostic :]),
             messages=tuple(loop.recording.messages),
-            cycles=self._cycles(),
-            outputs=statistics.outputs(),
-            motions=statistics.motions(),
-            spindle_jobs=statistics.spindle_jobs(),
+            **self._counts(),
             schedule=None if scheduled is None else scheduled.schedule,
-            starved=statistics.schedule.starved(loop.tick),
-            overflows=statistics.schedule.overflows(),
             why=report,
             coverage=coverage,
             drawer=None if self._memory is None else self._drawer(),

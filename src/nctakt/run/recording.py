@@ -71,6 +71,8 @@ class Recording:
         self._row_sinks: Sequence[RowSink] = ()
         self._extent_sinks: Sequence[ExtentSink] = ()
         self._steps: list[EventList] = []
+        self._selected: Sequence[str] = ()
+        self._header = TraceHeader(0, ())
         self._probes: ProbeLog | None = None
         self._noticed: set[tuple[str, Span | None]] = set()
         self._motions = ended_motions.EndedMotions(machine)
@@ -132,7 +134,8 @@ class Recording:
             self._machine.configuration.cycle_time_us, self._machine.registry
         )
         self._listen(sinks)
-        header = self._select(signals if self._row_sinks else ())
+        names = signals if self._row_sinks else ()
+        header = self._header if names == self._selected else self._select(names)
         for sink in sinks:
             sink.open(header)
 
@@ -192,9 +195,9 @@ class Recording:
         signals = memoryview(values).cast("d")
         if len(events):
             has_presences = bool(self._machine.access.presences)
-            watched = events.of_kinds(_WATCHED_BESIDE_PLC if has_presences else _ANY_WATCHED)
-            if len(watched):
-                self._watch(watched)
+            watched = _WATCHED_BESIDE_PLC if has_presences else _ANY_WATCHED
+            if events.has_any(watched):
+                self._watch(events.of_kinds(watched))
             for sink in (*self._sinks, *self._steps):
                 sink.events(events)
         for note in self._functions.notes():
@@ -258,8 +261,9 @@ class Recording:
                 self._report_notice(event)
             elif event.kind in ("error", "warning") and not self._is_reported(event):
                 self._report(realtime_diagnostic(event, machine))
-        for note in self._motions.add(events):
-            self._report(note)
+        if events.has_any(ended_motions.EVENTS):
+            for note in self._motions.add(events):
+                self._report(note)
         if machine.access.presences:
             self._functions.add(events)
 
@@ -289,4 +293,6 @@ class Recording:
         machine.record.select([signals[name][0] for name in names])
         chosen = [(name, signals[name]) for name in names]
         header = tuple(Signal(name, one.unit, one.is_whole, one.labels) for name, one in chosen)
-        return TraceHeader(machine.configuration.cycle_time_us, header)
+        self._selected = names
+        self._header = TraceHeader(machine.configuration.cycle_time_us, header)
+        return self._header

@@ -9,6 +9,7 @@ line, the Python interface, PLCs, tests and load files all read their times here
 
 from __future__ import annotations
 
+import functools
 import math
 import numbers
 import re
@@ -106,6 +107,7 @@ def nanoseconds(text: str) -> int | None:
     return _rounded_up(match, 1_000 * _UNITS[match["unit"]])
 
 
+@functools.lru_cache(maxsize=1024)
 def _from_text(text: str) -> Time:
     match = _match(text)
     unit = "?" if match is None else match["unit"]

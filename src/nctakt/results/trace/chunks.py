@@ -119,13 +119,13 @@ class EventChunk(Sequence[Event]):
     def has_any(self, kinds: Collection[int]) -> bool:
         """Return whether a row is of one of these kinds."""
         self.kinds()
-        return any(kind in kinds for kind in self._present)
+        return not self._present.isdisjoint(kinds)
 
     def of_kinds(self, kinds: Collection[int]) -> EventChunk:
         """Return the rows of these kinds (``rows.EVENT_FIRED`` …), not decoded yet."""
         if not self.has_any(kinds):
-            return self.select(())
-        if all(kind in kinds for kind in self._present):
+            return self.with_data(b"")
+        if self._present.issubset(kinds):
             return self
         return self.select([i for i, kind in enumerate(self.kinds()) if kind in kinds])
 

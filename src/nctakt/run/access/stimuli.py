@@ -97,9 +97,13 @@ def as_inputs(stimuli: Iterable[Stimulus], first_tick: int, cycle_time_us: int) 
 
 def not_reached(stimuli: Iterable[Stimulus], end_us: int, cycle_time_us: int) -> list[Diagnostic]:
     """Return a warning (901007) for each stimulus whose time a run has not reached."""
-    end = str(Time(end_us))
     return [
-        diagnostic(STIMULUS_NOT_REACHED, name=stimulus.name, time=str(stimulus.time), end=end)
+        diagnostic(
+            STIMULUS_NOT_REACHED,
+            name=stimulus.name,
+            time=str(stimulus.time),
+            end=str(Time(end_us)),
+        )
         for stimulus in sorted(stimuli, key=lambda stimulus: stimulus.time.us(cycle_time_us))
         if stimulus.time.ticks(cycle_time_us) * cycle_time_us >= end_us
     ]

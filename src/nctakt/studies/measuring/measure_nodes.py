@@ -7,6 +7,7 @@ results computed from them. Rounding to a binary number comes when a result is s
 
 from __future__ import annotations
 
+import functools
 import operator
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -62,6 +63,7 @@ _ARITHMETIC: dict[str, Callable[[float | Fraction, float | Fraction], float | Fr
 }
 
 
+@functools.lru_cache(maxsize=1024)  # the runs of a study measure the same times again and again
 def seconds(time_us: int) -> Fraction:
     """Return a time as a value, in seconds."""
     return Fraction(time_us, _SECOND_US)
@@ -316,7 +318,12 @@ def _alike(
     """
     if isinstance(left, float) or isinstance(right, float):
         return float(left), float(right)
-    return Fraction(left), Fraction(right)
+    return _exact(left), _exact(right)
+
+
+def _exact(value: float | Fraction) -> Fraction:
+    """Return a whole number or a fraction as a fraction."""
+    return value if isinstance(value, Fraction) else Fraction(value)
 
 
 @dataclass(frozen=True, slots=True)
